@@ -1,0 +1,15 @@
+"""dynamics: an engineering calculator suite for the terminal. `run("skid speed", distance="50 ft", friction=0.7)`."""
+
+__version__ = "0.1.0"
+
+
+def run(command: str, /, **parameters: object) -> dict[str, object]:
+    """Answer one command and return its result document as a dictionary.
+
+    `command` is the family and task as typed (`"skid speed"`); every parameter takes what the command line or a JSON
+    input would: `"50 ft"`, `0.7`, `{"value": 60, "unit": "ft"}`, a list of segments.
+    Raises `dynamics_cli.errors.DynamicsError` when the call is wrong or has no answer.
+    """
+    from dynamics_cli.cli import answer
+
+    return answer(command, parameters)

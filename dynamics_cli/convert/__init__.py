@@ -1,0 +1,1 @@
+"""Units, and coordinates: conversions of every kind."""

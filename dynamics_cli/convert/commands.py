@@ -1,0 +1,61 @@
+"""The commands `convert`, `units` and `coords`."""
+
+from dynamics_cli.core.task import Family, Model, Task
+
+TABLE = "Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1; the defining constants of SI and of the US units"
+LISTS = "dynamics_cli.convert.unit_lists"
+
+
+def _list(name: str, summary: str, function: str, table: str, source: str, *examples: str) -> Task:
+    model = Model("exact unit table", f"{LISTS}:{function}", source=source, method="look-up")
+    return Task(name, summary, model, examples=examples, table=table, arrays=False, tracked=False, digits=17)
+
+
+FAMILIES = {
+    "convert": Family(
+        "convert",
+        "Convert a quantity to other units, exactly.",
+        Task(
+            "",
+            "Convert a quantity to one or several units, correctly rounded.",
+            Model(
+                "exact unit table",
+                "dynamics_cli.convert.conversion:convert",
+                source=TABLE,
+                formula="{value|value} = value read × {factor|factor} (exactly {exact_value|exact value})",
+                assumptions=("lb is read as a mass or a force by what is wanted", "a conversion rounds once"),
+                method="exact rational arithmetic",
+            ),
+            examples=(
+                "dynamics convert 60 mph ft/s",
+                'dynamics convert "60 mph" ft/s km/h',
+                'dynamics convert "1.8796 m" "ft;in"',
+                "dynamics convert 150 lbf kg --weight",
+            ),
+            arrays=False,
+            tracked=False,
+            digits=17,
+        ),
+    ),
+    "units": Family(
+        "units",
+        "List, show and search units; the book's conversion table.",
+        _list(
+            "list", "List the common units, all or of one kind.", "list_units", "units", TABLE,
+            'dynamics units list --kind torque',
+        ),
+        _list(
+            "show", "Show what a unit means, exactly, and what it converts to.", "show_unit", "readings", TABLE,
+            "dynamics units show slug",
+        ),
+        _list(
+            "search", "Search units by any part of a name or kind.", "search_units", "units", TABLE,
+            "dynamics units search mile",
+        ),
+        _list(
+            "table", "Print a published conversion table beside the exact factors.", "book_table", "rows",
+            "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, table 1.7.1",
+            "dynamics units table josephs-huston --format csv",
+        ),
+    ),
+}  # fmt: skip

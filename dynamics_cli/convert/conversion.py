@@ -1,0 +1,231 @@
+"""Conversion of a quantity to other units: exact rationals throughout, one rounding at the end.
+
+Units are this family's own subject, so unlike physics it works with the unit table itself.
+"""
+
+from dynamics_cli.core.units import (
+    Unit,
+    conformable,
+    explain_mismatch,
+    from_exact_compound,
+    is_offset,
+    nearest,
+    parse_compound,
+    parse_pair,
+    parse_unit,
+)
+from dynamics_cli.core.units import (
+    convert as convert_exactly,
+)
+from dynamics_cli.errors import InadmissibleError, UsageError
+from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import Unit as UnitName
+from dynamics_cli.records import Advice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
+
+HALF_ULP = 2.0**-53
+KILOGRAM = parse_unit("kg")
+NEWTON = parse_unit("N")
+METRE_PER_SECOND_SQUARED = parse_unit("m/s^2")
+STANDARD_GRAVITY = ExactQuantity(980665, 100000, "m/s^2")
+
+
+@record
+class Conversion:
+    """A quantity in other units.
+
+    Parameters
+    ----------
+    value : Measured
+        The quantity in the one unit asked for.
+    values : tuple of Measured
+        The quantity in each unit asked for, when several are.
+    exact : bool
+        Whether every number given is the exact result.
+    exact_value : str
+        The exact result as a rational, with π where the factor has it.
+    factor : str
+        The exact factor from the unit read to the unit asked for.
+    """
+
+    value: Measured | None
+    values: tuple[Measured, ...] | None
+    exact: bool
+    exact_value: Text | tuple[Text, ...]
+    factor: Text | tuple[Text, ...]
+    numerics: Numerics
+    advice: tuple[Advice, ...]
+
+
+def convert(
+    value: ExactQuantity,
+    /,
+    *targets: UnitName,
+    weight: bool = False,
+    gravity: ExactQuantity | None = None,
+) -> Conversion:
+    """Convert a quantity to one or several units, correctly rounded.
+
+    Equation: value in the target = (value · factor + offset) / (target's factor), in exact rationals; π to as many
+    digits as the rounding needs.
+
+    Parameters
+    ----------
+    value : ExactQuantity
+        The number and its unit, as one word or two.
+    *targets : Unit
+        The units wanted; `ft;in` gives feet and inches.
+    weight : bool
+        Take a mass for its weight, or a weight for its mass, by gravity.
+    gravity : ExactQuantity
+        The gravity that --weight uses [m/s²].
+
+    Returns
+    -------
+    Conversion
+        One target gives `value`, several give `values`.
+
+    Raises
+    ------
+    UsageError
+        When a unit is unknown or of another kind than the value.
+    InadmissibleError
+        When a temperature is below absolute zero.
+
+    Notes
+    -----
+    The error is at most half a unit in the last place: conversion rounds once. Powers of ten beyond the range of a
+    double are refused.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1.
+
+    Examples
+    --------
+    >>> convert(ExactQuantity(60, 1, "mph"), "ft/s").value
+    Measured(value=88.0, unit='ft/s')
+    """
+    if not value.unit:
+        raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
+    if not targets:
+        raise UsageError("targets: the unit to convert to is missing", parameter="targets", hint="for example ft/s")
+    parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets]
+    several = len(parts) > 1
+    name = "values" if several else "value"
+    notes = dict.fromkeys(note for part in parts for note in part.notes)
+    return Conversion(
+        value=None if several else parts[0].measured,
+        values=tuple(part.measured for part in parts) if several else None,
+        exact=all(part.exact for part in parts),
+        exact_value=tuple(part.exact_text for part in parts) if several else parts[0].exact_text,
+        factor=tuple(part.factor for part in parts) if several else parts[0].factor,
+        numerics=Numerics(
+            "exact rational arithmetic, rounded once",
+            (ErrorBound(name, 0.0 if all(part.exact for part in parts) else HALF_ULP),),
+            (Condition(name, "value", max((part.condition for part in parts), key=abs)),),
+        ),
+        advice=tuple(Advice("reading", note, "note") for note in notes),
+    )
+
+
+class _Part:
+    """The conversion to one target."""
+
+    __slots__ = ("condition", "exact", "exact_text", "factor", "measured", "notes")
+
+    def __init__(self, measured: Measured, exact: bool, exact_text: str, factor: str, condition: float) -> None:
+        self.measured = measured
+        self.exact = exact
+        self.exact_text = exact_text
+        self.factor = factor
+        self.condition = condition
+        self.notes: tuple[str, ...] = ()
+
+
+def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuantity | None) -> _Part:
+    numerator, denominator = value.numerator, value.denominator
+    compound = parse_compound(target) if ";" in target else ()
+    source, wanted = parse_pair(value.unit, compound[-1].text if compound else target)
+    if weight:
+        numerator, denominator, source = _weigh(numerator, denominator, value.unit, wanted, gravity)
+    if not conformable(source, wanted):
+        message, hint = explain_mismatch(source, wanted)
+        raise UsageError(message, code="dimension", parameter="targets", hint=hint)
+    _check_temperature(numerator, denominator, source)
+    n, d, pi = convert_exactly(numerator, denominator, source, wanted)
+    exact_text = _rational(n, d, pi)
+    factor = _factor(source, wanted)
+    if weight:
+        factor = _rational(*convert_exactly(*_weigh(1, 1, value.unit, wanted, gravity)[:2], source, wanted))
+    if compound:
+        numbers = from_exact_compound(numerator, denominator, source, compound)
+        total = nearest(n, d, pi)
+        part = _Part(Measured(numbers, target), False, f"{exact_text} {wanted.text}", factor, 1.0)
+        part.exact = pi == 0 and total.as_integer_ratio() == (n, d)
+    else:
+        rounded = nearest(n, d, pi)
+        exact = pi == 0 and rounded.as_integer_ratio() == (n, d)
+        part = _Part(Measured(rounded, target), exact, exact_text, factor, 1.0)
+        if is_offset(source) or is_offset(wanted):
+            part.condition = _affine_condition(numerator, denominator, source, wanted, rounded)
+    part.notes = (*source.notes, *wanted.notes)
+    return part
+
+
+def _weigh(
+    numerator: int, denominator: int, text: str, wanted: Unit, gravity: ExactQuantity | None
+) -> tuple[int, int, Unit]:
+    """A mass as its weight or a weight as its mass, in SI."""
+    g = gravity or STANDARD_GRAVITY
+    unit = parse_unit(g.unit, METRE_PER_SECOND_SQUARED)
+    if not conformable(unit, METRE_PER_SECOND_SQUARED):
+        message, hint = explain_mismatch(unit, METRE_PER_SECOND_SQUARED)
+        raise UsageError(message, parameter="gravity", hint=hint)
+    gn, gd, _ = convert_exactly(g.numerator, g.denominator, unit, METRE_PER_SECOND_SQUARED)
+    if gn <= 0:
+        raise UsageError("gravity must be positive", parameter="gravity")
+    for given, becomes, n, d in ((KILOGRAM, NEWTON, gn, gd), (NEWTON, KILOGRAM, gd, gn)):
+        source = parse_unit(text, given)
+        if conformable(source, given) and conformable(parse_unit(wanted.text, becomes), becomes):
+            an, ad, _ = convert_exactly(numerator, denominator, source, given)
+            return an * n, ad * d, becomes
+    raise UsageError(
+        "--weight converts a mass to a weight or a weight to a mass",
+        parameter="weight",
+        hint="for example: dynamics convert 150 lbf kg --weight",
+    )
+
+
+def _check_temperature(numerator: int, denominator: int, source: Unit) -> None:
+    if is_offset(source):
+        kelvin, below, _ = convert_exactly(numerator, denominator, source, parse_unit("K"))
+        if kelvin < 0:
+            raise InadmissibleError(
+                f"{nearest(numerator, denominator):g} {source.text} is below absolute zero by {-kelvin / below:g} K",
+                code="below-zero",
+            )
+
+
+def _rational(numerator: int, denominator: int, pi: int) -> str:
+    if pi == 0 or numerator == 0:
+        return str(numerator) if denominator == 1 else f"{numerator}/{denominator}"
+    power = "π" if abs(pi) == 1 else f"π^{abs(pi)}"
+    if pi > 0:
+        top = power if numerator == 1 else f"{numerator}·{power}"
+        return top if denominator == 1 else f"{top}/{denominator}"
+    return f"{numerator}/{power}" if denominator == 1 else f"{numerator}/({denominator}·{power})"
+
+
+def _factor(source: Unit, target: Unit) -> str:
+    """Target units in one source unit; for scales with different zeros, of a difference."""
+    numerator = source.numerator * target.denominator
+    denominator = source.denominator * target.numerator
+    from math import gcd
+
+    common = gcd(numerator, denominator)
+    return _rational(numerator // common, denominator // common, source.pi - target.pi)
+
+
+def _affine_condition(numerator: int, denominator: int, source: Unit, target: Unit, rounded: float) -> float:
+    slope = (source.numerator * target.denominator) / (source.denominator * target.numerator)
+    return slope * (numerator / denominator) / rounded if rounded else 0.0

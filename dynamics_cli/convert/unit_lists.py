@@ -1,0 +1,264 @@
+"""The units known: listed by kind, one shown whole, searched by name; and the book's own conversion table."""
+
+import os
+
+from dynamics_cli.core.units import all_units, candidates, conformable_names, kind_name, names_like, nearest
+from dynamics_cli.core.unit_words import base_expression
+from dynamics_cli.errors import UsageError
+from dynamics_cli.quantities import Count, Ratio, Text
+from dynamics_cli.records import Choice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.core.units import Unit
+
+
+@record
+class UnitEntry:
+    """One unit.
+
+    Parameters
+    ----------
+    unit : Text
+        Its symbol.
+    kind : Text
+        What it measures.
+    factor : Text
+        SI units in one of it, exactly.
+    si : Text
+        The SI unit.
+    zero : Text
+        The SI value at its zero, for temperatures.
+    names : Text
+        Every spelling, prefixes apart.
+    """
+
+    unit: Text
+    kind: Text
+    factor: Text
+    si: Text
+    zero: Text | None
+    names: Text
+
+
+@record
+class UnitList:
+    """Units found.
+
+    Parameters
+    ----------
+    count : Count
+        How many.
+    units : tuple of UnitEntry
+        The units.
+    """
+
+    count: Count
+    units: tuple[UnitEntry, ...]
+
+
+@record
+class UnitShown:
+    """One unit in full; one reading for each thing its name may mean.
+
+    Parameters
+    ----------
+    readings : tuple of UnitEntry
+        What the unit means.
+    conformable : Text
+        Units that it converts to.
+    """
+
+    readings: tuple[UnitEntry, ...]
+    conformable: Text
+
+
+class Table(Choice):
+    """A published table of conversion factors."""
+
+    names = ("josephs-huston",)
+    aliases = {"book": "josephs-huston"}  # noqa: RUF012
+
+
+@record
+class TableRow:
+    """One row of the book's table.
+
+    Parameters
+    ----------
+    quantity : Text
+        The book's name of the kind.
+    from_unit : Text
+        Unit converted from, as printed.
+    to_unit : Text
+        Unit converted to, as printed.
+    printed : Text
+        The factor as printed.
+    factor : Ratio
+        The right factor, correctly rounded.
+    exact : Text
+        The right factor exactly.
+    note : Text
+        What is wrong with the printed one, or what it rests on.
+    """
+
+    quantity: Text
+    from_unit: Text
+    to_unit: Text
+    printed: Text
+    factor: Ratio
+    exact: Text
+    note: Text
+
+
+@record
+class BookTable:
+    """The book's table of conversion factors beside the exact ones.
+
+    Parameters
+    ----------
+    count : Count
+        Rows.
+    misprints : Count
+        Rows whose printed factor is a misprint.
+    inexact : Count
+        Rows whose last printed digit is off or was cut.
+    rows : tuple of TableRow
+        The rows.
+    """
+
+    count: Count
+    misprints: Count
+    inexact: Count
+    rows: tuple[TableRow, ...]
+
+
+def list_units(*, kind: Text | None = None) -> UnitList:
+    """List the common units, all or of one kind.
+
+    Parameters
+    ----------
+    kind : Text
+        The kind wanted: length, speed, torque, moment of inertia, …
+
+    Raises
+    ------
+    UsageError
+        When no unit is of that kind.
+    """
+    entries = [_entry(unit, names, symbol) for symbol, names, unit, _ in all_units()]
+    if kind is not None:
+        wanted = kind.strip().lower().replace("_", " ").replace("-", " ")
+        kinds = sorted({entry.kind for entry in entries})
+        entries = [entry for entry in entries if wanted == entry.kind or wanted in entry.kind.split(" or ")]
+        if not entries:
+            from dynamics_cli.core.words import nearest_words
+
+            near = nearest_words(wanted, kinds)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"kinds are {', '.join(kinds)}"
+            raise UsageError(f"no unit is of kind {kind!r}", parameter="kind", hint=hint)
+    return UnitList(len(entries), tuple(entries))
+
+
+def show_unit(name: Text, /) -> UnitShown:
+    """Show what a unit means, exactly, and what it converts to.
+
+    Parameters
+    ----------
+    name : Text
+        A unit or an expression of units: slug, lbf*ft, ft/sec2.
+
+    Raises
+    ------
+    UsageError
+        When nobody knows it.
+    """
+    found = candidates(name)
+    spelled = {symbol: names for symbol, names, _, _ in all_units()}
+    return UnitShown(
+        tuple(_entry(unit, spelled.get(unit.text, ()), name) for unit in found),
+        ", ".join(dict.fromkeys(other for unit in found for other in conformable_names(unit))),
+    )
+
+
+def search_units(text: Text, /) -> UnitList:
+    """Search the common units by any part of a name, a description or a kind.
+
+    Parameters
+    ----------
+    text : Text
+        What to look for.
+
+    Raises
+    ------
+    UsageError
+        When nothing is found; near names are offered.
+    """
+    wanted = text.strip().lower()
+    entries = [
+        _entry(unit, names, symbol)
+        for symbol, names, unit, description in all_units()
+        if any(wanted in word.lower() for word in (symbol, *names, description, kind_name(unit)))
+    ]
+    if not entries:
+        near = names_like(text)
+        hint = f"did you mean {' or '.join(near)}?" if near else "dynamics units list shows them all"
+        raise UsageError(f"no unit is called anything like {text!r}", parameter="text", hint=hint)
+    return UnitList(len(entries), tuple(entries))
+
+
+def book_table(name: Table, /) -> BookTable:
+    """Print a published table of conversion factors beside the exact ones, its misprints marked.
+
+    Parameters
+    ----------
+    name : Table
+        The table: josephs-huston, the book's table 1.7.1.
+
+    Notes
+    -----
+    The book's rows for `g` rest on 32.2 ft/s², not on standard gravity, and say so.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, table 1.7.1.
+    """
+    rows = tuple(map(_row, _book_lines()))
+    return BookTable(
+        len(rows),
+        sum("misprint" in row.note for row in rows),
+        sum("digit" in row.note and "misprint" not in row.note for row in rows),
+        rows,
+    )
+
+
+def _entry(unit: "Unit", names: tuple[str, ...], text: str) -> UnitEntry:
+    n, d = unit.numerator, unit.denominator
+    power = {0: "", 1: "·π", -1: "/π"}.get(unit.pi, f"·π^{unit.pi}")
+    zero = None
+    if unit.offset[0]:
+        zero = f"{unit.offset[0]}/{unit.offset[1]}"
+    return UnitEntry(
+        unit=text,
+        kind=kind_name(unit),
+        factor=(str(n) if d == 1 else f"{n}/{d}") + power,
+        si=base_expression(unit.dimension),
+        zero=zero,
+        names=", ".join(names),
+    )
+
+
+def _book_lines() -> list[list[str]]:
+    name = os.path.join(os.path.dirname(__file__), "data", "josephs_huston_table_1_7_1.csv")
+    with open(name, encoding="utf-8") as file:
+        return [line.rstrip("\n").split(",", 6) for line in file][1:]
+
+
+def _row(cells: list[str]) -> TableRow:
+    quantity, source, target, printed, _, exact, note = cells
+    top, _, bottom = exact.partition("/")
+    pi = (top == "pi") - (bottom == "pi")
+    numerator = 1 if top == "pi" else int(top)
+    denominator = 1 if bottom == "pi" else int(bottom or 1)
+    factor = nearest(numerator, denominator, pi)
+    return TableRow(quantity, source, target, printed, factor, exact.replace("pi", "π").removesuffix("/1"), note)

@@ -1,0 +1,78 @@
+"""One case answered: the model chosen, the physics called with tracked numbers, the record it returned."""
+
+from dynamics_cli.core.bound import Fields
+from dynamics_cli.core.task import Model, Task, load
+from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+
+class Answer:
+    """What the physics returned, by which model, and which inputs its slopes belong to."""
+
+    __slots__ = ("leaves", "model", "record", "why")
+
+    def __init__(self, record: "Any", model: Model, why: str, leaves: "list[tuple[str, float]]") -> None:
+        self.record = record
+        self.model = model
+        self.why = why
+        self.leaves = leaves
+
+
+def choose(task: Task, bound: Fields, asked: str) -> "tuple[Model, str]":
+    """The model asked for, or the smallest that suffices, and why."""
+    if asked:
+        for model in task.models:
+            if asked.lower() == model.key:
+                return model, "asked for"
+        known = ", ".join(model.key for model in task.models)
+        raise UsageError(f"there is no model {asked!r} of {task.path}", parameter="model", hint=f"there is {known}")
+    for model in task.models[:-1]:
+        args, kwargs = arguments(task, bound)
+        why = load(model.suffices)(*args, **kwargs)
+        if why is not None:
+            return model, why
+    last = task.models[-1]
+    return last, "no smaller model suffices" if len(task.models) > 1 else ""
+
+
+def arguments(
+    task: Task, bound: Fields, values: "Mapping[str, Any] | None" = None
+) -> "tuple[list[Any], dict[str, Any]]":
+    """Positional and keyword arguments for the physics function, with `values` at their addresses."""
+    made = bound.assemble(values or {})
+    args: list[Any] = []
+    for field in task.specification.words:
+        if field.name in made:
+            value = made.pop(field.name)
+            args.extend(value if field.place == "words" else (value,))
+    return args, made
+
+
+def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, Any] | None" = None) -> "Any":
+    """The physics function's record; leaving the range of a double is a refusal, never a traceback."""
+    args, kwargs = arguments(task, bound, values)
+    try:
+        return model.call()(*args, **kwargs)
+    except DynamicsError:
+        raise
+    except ArithmeticError as error:
+        raise InadmissibleError(
+            f"the calculation leaves the range of a double ({error})", code="range", hint="check the size of the inputs"
+        ) from None
+
+
+def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
+    """Answer one case, with derivatives and rounding bounds where the model can carry them."""
+    model, why = choose(task, bound, asked)
+    leaves = [(address, si) for address, _, si in bound.leaves()] if task.tracked else []
+    if not leaves:
+        return Answer(call_model(task, model, bound), model, why, [])
+    from dynamics_cli.numerics.tracked import Tracked
+
+    numbers = Tracked.inputs([si for _, si in leaves])
+    values = {address: number for (address, _), number in zip(leaves, numbers, strict=True)}
+    return Answer(call_model(task, model, bound, values), model, why, leaves)

@@ -1,0 +1,176 @@
+"""Inputs as read: a tree that offers its numbers by address, accepts other numbers in their place, and can be shown.
+
+The tree mirrors the signature. `assemble` turns it into what the physics function takes; with `values` it puts floats,
+arrays or tracked numbers at chosen addresses, which is all that sweeps, rows, sensitivities and uncertainty need.
+"""
+
+from dynamics_cli.quantities import Kind
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any
+
+    Values = Mapping[str, Any]
+
+NOTHING: "Values" = {}
+
+
+class Bound:
+    """One node of the inputs as read; `spread` when its fields stand beside its siblings in the document."""
+
+    spread = False
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """What the function takes, with `values` in place of the numbers at their addresses."""
+        raise TypeError
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """Every number: its address, kind and SI value."""
+        return iter(())
+
+    def echo(self) -> "Any":
+        """The input as the document shows it."""
+        raise TypeError
+
+
+class Value(Bound):
+    """A number: its SI value, and the number and unit as written."""
+
+    def __init__(self, address: str, kind: Kind, si: float, shown: "Any", unit: str) -> None:
+        self.address = address
+        self.kind = kind
+        self.si = si
+        self.shown = shown
+        self.unit = unit
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """The SI value, or what stands in its place."""
+        return values.get(self.address, self.si)
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """This one number."""
+        yield self.address, self.kind, self.si
+
+    def echo(self) -> "Any":
+        """Number and unit as written."""
+        return {"value": self.shown, "unit": self.unit} if self.unit else {"value": self.shown}
+
+
+class VectorValue(Bound):
+    """A vector or tensor: SI components by index (`position[0]`), and as written."""
+
+    def __init__(self, address: str, kind: Kind, si: "tuple[Any, ...]", shown: "Any", unit: str) -> None:
+        self.address = address
+        self.kind = kind
+        self.si = si
+        self.shown = shown
+        self.unit = unit
+
+    def _walk(self, part: "Any", address: str) -> "Iterator[tuple[str, float]]":
+        for index, item in enumerate(part):
+            name = f"{address}[{index}]"
+            if isinstance(item, tuple):
+                yield from self._walk(item, name)
+            else:
+                yield name, item
+
+    def _replace(self, part: "Any", address: str, values: "Values") -> "Any":
+        if not isinstance(part, tuple):
+            return values.get(address, part)
+        return tuple(self._replace(item, f"{address}[{index}]", values) for index, item in enumerate(part))
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """Nested tuples of components."""
+        return self._replace(self.si, self.address, values)
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """Every component."""
+        for address, value in self._walk(self.si, self.address):
+            yield address, self.kind, value
+
+    def echo(self) -> "Any":
+        """Components and unit as written."""
+        return {"value": self.shown, "unit": self.unit} if self.unit else {"value": self.shown}
+
+
+class Constant(Bound):
+    """Anything that is not a real number: words, choices, counts, flags, files, exact quantities."""
+
+    def __init__(self, value: "Any", shown: "Any") -> None:
+        self.value = value
+        self.shown = shown
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """The value itself."""
+        return self.value
+
+    def echo(self) -> "Any":
+        """The value as the document shows it."""
+        return self.shown
+
+
+class Fields(Bound):
+    """A record (or, without a class, the parameters of a task), with its key and tag when it is one of a tagged union."""
+
+    def __init__(
+        self,
+        cls: "type | None",
+        fields: "dict[str, Bound]",
+        *,
+        spread: bool = False,
+        tag: "tuple[str, str] | None" = None,
+    ) -> None:
+        self.cls = cls
+        self.fields = fields
+        self.spread = spread
+        self.tag = tag
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """The record, or a dictionary of parameters."""
+        made = {name: bound.assemble(values) for name, bound in self.fields.items()}
+        return made if self.cls is None else self.cls(**made)
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """Every number below."""
+        for bound in self.fields.values():
+            yield from bound.leaves()
+
+    def echo(self) -> "Any":
+        """A dictionary by key; spread fields stand beside the others."""
+        out: dict[str, Any] = {} if self.tag is None else {self.tag[0]: self.tag[1]}
+        for name, bound in self.fields.items():
+            if bound.spread:
+                out.update(bound.echo())
+            else:
+                out[name.rstrip("_")] = bound.echo()
+        return out
+
+
+class Several(Bound):
+    """A tuple of items, or the columns of a table when `columns` names the row's class."""
+
+    def __init__(self, items: "list[Bound]", columns: "type | None" = None) -> None:
+        self.items = items
+        self.columns = columns
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """A tuple of items, or columns."""
+        made = tuple(item.assemble(values) for item in self.items)
+        if self.columns is None:
+            return made
+        import numpy as np
+
+        from dynamics_cli.records import Columns
+
+        names = self.columns.fields  # type: ignore[attr-defined]
+        return Columns(self.columns, **{name: np.array([getattr(row, name) for row in made]) for name in names})
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """Every number below."""
+        for item in self.items:
+            yield from item.leaves()
+
+    def echo(self) -> "Any":
+        """A list."""
+        return [item.echo() for item in self.items]

@@ -1,0 +1,89 @@
+"""A call carried out: gathered, read, answered, shown. The one path behind the direct route, typer and `run`."""
+
+from dynamics_cli.core.answer import answer
+from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.document import build
+from dynamics_cli.core.gather import Gathered, gather
+from dynamics_cli.core.shown import Display
+from dynamics_cli.core.task import Task
+from dynamics_cli.errors import ExitStatus, FaultError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+
+def execute(task: Task, call: Call, terminal: "Terminal") -> int:
+    """Answer a call on standard output or in a file; the exit status."""
+    settings = Settings(call.settings, terminal.environ)
+    if settings.rows:
+        from dynamics_cli.core.stream import run_rows
+
+        return run_rows(task, call, settings, terminal)
+    gathered = gather(task, call, settings, terminal)
+    status = ExitStatus.DONE
+    if settings.sweep:
+        from dynamics_cli.core.sweep import sweep
+
+        document, failed = sweep(task, gathered, settings)
+        status = ExitStatus.SOME_FAILED if failed else ExitStatus.DONE
+        table = "sweep"
+    else:
+        document = document_of(task, gathered, settings)
+        table = task.table
+    _write(document, settings, terminal, task, table)
+    return status
+
+
+def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":
+    """The result document of one case."""
+    bound = gathered.reader.read(task.specification.fields, gathered.raw)
+    start = _clock() if settings.timing else 0.0
+    answered = answer(task, bound, settings.model)
+    took = _clock() - start if settings.timing else 0.0
+    display = Display(settings.units, settings.to)
+    document = build(task, bound, answered, display, gathered.reader.notes)
+    for check in document["checks"]:
+        if not check["passed"]:
+            raise FaultError(
+                f"our own check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
+                code="check",
+                hint="this is a bug: please report it with the inputs",
+            )
+    if settings.limit:
+        from dynamics_cli.core.limits import add_limits
+
+        add_limits(document, task, bound, answered, settings, display)
+    if gathered.reader.files:
+        from dynamics_cli.core.hashes import file_hashes
+
+        document["files"] = file_hashes(gathered.reader.files)
+    if settings.explain:
+        from dynamics_cli.core.explain import explanation
+
+        document["explanation"] = explanation(task, document, answered)
+    if settings.timing:
+        document["timing"] = {"value": took, "unit": "s"}
+    return document
+
+
+def _clock() -> float:
+    from time import perf_counter
+
+    return perf_counter()
+
+
+def _write(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> None:
+    from dynamics_cli.core.render import render
+
+    digits = settings.digits or task.digits
+    text = render(document, settings.format, digits, table)
+    if settings.output:
+        from dynamics_cli.core.writing import WholeFile
+
+        with WholeFile(settings.output) as file:
+            file.write(text.encode())
+    else:
+        terminal.write(text)

@@ -1,0 +1,85 @@
+"""`--explain`: the formula with symbols and with numbers, the source, the assumptions, the model and why."""
+
+from dynamics_cli.core.render import flatten, is_table, quantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answer import Answer
+    from dynamics_cli.core.task import Task
+
+
+def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") -> "dict[str, Any]":
+    """How the answer came about, in the terms of its formula."""
+    model = answered.model
+    out: dict[str, Any] = {}
+    if model.formula:
+        out["formula"] = filled(model.formula, {})
+        out["with_numbers"] = filled(model.formula, {**_defaults(task), **_numbers(document)})
+        out["symbols"] = _symbols(model.formula)
+    out["model"] = model.name
+    if answered.why:
+        out["why"] = answered.why
+    out["assumptions"] = list(model.assumptions)
+    out["source"] = model.source
+    conditions = document["numerics"].get("condition", {})
+    out["sensitivity"] = [
+        f"{result} changes by {value:+.4g} % for +1 % of {name}"
+        for result, entry in conditions.items()
+        for name, value in sorted(entry.items(), key=lambda item: -abs(item[1]))
+        if value
+    ]
+    return {key: value for key, value in out.items() if value}
+
+
+def filled(formula: str, numbers: "dict[str, str]") -> str:
+    """The formula with each `{address|symbol}` replaced by its number where there is one, else by its symbol."""
+    out = []
+    rest = formula
+    while "{" in rest:
+        before, _, rest = rest.partition("{")
+        inside, _, rest = rest.partition("}")
+        address, _, symbol = inside.partition("|")
+        out += [before, numbers.get(address, symbol)]
+    return "".join(out) + rest
+
+
+def _symbols(formula: str) -> "list[str]":
+    made: dict[str, str] = {}
+    for piece in formula.split("{")[1:]:
+        address, _, symbol = piece.partition("}")[0].partition("|")
+        made.setdefault(f"{symbol} is {address.replace('_', ' ').replace('.', ' ')}", symbol)
+    return list(made)
+
+
+def _grouped(text: str) -> str:
+    return f"({text})" if " " in text else text
+
+
+def _defaults(task: "Task") -> "dict[str, str]":
+    """The numbers of parameters that were not given."""
+    made: dict[str, str] = {}
+    for name, option in task.options.items():
+        if isinstance(option.default, float) and option.leaf is not None:
+            made[name.replace("-", "_")] = _grouped(f"{option.default:g} {option.leaf.kind.unit}".strip())
+    return made
+
+
+def _numbers(document: "dict[str, Any]") -> "dict[str, str]":
+    """Every input and result by its address; a table's column as its values, a lone value plainly."""
+    numbers: dict[str, str] = {}
+    for side in ("results", "inputs"):
+        digits = 17 if side == "inputs" else 6
+        for name, value, unit in flatten(document[side]):
+            numbers[name] = _grouped(quantity(value, unit, digits))
+        for name, table in document[side].items():
+            if is_table(table) and isinstance(table, list):
+                for key in table[0]:
+                    cells = [row[key] for row in table if isinstance(row.get(key), dict) and "value" in row[key]]
+                    texts = [quantity(cell["value"], cell.get("unit", ""), digits) for cell in cells]
+                    joined = _grouped(texts[0]) if len(texts) == 1 else "(" + "; ".join(texts) + ")"
+                    if texts:
+                        numbers[f"{name}.{key}"] = joined
+                        numbers.setdefault(key, joined)
+    return numbers

@@ -1,0 +1,138 @@
+"""From a call to the raw input: words and options put where the signature says, over what files give."""
+
+from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.reading import Reader
+from dynamics_cli.core.specification import Field, Leaf, Many, Record, Tagged
+from dynamics_cli.core.task import Task
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+
+class Gathered:
+    """Raw input, and the reader that knows where it came from."""
+
+    __slots__ = ("raw", "reader")
+
+    def __init__(self, raw: "dict[str, Any]", reader: Reader) -> None:
+        self.raw = raw
+        self.reader = reader
+
+
+def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, rows: bool = False) -> Gathered:
+    """Everything a call says about its parameters; with `rows`, words bind only to what the rows do not give."""
+    fields = task.specification.fields
+    raw, scene = _words(fields, call.words, rows=rows)
+    for name, value in call.options.items():
+        _put(raw, task.options[name].path, value)
+    file = settings.input or scene
+    if scene and settings.input:
+        raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
+    if not file:
+        return Gathered(raw, Reader(terminal.environ))
+    return _over_file(task, raw, file, terminal)
+
+
+def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal") -> Gathered:
+    import os
+
+    from dynamics_cli.core.loading import parameters_of, read_object
+
+    loaded, _ = read_object(file, terminal)
+    known = {key for field in task.specification.fields for key in _keys_of(field)}
+    units = loaded.pop("units", {}) if "units" not in known else {}
+    if not isinstance(units, dict):
+        raise UsageError("[units] names default units, one for each kind", parameter="units")
+    folder = "" if file == "-" else os.path.dirname(file)
+    reader = Reader(terminal.environ, folder=folder, units=units)
+    if file != "-":
+        reader.files.append(file)
+    return Gathered(_merge(task, parameters_of(loaded, known), raw), reader)
+
+
+def _merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
+    """Options over the file's parameters; a lone item's fields on the command line replace the file's list of items."""
+    merged = dict(below)
+    for field in task.specification.fields:
+        keys = _keys_of(field)
+        if field.spreads and not keys.isdisjoint(above):
+            exclusive = isinstance(field.node, Many) or not _compatible(field, merged, above, keys)
+            for key in keys if exclusive else ():
+                if not (isinstance(field.node, Many) and key != field.key and field.key not in above):
+                    merged.pop(key, None)
+    for key, value in above.items():
+        old = merged.get(key)
+        merged[key] = _deep(old, value) if isinstance(old, dict) and isinstance(value, dict) else value
+    return merged
+
+
+def _compatible(field: Field, below: "dict[str, Any]", above: "dict[str, Any]", keys: "set[str]") -> bool:
+    """Whether some alternative knows every name given in either place."""
+    given = {key for key in keys if key in below or key in above}
+    members = getattr(field.node, "members", ())
+    return not isinstance(members, tuple) or any(member.names >= given for member in members)
+
+
+def _deep(below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
+    merged = dict(below)
+    for key, value in above.items():
+        old = merged.get(key)
+        merged[key] = _deep(old, value) if isinstance(old, dict) and isinstance(value, dict) else value
+    return merged
+
+
+def _keys_of(field: Field) -> "set[str]":
+    if isinstance(field.node, Record) and field.place:
+        return set(field.node.names)
+    return set(field.spread())
+
+
+def _put(raw: "dict[str, Any]", path: "tuple[str, ...]", value: "Any") -> None:
+    for key in path[:-1]:
+        raw = raw.setdefault(key, {})
+    raw[path[-1]] = value
+
+
+def _words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -> "tuple[dict[str, Any], str]":
+    """Words put to the positional parameters in order; a number's unit may be a word of its own."""
+    raw: dict[str, Any] = {}
+    rest = list(words)
+    scene = ""
+    for field in fields:
+        if not field.place or not rest:
+            continue
+        node = field.node
+        if field.place == "words":
+            raw[field.key] = rest
+            rest = []
+        elif isinstance(node, Record):
+            scene = rest.pop(0)
+        elif isinstance(node, Tagged):
+            raw[node.key] = rest.pop(0)
+        elif rows and isinstance(node, Leaf) and node.kind.form == "exact" and not _has_number(rest[0]):
+            continue
+        else:
+            raw[field.key] = rest.pop(0)
+            is_number = isinstance(node, Leaf) and node.kind.form in ("exact", "scalar")
+            if is_number and rest and _is_bare(raw[field.key]) and _wants_unit(node, rest, fields):
+                raw[field.key] += " " + rest.pop(0)
+    if rest:
+        raise UsageError(f"unexpected word {rest[0]!r}", code="unexpected", hint="quote a value that has spaces")
+    return raw, scene
+
+
+def _wants_unit(node: object, rest: "list[str]", fields: "tuple[Field, ...]") -> bool:
+    """Whether the next word can only be this number's unit."""
+    return isinstance(node, Leaf) and (node.kind.form == "exact" or bool(node.kind.unit)) and not _has_number(rest[0])
+
+
+def _has_number(word: str) -> bool:
+    return word.lstrip("+-−.")[:1].isdigit()
+
+
+def _is_bare(word: str) -> bool:
+    return word[-1:].isdigit() or word.endswith(".")

@@ -1,0 +1,129 @@
+"""Help, from the signature and the docstrings that stand beside it."""
+
+from dynamics_cli.core.specification import REQUIRED, Leaf, Option, Record
+from dynamics_cli.core.task import Task
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+
+def placeholder(option: Option) -> str:
+    """What stands for an option's value in help."""
+    if option.leaf is None:
+        return "NAME=VALUE,…"
+    if option.leaf.choice is not None:
+        return "NAME"
+    return option.leaf.kind.name.upper().replace(" ", "-")
+
+
+def described(docstring: "str | None") -> "dict[str, str]":
+    """The parameters a docstring describes: name and text, from its numpydoc Parameters section."""
+    found: dict[str, str] = {}
+    lines = (docstring or "").expandtabs().splitlines()
+    heads = [i for i, line in enumerate(lines) if line.strip() in ("Parameters", "Attributes")]
+    for head in heads:
+        indent = len(lines[head]) - len(lines[head].lstrip())
+        name = ""
+        for line in lines[head + 2 :]:
+            text = line.strip()
+            depth = len(line) - len(line.lstrip())
+            if text.startswith("---"):
+                break
+            if text and depth <= indent and " : " not in text:
+                break
+            if text and depth <= indent:
+                name = text.partition(" : ")[0].strip("*` ")
+                found[name] = ""
+            elif name:
+                found[name] = f"{found[name]} {text}".strip()
+    return found
+
+
+def option_help(option: Option) -> str:
+    """One option's line: what it is, its default, an example."""
+    if option.leaf is None:
+        return "One of several, with its own values (repeatable)."
+    leaf = option.leaf
+    text = leaf.kind.about
+    if leaf.choice is not None:
+        text = "one of " + ", ".join(leaf.choice.names)
+    text = (_DESCRIBED.get(option.path) or text).replace(" [-]", "").rstrip(".")
+    if option.required:
+        text += " [required]"
+    elif option.default is not REQUIRED and option.default is not None and option.default is not False:
+        text += f" [default: {_default(option)}]"
+    if leaf.kind.example and leaf.choice is None:
+        text += f", e.g. {leaf.kind.example}"
+    return text
+
+
+def _default(option: Option) -> str:
+    leaf = option.leaf
+    if option.path[-1] == "gravity":
+        return "9.80665 m/s²"
+    if (leaf is not None and leaf.kind.form == "fraction") or not isinstance(option.default, float):
+        return str(option.default)
+    unit = leaf.kind.unit if leaf is not None else ""
+    return f"{option.default:g} {unit}".strip()
+
+
+# Filled for the command whose help is wanted: an option's path and what the docstrings say of it.
+_DESCRIBED: "dict[tuple[str, ...], str]" = {}
+
+
+def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
+    """What the docstrings of the function and of its records say of each option."""
+    made: dict[tuple[str, ...], str] = {}
+    own = described(task.models[0].call().__doc__)
+    for field in task.specification.fields:
+        _describe(field.node, (), made, own, field.key, set())
+    return made
+
+
+def _describe(
+    node: object,
+    prefix: "tuple[str, ...]",
+    made: "dict[tuple[str, ...], str]",
+    texts: "Mapping[str, str]",
+    key: str,
+    seen: "set[type]",
+) -> None:
+    item = getattr(node, "item", node)
+    members = getattr(item, "members", ())
+    records = members.values() if isinstance(members, dict) else members
+    if isinstance(item, Leaf):
+        text = texts.get(key) or texts.get(key + "_")
+        if text:
+            made.setdefault((*prefix, key), text)
+    for record in [item] if isinstance(item, Record) else records:
+        if record.cls not in seen:
+            inner = prefix if item is not node or not isinstance(item, Record) else (*prefix, key)
+            own = described(record.cls.__doc__)
+            for field in record.fields:
+                _describe(field.node, inner, made, own, field.key, seen | {record.cls})
+
+
+def command_help(task: Task) -> str:
+    """A task's long help: its claim, its formula, its sources and examples that run."""
+    _DESCRIBED.clear()
+    _DESCRIBED.update(describe_options(task))
+    blocks = [task.summary]
+    for model in task.models:
+        lines = [f"{model.name}:"] if len(task.models) > 1 else []
+        if model.formula:
+            from dynamics_cli.core.explain import filled
+
+            lines.append("Formula: " + filled(model.formula, {}))
+        lines.append(f"Source: {model.source}")
+        blocks.append("\b\n" + "\n".join(lines))
+    if task.examples:
+        # \b keeps the lines of a block as they stand.
+        blocks.append("\b\n" + "\n".join(["Examples:", *(f"  {example}" for example in task.examples)]))
+    return "\n\n".join(blocks)
+
+
+def undescribed(task: Task) -> "list[str]":
+    """Options that no docstring describes: a test keeps this empty."""
+    texts = describe_options(task)
+    return [name for name, option in task.options.items() if option.leaf is not None and option.path not in texts]

@@ -1,0 +1,239 @@
+"""One leaf of the input, from text or JSON to a bound value, as its kind says it is to be read."""
+
+from dynamics_cli.core.bound import Bound, Constant, Value, VectorValue
+from dynamics_cli.core.grammar import read_amount, read_fraction, read_scalar, split_list
+from dynamics_cli.errors import UsageError
+from dynamics_cli.quantities import Kind
+from dynamics_cli.records import ExactQuantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.core.reading import Reader
+    from dynamics_cli.core.specification import Leaf, Many
+
+
+class Token(str):
+    """A bare number as it stood in JSON or TOML: its text, so that it is read exactly and once."""
+
+    __slots__ = ()
+
+
+def read_leaf(leaf: "Leaf", raw: "Any", address: str, reader: "Reader") -> Bound:
+    """Bind one leaf; raises UsageError, whose parameter the caller fills in."""
+    if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
+        from dynamics_cli.core.references import resolve
+
+        raw = resolve(raw, reader)
+    if leaf.choice is not None:
+        return _choice(leaf, raw)
+    read = _FORMS.get(leaf.kind.form, _scalar)
+    return read(leaf.kind, raw, address, reader)
+
+
+def split_items(node: "Many", value: "Any") -> "list[Any]":
+    """The items of a list given as JSON, as repeated options, or as one text with commas and a trailing unit."""
+    if isinstance(value, list | tuple):
+        return list(value)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return [{**value, "value": item} for item in value["value"]]
+    if isinstance(value, str) and not isinstance(value, Token):
+        form = getattr(getattr(node.item, "kind", None), "form", "")
+        items = split_list(value)
+        return _share_unit(items) if form in ("scalar", "slope") else items
+    return [value]
+
+
+def _share_unit(items: "list[str]") -> "list[str]":
+    """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
+    if not items:
+        return items
+    unit = items[-1].lstrip("+-−0123456789.").strip()
+    if not unit or (unit[0] in "eE" and unit[1:2].isdigit()):
+        return items
+    return [
+        item if item.strip() and item.strip()[-1] not in "0123456789." else f"{item} {unit}" for item in items[:-1]
+    ] + [items[-1]]
+
+
+def _text_of(kind: Kind, raw: "Any") -> str:
+    """A scalar's text, from text, a bare number or a value–unit pair."""
+    if isinstance(raw, bool):
+        raise UsageError(f"read {str(raw).lower()}, wanted {_wanted(kind)}", hint=f"for example {kind.example!r}")
+    if isinstance(raw, dict):
+        unknown = sorted(set(raw) - _PAIR_KEYS)
+        if "value" not in raw or unknown:
+            raise UsageError(
+                f"read an object with {', '.join(raw) or 'nothing'}, wanted value and unit",
+                hint=f'for example {{"value": 60, "unit": "{kind.unit}"}}',
+            )
+        if raw["value"] is None:
+            raise UsageError("read null: that earlier result does not exist", code="no-value")
+        if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
+            parts = zip(raw["value"], str(raw["unit"]).split(";"), strict=False)
+            return " ".join(f"{number} {unit}" for number, unit in parts)
+        return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
+    if isinstance(raw, int | float):
+        return repr(raw)
+    if not isinstance(raw, str):
+        raise UsageError(f"read {_brief(raw)}, wanted {_wanted(kind)}", hint=f"for example {kind.example!r}")
+    return raw
+
+
+# What a result of an earlier document may carry beside value and unit.
+_PAIR_KEYS = {"value", "unit", "symbol", "mean", "median", "std", "interval", "coverage"}
+
+
+def _wanted(kind: Kind) -> str:
+    return f"{kind.about or kind.name}, in {kind.unit}" if kind.unit else (kind.about or kind.name)
+
+
+def _brief(raw: object) -> str:
+    text = repr(raw)
+    return text if len(text) <= 60 else text[:57] + "…"
+
+
+def _default_unit(kind: Kind, reader: "Reader") -> str:
+    return reader.default_unit(kind) if reader.units else ""
+
+
+def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    reading = read_scalar(_text_of(kind, raw), kind, _default_unit(kind, reader))
+    reader.notes.extend(f"{address}: {note}" for note in reading.notes)
+    return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
+
+
+def _whole(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    reading = read_scalar(_text_of(kind, raw), kind)
+    return Constant(int(reading.si), {"value": reading.value})
+
+
+def _flag(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    if not isinstance(raw, bool):
+        raise UsageError(f"read {_brief(raw)}, wanted true or false")
+    return Constant(raw, raw)
+
+
+def _text(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    if not isinstance(raw, str) or isinstance(raw, Token):
+        raise UsageError(f"read {_brief(raw)}, wanted {kind.about or 'text'}")
+    if any(ord(character) < 32 or ord(character) == 127 for character in raw):
+        raise UsageError(f"read {raw!r}, which has control characters; wanted {kind.about or 'text'}")
+    return Constant(str(raw), str(raw))
+
+
+def _file(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    import os
+
+    name = _text(kind, raw, address, reader).echo()
+    path = name if os.path.isabs(name) else os.path.join(reader.folder, name)
+    if not os.path.isfile(path):
+        raise UsageError(
+            f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
+        )
+    reader.files.append(path)
+    return Constant(path, name)
+
+
+def _choice(leaf: "Leaf", raw: "Any") -> Bound:
+    assert leaf.choice is not None
+    names = leaf.choice.names
+    if not isinstance(raw, str):
+        raise UsageError(f"read {_brief(raw)}, wanted one of {', '.join(names)}")
+    try:
+        chosen = leaf.choice(raw)
+    except ValueError:
+        from dynamics_cli.core.words import nearest_words
+
+        near = nearest_words(raw, (*names, *leaf.choice.aliases))
+        hint = f"did you mean {' or '.join(near)}?" if near else None
+        raise UsageError(
+            f"read {_brief(raw)}, wanted one of {', '.join(names)}", code="unknown-choice", hint=hint
+        ) from None
+    return Constant(chosen, str(chosen))
+
+
+def _fraction(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    text = _text_of(kind, raw)
+    return Constant(read_fraction(text), {"value": text.strip()})
+
+
+def _exact(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    text = _text_of(kind, raw)
+    amount = read_amount(text)
+    if len(amount.parts) == 1:
+        numerator, denominator, unit = amount.parts[0]
+    else:
+        from dynamics_cli.core.units import convert, parse_unit
+
+        unit = amount.parts[-1][2]
+        last = parse_unit(unit)
+        numerator, denominator = 0, 1
+        for n, d, part in amount.signed():
+            pn, pd, pi = convert(n, d, parse_unit(part, last), last)
+            if pi:
+                raise UsageError(f"read {_brief(text)}: its parts have no exact sum")
+            numerator, denominator = numerator * pd + pn * denominator, denominator * pd
+    value = ExactQuantity(numerator, denominator, unit, text)
+    shown = numerator if denominator == 1 and abs(numerator) < 2**53 else numerator / denominator
+    return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
+
+
+def _components(kind: Kind, raw: "Any", address: str, reader: "Reader") -> "tuple[tuple[float, ...], list[Any], str]":
+    """SI components, components as written, and their unit."""
+    if isinstance(raw, dict) and isinstance(raw.get("value"), list):
+        unit = str(raw.get("unit") or "")
+        items = [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
+    elif isinstance(raw, list):
+        items = [_text_of(kind, item) for item in raw]
+    else:
+        items = _share_unit(split_list(_text_of(kind, raw).strip().removeprefix("(").removesuffix(")")))
+    if len(items) != kind.size:
+        raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
+    readings = [read_scalar(item, kind, _default_unit(kind, reader)) for item in items]
+    units = {reading.unit for reading in readings}
+    if len(units) == 1:
+        return tuple(r.si + 0.0 for r in readings), [r.value for r in readings], units.pop()
+    return tuple(r.si + 0.0 for r in readings), [r.si for r in readings], kind.unit
+
+
+def _vector(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    return VectorValue(address, kind, *_components(kind, raw, address, reader))
+
+
+def _planar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    if not isinstance(raw, str) or "@" not in raw:
+        return _vector(kind, raw, address, reader)
+    import math
+
+    from dynamics_cli.quantities import Angle
+
+    size, _, direction = raw.partition("@")
+    magnitude = read_scalar(size.strip(), kind, _default_unit(kind, reader))
+    angle = read_scalar(direction.strip(), Angle)  # type: ignore[arg-type]
+    components = (magnitude.si * math.cos(angle.si), magnitude.si * math.sin(angle.si))
+    return VectorValue(address, kind, components, list(components), kind.unit)
+
+
+def _tensor(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    from dynamics_cli.core.tensors import read_tensor
+
+    return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, reader)))
+
+
+_FORMS: "dict[str, Callable[[Kind, Any, str, Reader], Bound]]" = {
+    "scalar": _scalar,
+    "slope": _scalar,
+    "whole": _whole,
+    "flag": _flag,
+    "text": _text,
+    "unit": _text,
+    "file": _file,
+    "fraction": _fraction,
+    "exact": _exact,
+    "vector": _vector,
+    "planar": _planar,
+    "tensor": _tensor,
+}

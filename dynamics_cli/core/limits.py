@@ -1,0 +1,67 @@
+"""`--limit "50 mph"`: a result against a limit; for certain inputs a plain check."""
+
+from dynamics_cli.core.grammar import read_scalar
+from dynamics_cli.core.render import number
+from dynamics_cli.core.shown import plain
+from dynamics_cli.core.specification import Leaf
+from dynamics_cli.errors import DynamicsError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answer import Answer
+    from dynamics_cli.core.bound import Fields
+    from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.shown import Display
+    from dynamics_cli.core.task import Task
+
+
+def add_limits(
+    document: "dict[str, Any]",
+    task: "Task",
+    bound: "Fields",
+    answered: "Answer",
+    settings: "Settings",
+    display: "Display",
+) -> None:
+    """Put each limit beside its result: within it or not, and by how much."""
+    scalars = {
+        field.key: field.node.kind
+        for field in task.specification.result.fields
+        if isinstance(field.node, Leaf) and field.node.kind.form in ("scalar", "slope")
+    }
+    if not scalars:
+        raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
+    entries = []
+    for name, text in settings.limit:
+        key = name or next(iter(scalars))
+        value = plain(getattr(answered.record, key, None)) if key in scalars else None
+        if value is None:
+            raise UsageError(
+                f"there is no result {key!r}",
+                parameter="limit",
+                hint=f"results are {', '.join(scalars)}",
+                code="unknown-result",
+            )
+        try:
+            limit = read_scalar(text, scalars[key])
+        except DynamicsError as error:
+            error.parameter = "limit"
+            raise
+        shown = display.of(key, scalars[key])
+        entries.append(_entry(key, value, limit.si, shown))
+        entries[-1]["limit"] = {"value": limit.value, "unit": limit.unit} if limit.unit else {"value": limit.value}
+    document["limits"] = entries
+
+
+def _entry(key: str, value: float, limit: float, shown: "Any") -> "dict[str, Any]":
+    by = abs(shown.width(value - limit))
+    unit = {"unit": shown.text} if shown.text else {}
+    words = "at" if value == limit else "beyond" if value > limit else "within"
+    return {
+        "result": key,
+        "beyond": value > limit,
+        "by": {"value": by, **unit},
+        "message": f"{key} is {words} the limit" + (f" by {number(by, 6)} {shown.text}".rstrip() if by else ""),
+    }

@@ -1,0 +1,49 @@
+"""`@crash.json:first.speed`: a result of an earlier document as an input."""
+
+import os
+
+from dynamics_cli.core.loading import parse_json, read_bytes
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.reading import Reader
+
+
+def split_address(address: str) -> "list[str | int]":
+    """`parts[3].radius` as its steps: "parts", 3, "radius"."""
+    steps: list[str | int] = []
+    for name in address.split("."):
+        key, *indices = name.split("[")
+        steps.append(key)
+        for index in indices:
+            if not index.endswith("]") or not index[:-1].isdigit():
+                raise UsageError(f"{address!r} is not an address", hint="for example parts[3].radius")
+            steps.append(int(index[:-1]))
+    return steps
+
+
+def resolve(text: str, reader: "Reader") -> "Any":
+    """The raw value a reference stands for; the file's name is kept for the document."""
+    name, colon, address = text[1:].rpartition(":")
+    if not colon or not name or not address:
+        raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
+    path = name if os.path.isabs(name) else os.path.join(reader.folder, name)
+    raw = parse_json(_text(path), name)
+    reader.files.append(path)
+    value = raw.get("results") if isinstance(raw, dict) else None
+    for step in split_address(address):
+        try:
+            value = value[step]  # type: ignore[index]
+        except (KeyError, IndexError, TypeError):
+            raise UsageError(f"{name!r} has no result {address!r}", code="no-value") from None
+    return value
+
+
+def _text(path: str) -> str:
+    from dynamics_cli.core.loading import decode
+    from dynamics_cli.core.terminal import Terminal
+
+    return decode(read_bytes(path, Terminal()), path)

@@ -1,0 +1,349 @@
+"""A function's signature, read as the specification of a calculation.
+
+`specification(function)` gives the parameters as a small tree of nodes; `options(...)` flattens it to the command line's
+names. Reading `__annotations__`, `__defaults__` and `__code__` directly takes microseconds; inspect and typing would cost
+a shell user more than the calculation.
+"""
+
+import sys
+
+from dynamics_cli.quantities import Kind
+from dynamics_cli.records import Choice, Columns, ExactQuantity, Measured
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any, TypeAlias
+
+    Node: TypeAlias = "Leaf | Record | OneOf | Tagged | Many"
+
+PLAIN_RATIO = Kind("number", "", example="1.5", about="a pure number")
+PLAIN_COUNT = Kind("count", "", form="whole", example="3", about="a whole number")
+PLAIN_TEXT = Kind("text", "", form="text", about="words")
+FLAG = Kind("flag", "", form="flag", about="yes when given")
+EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
+MEASURED = Kind("quantity", "", form="measured", about="a number with a unit of its own")
+
+_PLAIN = {
+    float: PLAIN_RATIO,
+    int: PLAIN_COUNT,
+    str: PLAIN_TEXT,
+    bool: FLAG,
+    ExactQuantity: EXACT,
+    Measured: MEASURED,
+}
+
+
+class _Required:
+    def __repr__(self) -> str:
+        return "REQUIRED"
+
+
+REQUIRED = _Required()
+
+
+class SpecificationError(TypeError):
+    """A signature that cannot be a specification: a mistake in the program, found when the task is registered."""
+
+
+class Leaf:
+    """One quantity, choice, flag, text or file."""
+
+    __slots__ = ("choice", "kind")
+
+    def __init__(self, kind: Kind, choice: "type[Choice] | None" = None) -> None:
+        self.kind = kind
+        self.choice = choice
+
+
+class Record:
+    """A record of named fields; its fields are read from the class when first asked for, so records may be recursive."""
+
+    __slots__ = ("_fields", "cls")
+
+    def __init__(self, cls: type) -> None:
+        self.cls = cls
+        self._fields: tuple[Field, ...] | None = None
+
+    @property
+    def fields(self) -> "tuple[Field, ...]":
+        """The record's fields in order."""
+        if self._fields is None:
+            namespace = vars(sys.modules[self.cls.__module__])
+            defaults = self.cls.defaults  # type: ignore[attr-defined]
+            self._fields = tuple(
+                _field(name, annotation, defaults.get(name, REQUIRED), namespace)
+                for name, annotation in self.cls.__annotations__.items()
+            )
+        return self._fields
+
+    @property
+    def names(self) -> "frozenset[str]":
+        """Every name that may be given for this record."""
+        return frozenset(name for field in self.fields for name in field.spread())
+
+    @property
+    def required(self) -> "frozenset[str]":
+        """The names that must be given for this record."""
+        return frozenset(field.name for field in self.fields if field.required and not field.spreads)
+
+
+class OneOf:
+    """Alternatives told apart by which names are given: radius, or chord and middle ordinate."""
+
+    __slots__ = ("members",)
+
+    def __init__(self, members: "tuple[Record, ...]") -> None:
+        self.members = members
+        for i, one in enumerate(members):
+            for other in members[i + 1 :]:
+                if one.required | other.required <= one.names & other.names:
+                    raise SpecificationError(
+                        f"{one.cls.__name__} and {other.cls.__name__} cannot be told apart by the names given"
+                    )
+
+
+class Tagged:
+    """Alternatives told apart by a key: shape = "cylinder"."""
+
+    __slots__ = ("key", "members")
+
+    def __init__(self, key: str, members: "dict[str, Record]") -> None:
+        self.key = key
+        self.members = members
+
+
+class Many:
+    """Several of one item; `single` when a lone one may be given by its plain fields."""
+
+    __slots__ = ("columns", "item", "single")
+
+    def __init__(self, item: "Node", *, single: bool = False, columns: bool = False) -> None:
+        self.item = item
+        self.single = single
+        self.columns = columns
+
+
+class Field:
+    """A named node with its default; `place` is "", "word" (positional) or "words" (any number of positionals)."""
+
+    __slots__ = ("default", "name", "node", "place")
+
+    def __init__(self, name: str, node: "Node", default: object, place: str = "") -> None:
+        self.name = name
+        self.node = node
+        self.default = default
+        self.place = place
+
+    @property
+    def required(self) -> bool:
+        """Whether the parameter must be given."""
+        return self.default is REQUIRED and self.place != "words"
+
+    @property
+    def key(self) -> str:
+        """The name a user writes: a trailing underscore is dropped."""
+        return self.name.rstrip("_")
+
+    @property
+    def spreads(self) -> bool:
+        """Whether this field's own fields stand beside its siblings, without its name."""
+        return isinstance(self.node, OneOf | Tagged) or (isinstance(self.node, Many) and self.node.single)
+
+    def spread(self) -> "Iterator[str]":
+        """The keys under which this field may be given in its object."""
+        node = self.node
+        if isinstance(node, OneOf):
+            for member in node.members:
+                yield from member.names
+        elif isinstance(node, Tagged):
+            yield node.key
+            for member in node.members.values():
+                yield from member.names
+        else:
+            yield self.key
+            if isinstance(node, Many) and node.single and isinstance(node.item, Record):
+                yield from node.item.names
+
+
+def _field(name: str, annotation: object, default: object, namespace: "dict[str, Any]", place: str = "") -> Field:
+    return Field(name, interpret(annotation, namespace), default, place)
+
+
+def interpret(annotation: object, namespace: "dict[str, Any]") -> "Node":
+    """The node an annotation stands for."""
+    if isinstance(annotation, str):
+        annotation = eval(annotation, namespace)
+    if isinstance(annotation, Kind):
+        return Leaf(annotation)
+    if getattr(annotation, "__origin__", None) is tuple:
+        return Many(interpret(annotation.__args__[0], namespace))  # type: ignore[attr-defined]
+    if getattr(annotation, "__origin__", None) is Columns:
+        return Many(interpret(annotation.__args__[0], namespace), columns=True)  # type: ignore[attr-defined]
+    if isinstance(annotation, type):
+        return _interpret_class(annotation)
+    if hasattr(annotation, "__args__"):
+        return _interpret_union(annotation.__args__, namespace)
+    raise SpecificationError(f"{annotation!r} has no meaning in a signature")
+
+
+def _interpret_class(annotation: type) -> "Node":
+    if annotation in _PLAIN:
+        return Leaf(_PLAIN[annotation])
+    if issubclass(annotation, Choice):
+        return Leaf(PLAIN_TEXT, annotation)
+    if hasattr(annotation, "fields"):
+        return Record(annotation)
+    raise SpecificationError(f"{annotation.__name__} has no meaning in a signature")
+
+
+def _interpret_union(members: "tuple[Any, ...]", namespace: "dict[str, Any]") -> "Node":
+    nodes = [interpret(member, namespace) for member in members if member is not None and member is not type(None)]
+    if len(nodes) == 1:
+        return nodes[0]
+    if len(nodes) == 2 and isinstance(nodes[0], Record | Tagged | Leaf) and isinstance(nodes[1], Many):
+        return Many(nodes[0], single=True)
+    flat = [record for node in nodes for record in (_members(node))]
+    keys = {getattr(record.cls, "tag", (None, ""))[0] for record in flat}
+    if len(keys) == 1 and None not in keys:
+        return Tagged(str(keys.pop()), {record.cls.tag[1]: record for record in flat})  # type: ignore[attr-defined]
+    return OneOf(tuple(flat))
+
+
+def _members(node: "Node") -> "tuple[Record, ...]":
+    if isinstance(node, Record):
+        return (node,)
+    if isinstance(node, OneOf):
+        return node.members
+    if isinstance(node, Tagged):
+        return tuple(node.members.values())
+    raise SpecificationError("alternatives are records")
+
+
+class Specification:
+    """The parameters of a function, and what it returns."""
+
+    __slots__ = ("fields", "result")
+
+    def __init__(self, fields: "tuple[Field, ...]", result: Record) -> None:
+        self.fields = fields
+        self.result = result
+
+    @property
+    def words(self) -> "tuple[Field, ...]":
+        """The positional parameters."""
+        return tuple(field for field in self.fields if field.place)
+
+
+def specification(function: "Callable[..., Any]") -> Specification:
+    """Read a function's signature: `/` for positional, `*name` for any number of them, all the rest options."""
+    code = function.__code__
+    annotations = function.__annotations__
+    namespace = function.__globals__
+    named = code.co_varnames[: code.co_argcount]
+    optional = function.__defaults__ or ()
+    defaults = dict(zip(named[len(named) - len(optional) :], optional, strict=True))
+    defaults.update(function.__kwdefaults__ or {})
+    keywords = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
+    fields = []
+    for index, name in enumerate(named):
+        place = "word" if index < code.co_posonlyargcount else ""
+        fields.append(_field(name, annotations[name], defaults.get(name, REQUIRED), namespace, place))
+    if code.co_flags & 0x04:
+        name = code.co_varnames[code.co_argcount + code.co_kwonlyargcount]
+        fields.append(Field(name, Many(interpret(annotations[name], namespace)), (), "words"))
+    fields.extend(_field(name, annotations[name], defaults.get(name, REQUIRED), namespace) for name in keywords)
+    result = interpret(annotations["return"], namespace)
+    if not isinstance(result, Record):
+        raise SpecificationError(f"{function.__name__} returns no record")
+    return Specification(tuple(fields), result)
+
+
+class Option:
+    """One name on the command line: `--first-mass`, and the path of keys its value goes to in the input."""
+
+    __slots__ = ("default", "group", "leaf", "name", "path", "required")
+
+    def __init__(
+        self, name: str, path: "tuple[str, ...]", leaf: Leaf | None, *, group: str = "", default: object, required: bool
+    ) -> None:
+        self.name = name
+        self.path = path
+        self.leaf = leaf
+        self.group = group
+        self.default = default
+        self.required = required
+
+    @property
+    def flag(self) -> bool:
+        """Whether the option takes no value."""
+        return self.leaf is not None and self.leaf.kind is FLAG
+
+    @property
+    def repeats(self) -> bool:
+        """Whether the option may be given several times: `--segment …`."""
+        return self.leaf is None
+
+
+def kebab(name: str) -> str:
+    """`end_speed` and `TestSkid` as the command line writes them: `end-speed`, `test-skid`."""
+    text = "".join("-" + c.lower() if c.isupper() else c for c in name)
+    return text.strip("-_").replace("_", "-")
+
+
+def options(fields: "tuple[Field, ...]") -> "dict[str, Option]":
+    """Every option of a task by its name, positionals apart."""
+    found: dict[str, Option] = {}
+    for field in fields:
+        if not field.place:
+            _spread_options(field, (), found, (), field.required)
+        elif isinstance(field.node, Tagged):
+            for member in field.node.members.values():
+                for inner in member.fields:
+                    _spread_options(inner, (), found, (member.cls,), False)
+    return found
+
+
+def _spread_options(
+    field: Field, prefix: "tuple[str, ...]", found: "dict[str, Option]", inside: "tuple[type, ...]", required: bool
+) -> None:
+    node = field.node
+    path = (*prefix, field.key)
+    name = kebab("_".join(path))
+    if isinstance(node, Leaf) or (isinstance(node, Many) and isinstance(node.item, Leaf)):
+        leaf = node if isinstance(node, Leaf) else node.item
+        if name not in found:
+            found[name] = Option(name, path, leaf, default=field.default, required=required)  # type: ignore[arg-type]
+    elif isinstance(node, Record):
+        _record_options(node, path, found, inside, required)
+    elif isinstance(node, OneOf):
+        for member in node.members:
+            _record_options(member, prefix, found, inside, False)
+    elif isinstance(node, Tagged):
+        key_path = (*prefix, node.key)
+        key_name = kebab("_".join(key_path))
+        found[key_name] = Option(key_name, key_path, Leaf(PLAIN_TEXT), default=REQUIRED, required=required)
+        for member in node.members.values():
+            _record_options(member, prefix, found, inside, False)
+    else:
+        item = _members(node.item)
+        if node.single:
+            for member in item:
+                _record_options(member, prefix, found, inside, required)
+        if not node.columns:
+            group = kebab(item[0].cls.__name__) if len(item) == 1 else name
+            group = kebab("_".join((*prefix, group)))
+            found[group] = Option(group, path, None, group=name, default=(), required=False)
+
+
+def _record_options(
+    record: Record,
+    prefix: "tuple[str, ...]",
+    found: "dict[str, Option]",
+    inside: "tuple[type, ...]",
+    required: bool,
+) -> None:
+    if record.cls in inside:
+        return  # a tree of records within itself is a scene: it is read from a file
+    for field in record.fields:
+        _spread_options(field, prefix, found, (*inside, record.cls), required and field.required)

@@ -1,0 +1,126 @@
+"""Tasks and families: what a family's commands.py declares, from which everything a user touches is derived."""
+
+from dynamics_cli.core.specification import Option, Specification, SpecificationError, options, specification
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+# Names every task has, or will have; no parameter may use one.
+UNIVERSAL = (
+    "json", "format", "output", "units", "to", "digits", "input", "rows", "sweep", "method", "samples", "seed",
+    "coverage", "correlate", "limit", "explain", "timing", "plot", "drawing", "model", "jobs", "help", "version",
+)  # fmt: skip
+
+
+def load(reference: str) -> "Any":
+    """The object that "package.module:name" names, imported now."""
+    module, _, name = reference.partition(":")
+    return getattr(__import__(module, fromlist=[name]), name)
+
+
+class Model:
+    """One way to answer a task, and where it comes from.
+
+    `formula` writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers.
+    `suffices` names a function of the same parameters that says, in words, why this model is enough, or None.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        function: str,
+        *,
+        source: str,
+        formula: str = "",
+        assumptions: "tuple[str, ...]" = (),
+        method: str = "closed form",
+        suffices: str = "",
+    ) -> None:
+        self.name = name
+        self.function = function
+        self.source = source
+        self.formula = formula
+        self.assumptions = assumptions
+        self.method = method
+        self.suffices = suffices
+
+    @property
+    def key(self) -> str:
+        """The name as `--model` takes it."""
+        return self.name.split(",")[0].strip().lower().replace(" ", "-").replace("–", "-")
+
+    def call(self) -> "Callable[..., Any]":
+        """The physics function."""
+        return load(self.function)  # type: ignore[no-any-return]
+
+
+class Task:
+    """One command: its models in order of size (all of one signature), a line of help, and examples that run.
+
+    `table` names the result table that CSV writes; `arrays` says that the function takes arrays for floats;
+    `tracked` that it takes tracked numbers; `digits` is how many a table shows unless asked (17: all there are).
+    """
+
+    def __init__(
+        self,
+        name: str,
+        summary: str,
+        *models: Model,
+        examples: "tuple[str, ...]" = (),
+        table: str = "",
+        arrays: bool = True,
+        tracked: bool = True,
+        digits: int = 6,
+    ) -> None:
+        self.name = name
+        self.summary = summary
+        self.models = models
+        self.examples = examples
+        self.table = table
+        self.arrays = arrays
+        self.tracked = tracked
+        self.digits = digits
+        self.family = ""
+        self._specification: Specification | None = None
+        self._options: dict[str, Option] | None = None
+
+    @property
+    def path(self) -> str:
+        """The command as typed: "skid speed"."""
+        return f"{self.family} {self.name}".strip()
+
+    @property
+    def specification(self) -> Specification:
+        """What the signature of the first model says."""
+        if self._specification is None:
+            made = specification(self.models[0].call())
+            taken = sorted(set(options(made.fields)) & set(UNIVERSAL))
+            if taken:
+                raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
+            self._specification = made
+        return self._specification
+
+    @property
+    def options(self) -> "dict[str, Option]":
+        """The task's own options by name."""
+        if self._options is None:
+            self._options = options(self.specification.fields)
+        return self._options
+
+
+class Family:
+    """A family of tasks, or a command that is one task."""
+
+    def __init__(self, name: str, summary: str, *tasks: Task) -> None:
+        self.name = name
+        self.summary = summary
+        self.tasks = {task.name: task for task in tasks}
+        for task in tasks:
+            task.family = name
+
+    @property
+    def alone(self) -> "Task | None":
+        """The one task of a command without a TASK word."""
+        return self.tasks.get("")

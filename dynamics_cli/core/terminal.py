@@ -1,0 +1,54 @@
+"""Standard input, output and error, the environment and the terminal's width, in one object that tests replace."""
+
+import os
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import BinaryIO
+
+
+class Terminal:
+    """Where a command reads and writes; bytes throughout, so that no locale can change a document."""
+
+    def __init__(
+        self,
+        stdin: "BinaryIO | None" = None,
+        stdout: "BinaryIO | None" = None,
+        stderr: "BinaryIO | None" = None,
+        environ: "Mapping[str, str] | None" = None,
+    ) -> None:
+        self._stdin = stdin
+        self._stdout = stdout
+        self._stderr = stderr
+        self.environ = os.environ if environ is None else environ
+
+    @property
+    def stdin(self) -> "BinaryIO":
+        """Standard input, as bytes."""
+        return self._stdin or sys.stdin.buffer
+
+    @property
+    def stdout(self) -> "BinaryIO":
+        """Standard output, as bytes."""
+        return self._stdout or sys.stdout.buffer
+
+    @property
+    def stderr(self) -> "BinaryIO":
+        """Standard error, as bytes."""
+        return self._stderr or sys.stderr.buffer
+
+    def write(self, text: str) -> None:
+        """Write a document to standard output."""
+        self.stdout.write(text.encode())
+
+    def tell(self, text: str) -> None:
+        """Write words for people to standard error."""
+        self.stderr.write(text.encode(errors="backslashreplace"))
+        self.stderr.flush()
+
+    @property
+    def shows_progress(self) -> bool:
+        """Whether words for people go to a terminal."""
+        return self.stderr.isatty()

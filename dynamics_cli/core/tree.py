@@ -1,0 +1,316 @@
+"""The commands as typer sees them: help, suggestions, completion, and every call that is not plainly written.
+
+The only module that imports typer. Commands are built for the chosen family only, from the same specification that the
+direct route reads, and both end in the same `execute`.
+"""
+
+import os
+
+from typer import _click as click
+from typer._completion_classes import completion_init
+from typer._completion_shared import get_completion_script
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
+from typer.exceptions import Abort
+
+from dynamics_cli import __version__
+from dynamics_cli.core.call import UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.help import command_help, option_help, placeholder
+from dynamics_cli.core.specification import Leaf, Option, Tagged
+from dynamics_cli.core.task import Family, Task
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+    Finder = Callable[[str], Family]
+
+SHELLS = ("bash", "zsh", "fish")
+
+
+def run_tree(argv: "list[str]", families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> int:
+    """Carry out a call through typer; typer's own complaints become UsageError."""
+    completion_init()
+    os.environ.setdefault("_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION", "1")
+    root = _root(families, find, terminal)
+    try:
+        status = root.main(args=argv, prog_name="dynamics", standalone_mode=False)
+    except Abort:
+        raise KeyboardInterrupt from None
+    except click.exceptions.NoSuchOption as error:
+        hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
+        name = (error.option_name or "").lstrip("-")
+        raise UsageError(
+            f"there is no option {error.option_name}", code="unknown-option", parameter=name or None, hint=hint
+        ) from None
+    except click.exceptions.NoArgsIsHelpError as error:
+        terminal.write(error.ctx.get_help() + "\n")
+        return 0
+    except click.exceptions.ClickException as error:
+        message = error.format_message().rstrip(".")
+        raise UsageError(message[:1].lower() + message[1:], hint=_try_help(error)) from None
+    return status if isinstance(status, int) else 0
+
+
+def _try_help(error: "Any") -> str | None:
+    context = getattr(error, "ctx", None)
+    return f"try: {context.command_path} --help" if context is not None else None
+
+
+def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> TyperGroup:
+    group = _Families(
+        families,
+        find,
+        terminal,
+        help="Engineering calculations with units, sources and error bounds.\n\n"
+        'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
+        params=[_version_option(terminal), _completion_option(terminal)],
+    )
+    group.commands["schema"] = _schema_command(find, families, terminal)
+    return group
+
+
+class _Families(TyperGroup):
+    """The families by name; a family is imported when it is asked for, never for the list of names."""
+
+    def __init__(
+        self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
+    ) -> None:
+        super().__init__(name="dynamics", rich_markup_mode=None, no_args_is_help=True, **rest)
+        self._find = find
+        self._terminal = terminal
+        self._lines = {name: line for name, (_, line) in families.items()}
+        for name, line in self._lines.items():
+            self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
+
+    def get_command(self, ctx: "Any", cmd_name: str) -> "Any":
+        """The family's commands, built now unless only its line of help is wanted."""
+        if cmd_name not in self._lines or (ctx.resilient_parsing and not ctx._protected_args and not ctx.args):
+            return self.commands.get(cmd_name)
+        if getattr(self, "_listing", False):
+            return self.commands[cmd_name]
+        return build_family(self._find(cmd_name), self._terminal)
+
+    def format_commands(self, ctx: "Any", formatter: "Any") -> None:
+        """List the families without importing them."""
+        self._listing = True
+        try:
+            super().format_commands(ctx, formatter)
+        finally:
+            self._listing = False
+
+
+def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperGroup":
+    """The command of a lone task, or a group with a command for each task."""
+    if family.alone is not None:
+        return _TaskCommand(family.alone, terminal)
+    group = TyperGroup(name=family.name, help=family.summary, rich_markup_mode=None, no_args_is_help=True)
+    for name, task in family.tasks.items():
+        group.commands[name] = _TaskCommand(task, terminal)
+    return group
+
+
+class _TaskCommand(TyperCommand):
+    """One task; its options and long help are made when first needed, not to list it."""
+
+    def __init__(self, task: Task, terminal: "Terminal") -> None:
+        super().__init__(task.name or task.family, short_help=task.summary, rich_markup_mode=None)
+        self.task = task
+        self.terminal = terminal
+        self._built = False
+
+    def _build(self) -> None:
+        if not self._built:
+            self._built = True
+            # Where words may be negative numbers, an unknown short option is a word: `convert -40 degC degF`.
+            self.context_settings = {"ignore_unknown_options": bool(self.task.specification.words)}
+            self.help = command_help(self.task)
+            self.params = [*_arguments(self.task), *map(_option, self.task.options.values()), *_universal_options()]
+            self.callback = self._carry_out
+
+    def make_context(self, *args: "Any", **kwargs: "Any") -> "Any":
+        """Build the options before typer parses with them."""
+        self._build()
+        return super().make_context(*args, **kwargs)
+
+    def _carry_out(self, **given: "Any") -> int:
+        from dynamics_cli.core.execute import execute
+
+        return execute(self.task, _call(self.task, given), self.terminal)
+
+
+def _call(task: Task, given: "dict[str, Any]") -> Call:
+    call = Call()
+    call.words = list(given.pop("words__", None) or ())
+    for word in call.words:
+        if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
+            raise UsageError(f"there is no option {word}", code="unknown-option", hint=_near_option(task, word))
+    for name in UNIVERSAL_OPTIONS:
+        value = given.pop(_variable("setting", name), None)
+        if value:
+            call.settings[name] = _single(name, value, UNIVERSAL_OPTIONS[name][0])
+    for name, option in task.options.items():
+        value = given.pop(_variable("option", name), None)
+        if value:
+            how = "flag" if option.flag else "many" if option.repeats else "value"
+            call.options[name] = _single(name, value, how)
+    return call
+
+
+def _variable(side: str, name: str) -> str:
+    return f"{side}__{name.replace('-', '_')}"
+
+
+def _single(name: str, value: "Any", how: str) -> "Any":
+    if how == "flag":
+        return True
+    if how == "many":
+        return list(value)
+    if len(value) > 1:
+        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
+    return value[0]
+
+
+def _near_option(task: Task, word: str) -> str:
+    from dynamics_cli.core.words import nearest_words
+
+    near = nearest_words(word.lstrip("-").partition("=")[0], [*task.options, *UNIVERSAL_OPTIONS])
+    return (
+        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
+        if near
+        else f"try: dynamics {task.path} --help"
+    )
+
+
+def _arguments(task: Task) -> "list[TyperArgument]":
+    words = task.specification.words
+    if not words:
+        return []
+    metavar = " ".join(_word_metavar(field) for field in words)
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return _complete_words(task, incomplete)
+
+    return [
+        TyperArgument(
+            param_decls=["words__"], nargs=-1, type=str, metavar=metavar, required=False, autocompletion=complete
+        )
+    ]
+
+
+def _word_metavar(field: "Any") -> str:
+    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
+    return f"{name}..." if field.place == "words" else name
+
+
+def _complete_words(task: Task, incomplete: str) -> "list[str]":
+    """Units, shapes and other names that a word may be."""
+    for field in task.specification.words:
+        node = field.node
+        item = getattr(node, "item", node)
+        if isinstance(node, Tagged):
+            return [name for name in node.members if name.startswith(incomplete)]
+        if isinstance(item, Leaf) and item.choice is not None:
+            return [name for name in item.choice.names if name.startswith(incomplete)]
+        if isinstance(item, Leaf) and item.kind.form == "unit":
+            from dynamics_cli.core.units import all_units
+
+            return sorted(name for name, *_ in all_units() if name.startswith(incomplete))
+    return []
+
+
+def _option(option: Option) -> TyperOption:
+    decls = [_variable("option", option.name), f"--{option.name}"]
+    text = option_help(option)
+    if option.flag:
+        return TyperOption(param_decls=decls, is_flag=True, default=False, help=text)
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        choice = option.leaf.choice if option.leaf is not None else None
+        return [name for name in choice.names if name.startswith(incomplete)] if choice else []
+
+    return TyperOption(
+        param_decls=decls, multiple=True, type=str, metavar=placeholder(option), help=text, autocompletion=complete
+    )
+
+
+def _universal_options() -> "list[TyperOption]":
+    made = []
+    for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
+        decls = [_variable("setting", name), f"--{name}"]
+        if how == "flag":
+            made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
+        else:
+            made.append(TyperOption(param_decls=decls, multiple=True, type=str, metavar=metavar, help=text))
+    return made
+
+
+def _version_option(terminal: "Terminal") -> TyperOption:
+    def show(context: "Any", parameter: "Any", value: bool) -> None:
+        if value and not context.resilient_parsing:
+            terminal.write(f"dynamics {__version__}\n")
+            context.exit()
+
+    return TyperOption(
+        param_decls=["--version"],
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=show,
+        help="Show the version.",
+    )
+
+
+def _completion_option(terminal: "Terminal") -> TyperOption:
+    def show(context: "Any", parameter: "Any", value: str | None) -> None:
+        if value and not context.resilient_parsing:
+            if value not in SHELLS:
+                raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
+            script = get_completion_script(prog_name="dynamics", complete_var="_DYNAMICS_COMPLETE", shell=value)
+            terminal.write(script + "\n")
+            context.exit()
+
+    return TyperOption(
+        param_decls=["--show-completion"],
+        type=str,
+        metavar="SHELL",
+        is_eager=True,
+        expose_value=False,
+        callback=show,
+        help="Print the completion script of bash, zsh or fish, to be sourced.",
+    )
+
+
+def _schema_command(find: "Finder", families: "Mapping[str, Any]", terminal: "Terminal") -> TyperCommand:
+    def show(words: "tuple[str, ...]") -> int:
+        from dynamics_cli.core.render import to_pretty_json
+        from dynamics_cli.core.schema import schema
+
+        terminal.write(to_pretty_json(schema(_named_task(find, families, words))))
+        return 0
+
+    return TyperCommand(
+        "schema",
+        help="Print the JSON Schema of a task's inputs and outputs.\n\nExample: dynamics schema skid speed",
+        params=[TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar="FAMILY [TASK]")],
+        callback=show,
+        rich_markup_mode=None,
+    )
+
+
+def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str, ...]") -> Task:
+    from dynamics_cli.core.words import nearest_words
+
+    name = words[0] if words else ""
+    if name not in families:
+        near = nearest_words(name, families)
+        hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"
+        raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
+    family = find(name)
+    task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
+    if task is None:
+        raise UsageError(f"{name} has no such task", code="unknown-command", hint=f"there is {', '.join(family.tasks)}")
+    return task

@@ -1,0 +1,94 @@
+"""Output: to standard output, or to a file that is written whole or not at all."""
+
+import os
+
+from dynamics_cli.errors import OutputError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import TracebackType
+    from typing import BinaryIO, Self
+
+    from dynamics_cli.core.terminal import Terminal
+
+
+class WholeFile:
+    """A file that appears under its name only when everything has been written."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self._part = os.path.join(os.path.dirname(name), f".{os.path.basename(name)}.{os.getpid()}.part")
+        self._file: BinaryIO | None = None
+
+    def __enter__(self) -> "Self":
+        if os.path.isdir(self.name):
+            raise OutputError(f"cannot write {self.name!r}: it is a directory", parameter="output")
+        try:
+            self._file = open(self._part, "wb")
+        except OSError as error:
+            raise self._failure(error) from None
+        return self
+
+    def write(self, data: bytes) -> None:
+        """Write some bytes."""
+        assert self._file is not None
+        try:
+            self._file.write(data)
+        except OSError as error:
+            raise self._failure(error) from None
+
+    def __exit__(self, kind: "type[BaseException] | None", error: object, trace: "TracebackType | None") -> None:
+        assert self._file is not None
+        try:
+            self._file.close()
+            if kind is None:
+                if os.path.exists(self.name) and not os.path.isfile(self.name):
+                    self._copy_into_special()
+                else:
+                    os.replace(self._part, self.name)
+        except OSError as failure:
+            raise self._failure(failure) from None
+        finally:
+            if os.path.exists(self._part):
+                os.unlink(self._part)
+
+    def _copy_into_special(self) -> None:
+        """A device or a pipe must not be replaced by a file."""
+        with open(self._part, "rb") as source, open(self.name, "wb") as target:
+            while block := source.read(1 << 20):
+                target.write(block)
+
+    def _failure(self, error: OSError) -> OutputError:
+        return OutputError(f"cannot write {self.name!r}: {error.strerror or error}", parameter="output")
+
+
+class StandardOutput:
+    """Standard output with the same manners."""
+
+    def __init__(self, terminal: "Terminal") -> None:
+        self._file = terminal.stdout
+
+    def __enter__(self) -> "Self":
+        return self
+
+    def write(self, data: bytes) -> None:
+        """Write some bytes; a closed pipe is left to the caller."""
+        try:
+            self._file.write(data)
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise OutputError(f"cannot write to standard output: {error.strerror or error}") from None
+
+    def __exit__(self, kind: "type[BaseException] | None", error: object, trace: "TracebackType | None") -> None:
+        try:
+            self._file.flush()
+        except BrokenPipeError:
+            raise
+        except OSError as failure:
+            raise OutputError(f"cannot write to standard output: {failure.strerror or failure}") from None
+
+
+def output(name: str, terminal: "Terminal") -> "WholeFile | StandardOutput":
+    """Where a command writes."""
+    return WholeFile(name) if name else StandardOutput(terminal)

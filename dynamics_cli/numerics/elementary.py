@@ -1,0 +1,155 @@
+"""Elementary functions that take a float, an array or a tracked number, and give the same bits for all of them.
+
+numpy and the C library differ in the last bit of many functions, so arrays are mapped through the same scalar function
+(70-100 ns a value); only `sqrt`, which is correctly rounded everywhere, uses numpy's own loop.
+For a type checker they are functions of `float`.
+"""
+
+import math
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+def _over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
+    import numpy as np
+
+    arrays = np.broadcast_arrays(*arguments)
+    columns = [array.ravel().tolist() for array in arrays]
+    mapped = np.fromiter(map(function, *columns), dtype=float, count=arrays[0].size)
+    return mapped.reshape(arrays[0].shape)
+
+
+def _apply(name: str, function: "Callable[..., float]", *arguments: "Any") -> "Any":
+    if all(isinstance(argument, (float, int)) for argument in arguments):
+        return function(*arguments)
+    for argument in arguments:
+        operation = getattr(argument, "apply", None)
+        if operation is not None:
+            return operation(name, *arguments)
+    return _over_array(function, *arguments)
+
+
+def sqrt(x: float) -> float:
+    """Square root, correctly rounded."""
+    if type(x) is float:
+        return math.sqrt(x)
+    if hasattr(x, "dtype"):
+        import numpy as np
+
+        return np.sqrt(x)  # type: ignore[no-any-return]
+    return _apply("sqrt", math.sqrt, x)  # type: ignore[no-any-return]
+
+
+def sin(x: float) -> float:
+    """Sine of an angle in radians."""
+    return math.sin(x) if type(x) is float else _apply("sin", math.sin, x)
+
+
+def cos(x: float) -> float:
+    """Cosine of an angle in radians."""
+    return math.cos(x) if type(x) is float else _apply("cos", math.cos, x)
+
+
+def tan(x: float) -> float:
+    """Tangent of an angle in radians."""
+    return math.tan(x) if type(x) is float else _apply("tan", math.tan, x)
+
+
+def asin(x: float) -> float:
+    """Arc sine, in radians."""
+    return math.asin(x) if type(x) is float else _apply("asin", math.asin, x)
+
+
+def acos(x: float) -> float:
+    """Arc cosine, in radians."""
+    return math.acos(x) if type(x) is float else _apply("acos", math.acos, x)
+
+
+def atan(x: float) -> float:
+    """Arc tangent, in radians."""
+    return math.atan(x) if type(x) is float else _apply("atan", math.atan, x)
+
+
+def exp(x: float) -> float:
+    """Exponential."""
+    return math.exp(x) if type(x) is float else _apply("exp", math.exp, x)
+
+
+def log(x: float) -> float:
+    """Natural logarithm."""
+    return math.log(x) if type(x) is float else _apply("log", math.log, x)
+
+
+def atan2(y: float, x: float) -> float:
+    """Angle of the point (x, y), in radians."""
+    return _apply("atan2", math.atan2, y, x)  # type: ignore[no-any-return]
+
+
+def hypot(x: float, y: float) -> float:
+    """√(x² + y²) without overflow."""
+    if type(x) is float and x == 0.0:
+        return absolute(y)
+    if type(y) is float and y == 0.0:
+        return absolute(x)
+    return _apply("hypot", math.hypot, x, y)  # type: ignore[no-any-return]
+
+
+def absolute(x: float) -> float:
+    """Magnitude of `x`."""
+    return abs(x)
+
+
+def where(condition: bool, yes: float, no: float) -> float:
+    """`yes` where `condition` holds, `no` elsewhere; both are computed when the condition is an array."""
+    if not hasattr(condition, "ndim"):
+        return yes if condition else no
+    import numpy as np
+
+    return np.where(condition, yes, no)  # type: ignore[return-value]
+
+
+def maximum(x: float, y: float) -> float:
+    """The larger of the two."""
+    return where(x >= y, x, y)
+
+
+def minimum(x: float, y: float) -> float:
+    """The smaller of the two."""
+    return where(x <= y, x, y)
+
+
+# Veltkamp's constant, 2^27 + 1, splits a double into two halves of 26 bits.
+_SPLITTER = 134217729.0
+# Above this the splitting overflows.
+_SPLIT_LIMIT = 6e299
+
+
+def product_error(a: float, b: float, product: float) -> float:
+    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971); exact unless a part under- or overflows."""
+    big_a = _SPLITTER * a
+    high_a = big_a - (big_a - a)
+    low_a = a - high_a
+    big_b = _SPLITTER * b
+    high_b = big_b - (big_b - b)
+    low_b = b - high_b
+    return low_a * low_b - (((product - high_a * high_b) - low_a * high_b) - high_a * low_b)
+
+
+def _multiply_add(a: float, b: float, c: float) -> float:
+    product = a * b
+    if max(abs(a), abs(b), abs(product)) > _SPLIT_LIMIT:
+        return product + c
+    total = product + c
+    back = total - product
+    lost = (product - (total - back)) + (c - back)
+    return total + (lost + product_error(a, b, product))
+
+
+def multiply_add(a: float, b: float, c: float) -> float:
+    """a·b + c as if computed in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
+    if type(a) is float and type(b) is float and type(c) is float:
+        return _multiply_add(a, b, c)
+    return _apply("multiply_add", _multiply_add, a, b, c)  # type: ignore[no-any-return]

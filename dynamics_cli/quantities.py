@@ -1,0 +1,308 @@
+"""The vocabulary of signatures: what a number is, which unit it is in inside the program, and what it may be.
+
+For a type checker `Length` is plain `float`; at run time it is a `Kind` that says: a length, in metres, shown in m or ft.
+Importing this module must cost nothing a shell user can feel, so it uses neither typing nor dataclasses.
+"""
+
+TYPE_CHECKING = False
+
+
+class Kind:
+    """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
+
+    `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
+    "tensor", "whole" (a whole number), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
+    "unit", "text", "file" or "program" (a scene on one line).
+    """
+
+    __slots__ = ("about", "above", "below", "example", "form", "high", "low", "name", "si", "size", "unit", "us")
+
+    def __init__(
+        self,
+        name: str,
+        unit: str,
+        *,
+        form: str = "scalar",
+        si: str = "",
+        us: str = "",
+        low: float | None = None,
+        high: float | None = None,
+        above: float | None = None,
+        below: float | None = None,
+        example: str = "",
+        about: str = "",
+        size: int = 0,
+    ) -> None:
+        self.name = name
+        self.unit = unit
+        self.form = form
+        self.si = si or unit
+        self.us = us or self.si
+        self.low = low
+        self.high = high
+        self.above = above
+        self.below = below
+        self.example = example
+        self.about = about
+        self.size = size
+
+    def shown_in(self, system: str) -> str:
+        """The unit this kind is shown in by the system "si", "us" or "base"."""
+        return {"si": self.si, "us": self.us, "base": self.unit}[system]
+
+    def outside(self, value: float) -> str | None:
+        """What `value` (SI) should have been, or None when it is within bounds."""
+        if self.low is not None and not value >= self.low:
+            return f"at least {self.low:g}"
+        if self.above is not None and not value > self.above:
+            return f"greater than {self.above:g}"
+        if self.high is not None and not value <= self.high:
+            return f"at most {self.high:g}"
+        if self.below is not None and not value < self.below:
+            return f"less than {self.below:g}"
+        return None
+
+    def __or__(self, other: object) -> "Alternatives":
+        return Alternatives(self, other)
+
+    def __ror__(self, other: object) -> "Alternatives":
+        return Alternatives(other, self)
+
+    def __repr__(self) -> str:
+        return f"Kind({self.name!r})"
+
+
+class Alternatives:
+    """What `Length | None` is at run time."""
+
+    __slots__ = ("__args__",)
+
+    def __init__(self, *members: object) -> None:
+        self.__args__ = members
+
+    def __or__(self, other: object) -> "Alternatives":
+        return Alternatives(*self.__args__, other)
+
+    def __ror__(self, other: object) -> "Alternatives":
+        return Alternatives(other, *self.__args__)
+
+
+STANDARD_GRAVITY = 9.80665
+
+if TYPE_CHECKING:
+    # lengths, areas, volumes
+    Length = float
+    Distance = float
+    Size = float
+    Coordinate = float
+    Area = float
+    Volume = float
+    Module = float
+    DiametralPitch = float
+    Curvature = float
+    # mass and its densities
+    Mass = float
+    Density = float
+    ArealDensity = float
+    LinearDensity = float
+    Inertia = float
+    SecondMoment = float
+    # time and motion
+    Time = float
+    Speed = float
+    RoadSpeed = float
+    Acceleration = float
+    Deceleration = float
+    Gravity = float
+    Jerk = float
+    Frequency = float
+    AngularSpeed = float
+    ShaftSpeed = float
+    AngularAcceleration = float
+    # angles and pure numbers
+    Angle = float
+    Ratio = float
+    Positive = float
+    Friction = float
+    Restitution = float
+    Fraction = float
+    DragFactor = float
+    # forces and energy
+    Force = float
+    Weight = float
+    Torque = float
+    Energy = float
+    Power = float
+    Impulse = float
+    AngularImpulse = float
+    Pressure = float
+    Stiffness = float
+    Damping = float
+    Temperature = float
+    # read in a way of their own
+    Slope = float
+    Count = int
+    Vector = tuple[float, float, float]
+    Position = tuple[float, float, float]
+    Direction = tuple[float, float, float]
+    Velocity = tuple[float, float, float]
+    AngularVelocity = tuple[float, float, float]
+    PlanarPosition = tuple[float, float]
+    PlanarVelocity = tuple[float, float]
+    InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
+    ExactRatio = tuple[int, int]
+    Text = str
+    Unit = str
+    InputFile = str
+else:
+    # lengths, areas, volumes
+    Length = Kind("length", "m", si="m", us="ft", example="60 ft", about="a length, distances on a scene")
+    Distance = Kind("length", "m", si="m", us="ft", low=0.0, example="60 ft", about="a length that cannot be negative")
+    Size = Kind("size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length")
+    Coordinate = Kind("size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part")
+    Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
+    Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
+    Module = Kind("module", "m", si="mm", us="mm", above=0.0, example="2.5 mm", about="a gear module")
+    DiametralPitch = Kind(
+        "diametral pitch",
+        "1/m",
+        si="1/in",
+        us="1/in",
+        above=0.0,
+        example="8 1/in",
+        about="teeth per inch of pitch diameter",
+    )
+    Curvature = Kind("curvature", "1/m", si="1/m", us="1/ft", example="0.01 1/m", about="a curvature")
+    # mass and its densities
+    Mass = Kind("mass", "kg", si="kg", us="lb", low=0.0, example="1500 kg", about="a mass")
+    Density = Kind(
+        "density", "kg/m^3", si="kg/m^3", us="lb/ft^3", low=0.0, example="7850 kg/m^3", about="mass per volume"
+    )
+    ArealDensity = Kind(
+        "areal density", "kg/m^2", si="kg/m^2", us="lb/ft^2", low=0.0, example="8 kg/m^2", about="mass per area"
+    )
+    LinearDensity = Kind(
+        "linear density", "kg/m", si="kg/m", us="lb/ft", low=0.0, example="2 kg/m", about="mass per length"
+    )
+    Inertia = Kind(
+        "moment of inertia",
+        "kg*m^2",
+        si="kg*m^2",
+        us="slug*ft^2",
+        low=0.0,
+        example="2500 kg*m^2",
+        about="a moment of inertia",
+    )
+    SecondMoment = Kind(
+        "second moment of area", "m^4", si="mm^4", us="in^4", example="1e4 mm^4", about="a second moment of area"
+    )
+    # time and motion
+    Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
+    Speed = Kind("speed", "m/s", si="m/s", us="ft/s", example="12 m/s", about="a speed or velocity component")
+    RoadSpeed = Kind("road speed", "m/s", si="km/h", us="mph", low=0.0, example="50 mph", about="a speed on a road")
+    Acceleration = Kind("acceleration", "m/s^2", si="m/s^2", us="ft/s^2", example="9.81 m/s^2", about="an acceleration")
+    Deceleration = Kind(
+        "acceleration", "m/s^2", si="m/s^2", us="ft/s^2", above=0.0, example="0.7 g", about="a rate of slowing down"
+    )
+    Gravity = Kind(
+        "acceleration",
+        "m/s^2",
+        si="m/s^2",
+        us="ft/s^2",
+        above=0.0,
+        example="32.2 ft/s^2",
+        about="the acceleration of gravity",
+    )
+    Jerk = Kind("jerk", "m/s^3", si="m/s^3", us="ft/s^3", example="3 m/s^3", about="rate of change of acceleration")
+    Frequency = Kind(
+        "frequency", "Hz", si="Hz", us="Hz", low=0.0, example="50 Hz", about="events per time (not an angular velocity)"
+    )
+    AngularSpeed = Kind(
+        "angular velocity", "rad/s", si="deg/s", us="deg/s", example="1500 rpm", about="an angular velocity"
+    )
+    ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
+    AngularAcceleration = Kind(
+        "angular acceleration",
+        "rad/s^2",
+        si="rad/s^2",
+        us="rad/s^2",
+        example="3 rad/s^2",
+        about="an angular acceleration",
+    )
+    # angles and pure numbers
+    Angle = Kind("angle", "rad", si="deg", us="deg", example="30 deg", about="an angle")
+    Ratio = Kind("ratio", "", example="0.5", about="a pure number")
+    Positive = Kind("ratio", "", above=0.0, example="2", about="a pure number above zero")
+    Friction = Kind("friction", "", low=0.0, example="0.7", about="a coefficient of friction")
+    Restitution = Kind("restitution", "", low=0.0, high=1.0, example="0.3", about="a coefficient of restitution")
+    Fraction = Kind("fraction", "", us="%", low=0.0, high=1.0, example="80 %", about="a share between nothing and all")
+    DragFactor = Kind("drag factor", "", low=0.0, example="0.65", about="deceleration over gravity")
+    # forces and energy
+    Force = Kind("force", "N", si="N", us="lbf", example="200 lbf", about="a force")
+    Weight = Kind("force", "N", si="N", us="lbf", above=0.0, example="3400 lbf", about="a weight")
+    Torque = Kind("torque", "N*m", si="N*m", us="lbf*ft", example="30 lbf*ft", about="a torque (not an energy)")
+    Energy = Kind("energy", "J", si="kJ", us="ft*lbf", example="20 kJ", about="an energy (not a torque)")
+    Power = Kind("power", "W", si="kW", us="hp", example="15 kW", about="a power")
+    Impulse = Kind("impulse", "N*s", si="N*s", us="lbf*s", example="4000 N*s", about="an impulse or momentum")
+    AngularImpulse = Kind(
+        "angular impulse",
+        "N*m*s",
+        si="N*m*s",
+        us="lbf*ft*s",
+        example="300 N*m*s",
+        about="an angular impulse or momentum",
+    )
+    Pressure = Kind("pressure", "Pa", si="MPa", us="psi", example="30 psi", about="a pressure or stress")
+    Stiffness = Kind(
+        "stiffness", "N/m", si="N/mm", us="lbf/in", low=0.0, example="20 N/mm", about="force per deflection"
+    )
+    Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
+    Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")
+    # read in a way of their own
+    Slope = Kind(
+        "slope", "", form="slope", si="%", us="%", example="-3 %", about="rise over run, or an angle; uphill positive"
+    )
+    Count = Kind("count", "", form="whole", low=0.0, example="3", about="a whole number")
+    Vector = Kind("vector", "", form="vector", size=3, example="1, 0, 2", about="three pure numbers")
+    Position = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
+    Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
+    Velocity = Kind(
+        "velocity", "m/s", form="vector", size=3, si="m/s", us="ft/s", example="3, 0, 1 m/s", about="a velocity"
+    )
+    AngularVelocity = Kind(
+        "angular velocity vector",
+        "rad/s",
+        form="vector",
+        size=3,
+        si="rad/s",
+        us="rad/s",
+        example="0, 0, 2 rad/s",
+        about="an angular velocity",
+    )
+    PlanarPosition = Kind(
+        "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
+    )
+    PlanarVelocity = Kind(
+        "planar velocity",
+        "m/s",
+        form="planar",
+        size=2,
+        si="km/h",
+        us="mph",
+        example="30 mph @ 45 deg",
+        about="a velocity in the plane",
+    )
+    InertiaTensor = Kind(
+        "inertia tensor",
+        "kg*m^2",
+        form="tensor",
+        size=3,
+        si="kg*m^2",
+        us="slug*ft^2",
+        example="[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2",
+        about="a symmetric tensor, as its matrix or as moments and products",
+    )
+    ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
+    Text = Kind("text", "", form="text", example="a name", about="words")
+    Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
+    InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")

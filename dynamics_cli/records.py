@@ -1,0 +1,168 @@
+"""Shapes of data that physics takes and gives: frozen records, named choices, columns, checks and advice."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any, ClassVar, Generic, Literal, Self, TypeVar, dataclass_transform
+
+    Row = TypeVar("Row")
+    Class = TypeVar("Class", bound=type)
+
+    @dataclass_transform(frozen_default=True)
+    def record(cls: Class) -> Class:
+        """Make a frozen record of an annotated class."""
+
+    class Columns(Generic[Row]):
+        """Many rows of one record, held as one array per field."""
+
+        row: type[Row]
+        arrays: dict[str, Any]
+
+        def __init__(self, row: type[Row], **arrays: Any) -> None: ...
+        def __len__(self) -> int: ...
+else:
+    # dataclasses would cost two interpreter starts; this costs nothing measurable.
+    def record(cls):
+        """Make a frozen record of an annotated class; fields in order, defaults from the class body."""
+        names = tuple(cls.__annotations__)
+        defaults = {name: cls.__dict__[name] for name in names if name in cls.__dict__}
+
+        def __init__(self, *args, **kwargs):
+            if len(args) > len(names):
+                raise TypeError(f"{cls.__name__} takes {len(names)} fields")
+            given = dict(zip(names, args, strict=False))
+            if given.keys() & kwargs.keys():
+                raise TypeError(f"{cls.__name__} got a field twice")
+            values = {**defaults, **given, **kwargs}
+            if values.keys() != set(names):
+                wrong = sorted(values.keys() ^ set(names))
+                raise TypeError(f"{cls.__name__}: missing or unknown fields: {', '.join(wrong)}")
+            self.__dict__.update((name, values[name]) for name in names)
+
+        def __setattr__(self, name, value):
+            raise AttributeError(f"{cls.__name__} is frozen")
+
+        def __eq__(self, other):
+            return type(other) is cls and self.__dict__ == other.__dict__
+
+        def __hash__(self):
+            return hash(tuple(self.__dict__.values()))
+
+        def __repr__(self):
+            return f"{cls.__name__}({', '.join(f'{name}={value!r}' for name, value in self.__dict__.items())})"
+
+        for method in (__init__, __setattr__, __eq__, __hash__, __repr__):
+            setattr(cls, method.__name__, method)
+        cls.fields = names
+        cls.defaults = defaults
+        return cls
+
+    class Columns:
+        """Many rows of one record, held as one array per field."""
+
+        def __init__(self, row, **arrays):
+            if set(arrays) != set(row.fields):
+                raise TypeError(f"columns of {row.__name__} are {', '.join(row.fields)}")
+            self.row = row
+            self.arrays = arrays
+
+        def __len__(self):
+            return len(next(iter(self.arrays.values())))
+
+        __class_getitem__ = classmethod(type(list[int]))
+
+
+class Choice(str):
+    """One of a few named things; subclasses list `names` and, by other spellings, `aliases`."""
+
+    __slots__ = ()
+    names: "ClassVar[tuple[str, ...]]" = ()
+    aliases: "ClassVar[dict[str, str]]" = {}
+
+    def __new__(cls, text: str) -> "Self":
+        """Read `text`, in any case, with spaces or underscores for hyphens."""
+        name = text.strip().lower().replace("_", "-").replace(" ", "-")
+        name = cls.aliases.get(name, name)
+        if name not in cls.names:
+            raise ValueError(f"{text!r} is none of {', '.join(cls.names)}")
+        return super().__new__(cls, name)
+
+
+def tagged(key: str) -> "Callable[[Class], Class]":
+    """Mark a record as one alternative of a union told apart by `key`: `shape = "cylinder"`."""
+
+    def mark(cls: "Class") -> "Class":
+        name = "".join("-" + c.lower() if c.isupper() else c for c in cls.__name__).lstrip("-")
+        cls.tag = (key, name)  # type: ignore[attr-defined]
+        return cls
+
+    return mark
+
+
+@record
+class Check:
+    """One machine-checked property of an answer: its residual beside the tolerance it must keep."""
+
+    name: str
+    passed: bool
+    value: float | None = None
+    tolerance: float | None = None
+
+
+@record
+class Advice:
+    """Something a user should know about an answer, with the number that would mend it.
+
+    `result` names a result that does not exist for this reason: it is shown as null, not left out.
+    """
+
+    code: str
+    message: str
+    severity: "Literal['note', 'caution', 'serious']" = "caution"
+    mend: str | None = None
+    result: str | None = None
+
+
+@record
+class ErrorBound:
+    """A bound that a solver, or an exact calculation, states for one of its results; absolute ones in the unit shown."""
+
+    result: str
+    bound: float
+    relative: bool = True
+
+
+@record
+class Condition:
+    """Relative changes of a result per relative change of an input, stated by a calculation that is not tracked."""
+
+    result: str
+    parameter: str
+    value: float
+
+
+@record
+class Numerics:
+    """How a solver answered: its method and the bounds and condition numbers it states for its results."""
+
+    method: str
+    bounds: tuple[ErrorBound, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+
+
+@record
+class Measured:
+    """A result that carries its own unit; compound units give a tuple of numbers and `ft;in`."""
+
+    value: float | tuple[float, ...]
+    unit: str
+
+
+@record
+class ExactQuantity:
+    """An exact rational number with the unit it was written in."""
+
+    numerator: int
+    denominator: int
+    unit: str
+    text: str = ""

@@ -1,0 +1,322 @@
+"""Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, sqrt, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Acceleration,
+    Distance,
+    DragFactor,
+    Energy,
+    Fraction,
+    Friction,
+    Gravity,
+    Mass,
+    RoadSpeed,
+    Slope,
+    Time,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
+
+
+@record
+class Segment:
+    """A stretch of skid marks on one surface.
+
+    Parameters
+    ----------
+    distance : Distance
+        Length of the marks along the road [m].
+    friction : Friction
+        Coefficient of friction between tyre and road [-].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
+    """
+
+    distance: Distance
+    friction: Friction
+    grade: Slope = 0.0
+    braking: Fraction = 1.0
+
+
+@record
+class SurfaceCrossed:
+    """What happened on one surface.
+
+    Parameters
+    ----------
+    entry_speed : RoadSpeed
+        Speed where the surface begins [m/s].
+    exit_speed : RoadSpeed
+        Speed where the surface ends [m/s].
+    drag_factor : DragFactor
+        Deceleration along the road over gravity [-].
+    time : Time
+        Time spent on the surface [s].
+    distance : Distance
+        Length of the surface [m].
+    """
+
+    entry_speed: RoadSpeed
+    exit_speed: RoadSpeed
+    drag_factor: DragFactor
+    time: Time
+    distance: Distance
+
+
+@record
+class SkidSpeed:
+    """Speed at the start of the marks, and what happened on the way.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed where the marks begin [m/s].
+    time : Time
+        Time from the beginning of the marks to their end [s].
+    total_distance : Distance
+        Length of all marks [m].
+    energy : Energy
+        Kinetic energy where the marks begin; needs the mass [J].
+    friction_work : Energy
+        Energy that friction turned into heat; needs the mass [J].
+    surfaces : tuple[SurfaceCrossed, ...]
+        The surfaces in the order they were crossed.
+    """
+
+    speed: RoadSpeed
+    time: Time
+    total_distance: Distance
+    energy: Energy | None
+    friction_work: Energy | None
+    surfaces: tuple[SurfaceCrossed, ...]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> float:
+    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither way nor speed."""
+    both = entry_speed + exit_speed
+    return 2.0 * distance / where(both > 0.0, both, 1.0)
+
+
+def speed(
+    *,
+    segments: Segment | tuple[Segment, ...],
+    end_speed: RoadSpeed = 0.0,
+    mass: Mass | None = None,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> SkidSpeed:
+    """Speed at the start of skid marks, from the work of friction and grade over every surface crossed.
+
+    Equation
+    --------
+    v² = v_e² + 2g Σ f_i d_i, with the drag factor f = (ημ + G)/√(1 + G²) of each surface.
+
+    Parameters
+    ----------
+    segments : Segment | tuple[Segment, ...]
+        The surfaces in the order they were crossed; one may be given by its plain fields.
+    end_speed : RoadSpeed
+        Speed where the marks end: zero when the vehicle came to rest there [m/s].
+    mass : Mass
+        Mass of the vehicle; wanted for the energies only [kg].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    SkidSpeed
+        The speed, total time and distance, energies, and speeds, drag factor and time on every surface.
+
+    Raises
+    ------
+    InadmissibleError
+        When the drag factor of a surface is not above zero.
+
+    Notes
+    -----
+    A point mass slowed uniformly on each surface; distances are measured along the road. The numerator ημ + G is
+    rounded once, so a drag factor near zero keeps all its digits; what it does not forgive is an error of friction or grade.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10.
+
+    Examples
+    --------
+    >>> speed(segments=Segment(distance=60.0, friction=0.7)).speed
+    28.7
+    """
+    stretches = segments if isinstance(segments, tuple) else (segments,)
+    require(len(stretches) > 0, "no segment is given", code="no-segment")
+    several = len(stretches) > 1
+    crossed: list[SurfaceCrossed] = []
+    advice: tuple[Advice, ...] = ()
+    work: float = 0.0
+    heat: float = 0.0
+    exit_speed = end_speed
+    for index in reversed(range(len(stretches))):
+        stretch = stretches[index]
+        name = f"segments[{index}]: " if several else ""
+        drag = require_drag(drag_along(stretch.friction, stretch.grade, stretch.braking), name)
+        work = work + drag * stretch.distance
+        entry_speed = hypot(end_speed, sqrt(2.0 * gravity * work))
+        time = crossing_time(stretch.distance, entry_speed, exit_speed)
+        crossed.append(SurfaceCrossed(entry_speed, exit_speed, drag, time, stretch.distance))
+        if mass is not None:
+            heat = heat + stretch.braking * stretch.friction * stretch.distance / secant(stretch.grade)
+        advice = drag_advice(stretch.friction, stretch.grade, stretch.braking, name) + advice
+        exit_speed = entry_speed
+    crossed.reverse()
+    return SkidSpeed(
+        speed=exit_speed,
+        time=_total([surface.time for surface in crossed]),
+        total_distance=_total([surface.distance for surface in crossed]),
+        energy=None if mass is None else mass * (0.5 * end_speed * end_speed + gravity * work),
+        friction_work=None if mass is None else mass * (gravity * heat),
+        surfaces=tuple(crossed),
+        checks=_energy_check(tuple(crossed), gravity),
+        advice=advice,
+    )
+
+
+def _total(parts: list[float]) -> float:
+    total = parts[0]
+    for part in parts[1:]:
+        total = total + part
+    return total
+
+
+def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[Check, ...]:
+    """Squares of the speeds against work, summed surface by surface from the speeds that were returned."""
+    first, last = crossed[0].entry_speed, crossed[-1].exit_speed
+    gained = _total([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
+    return balance("energy balance", (first - last) * (first + last), gained, first * first)
+
+
+@record
+class SkidDistance:
+    """Distance and time that a change of speed takes.
+
+    Parameters
+    ----------
+    distance : Distance
+        Distance along the road from speed to end speed [m].
+    time : Time
+        Time from speed to end speed [s].
+    drag_factor : DragFactor
+        Deceleration along the road over gravity [-].
+    deceleration : Acceleration
+        Deceleration along the road [m/s^2].
+    exit_speed : RoadSpeed
+        Speed left at the end of the mark; needs the mark [m/s].
+    exit_time : Time
+        Time until the end of the mark; needs the mark [s].
+    """
+
+    distance: Distance
+    time: Time
+    drag_factor: DragFactor
+    deceleration: Acceleration
+    exit_speed: RoadSpeed | None = None
+    exit_time: Time | None = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def distance(
+    *,
+    speed: RoadSpeed,
+    friction: Friction,
+    grade: Slope = 0.0,
+    braking: Fraction = 1.0,
+    end_speed: RoadSpeed = 0.0,
+    mark: Distance | None = None,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> SkidDistance:
+    """Distance and time in which a braked vehicle slows from one speed to another, and the speed left after a given mark.
+
+    Equation
+    --------
+    t = (v − v_e)/(g f), d = t (v + v_e)/2, f = (ημ + G)/√(1 + G²); after a mark m: v_m² = (v − s)(v + s), s² = 2 g f m.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed where braking begins [m/s].
+    friction : Friction
+        Coefficient of friction between tyre and road [-].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
+    end_speed : RoadSpeed
+        Speed to slow down to [m/s].
+    mark : Distance
+        Length of a mark after which the speed left is wanted [m].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    SkidDistance
+        Distance, time, drag factor and deceleration; speed and time at the end of the mark when one is given.
+
+    Raises
+    ------
+    InadmissibleError
+        When the drag factor is not above zero, the end speed exceeds the speed, or the mark exceeds the stop.
+
+    Notes
+    -----
+    A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no digit.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10.
+
+    Examples
+    --------
+    >>> distance(speed=28.7, friction=0.7).distance
+    60.0
+    """
+    drag = require_drag(drag_along(friction, grade, braking))
+    require(
+        end_speed <= speed,
+        "the end speed {0:.6g} m/s exceeds the speed {1:.6g} m/s: braking cannot raise it",
+        end_speed,
+        speed,
+        code="end-speed",
+    )
+    deceleration = gravity * drag
+    time = (speed - end_speed) / deceleration
+    length = time * (0.5 * (speed + end_speed))
+    exit_speed: float | None = None
+    exit_time: float | None = None
+    if mark is not None:
+        shed = sqrt(2.0 * deceleration * mark)
+        require(
+            shed <= speed,
+            "the mark of {0:.6g} m exceeds the stop: from {1:.6g} m/s the vehicle is at rest after {2:.6g} m",
+            mark,
+            speed,
+            speed / deceleration * (0.5 * speed),
+            code="mark-exceeds-stop",
+        )
+        exit_speed = sqrt((speed - shed) * (speed + shed))
+        exit_time = crossing_time(mark, speed, exit_speed)
+    return SkidDistance(
+        distance=length,
+        time=time,
+        drag_factor=drag,
+        deceleration=deceleration,
+        exit_speed=exit_speed,
+        exit_time=exit_time,
+        checks=balance("energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed),
+        advice=drag_advice(friction, grade, braking),
+    )

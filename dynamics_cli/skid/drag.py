@@ -1,0 +1,358 @@
+"""Drag factor: deceleration along the road over gravity, from a surface, from unequally braked axles or from a drag sled."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, cos, multiply_add, sin, sqrt
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Acceleration,
+    Angle,
+    Distance,
+    DragFactor,
+    Force,
+    Fraction,
+    Friction,
+    Gravity,
+    Slope,
+    Weight,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance, plain, single
+
+# Steeper than this its square leaves the range of doubles.
+STEEPEST = 1e150
+RIGHT_ANGLE = 1.5707963267948966
+
+
+def secant(grade: float) -> float:
+    """1/cos θ = √(1 + G²) of a road whose grade is G = tan θ."""
+    if type(grade) is float and grade == 0.0:
+        return 1.0
+    require(absolute(grade) <= STEEPEST, "a grade of {0:.6g} is no road", grade, code="grade")
+    return sqrt(1.0 + grade * grade)
+
+
+def along_the_road(resistance: float, grade: float) -> float:
+    """Drag factor (μ + G)/√(1 + G²) of a resistance μ per normal force on a grade G."""
+    if type(grade) is float and grade == 0.0:
+        return resistance
+    return (resistance + grade) / secant(grade)
+
+
+def drag_along(friction: float, grade: float, braking: float) -> float:
+    """Drag factor (ημ + G)/√(1 + G²), its numerator rounded once however nearly it cancels."""
+    if type(grade) is float and grade == 0.0:
+        return braking * friction
+    return multiply_add(braking, friction, grade) / secant(grade)
+
+
+def require_drag(drag: float, where_: str = "") -> float:
+    """`drag`, refused unless it slows the vehicle down."""
+    require(
+        drag > 0.0,
+        where_ + "the drag factor {0:.6g} is not above zero: friction cannot hold the vehicle against this grade",
+        drag,
+        code="no-drag",
+        hint="uphill grades are positive; check the signs of grade, and friction and braking",
+    )
+    return drag
+
+
+def drag_advice(friction: float, grade: float, braking: float, name: str = "") -> tuple[Advice, ...]:
+    """Say so when drag is the small difference of friction and a falling grade, and by how much that amplifies."""
+    if not single(friction, grade, braking) or not plain(grade) < 0.0:
+        return ()
+    grip = plain(braking) * plain(friction)
+    rest = plain(multiply_add(braking, friction, grade))
+    if not 0.0 < rest < 0.2 * grip:
+        return ()
+    return (
+        Advice(
+            code="drag-by-difference",
+            message=f"{name}friction {grip:.4g} hardly exceeds the falling grade {-plain(grade):.4g}: "
+            f"1 % of friction is {grip / rest:.3g} % of the drag",
+            severity="caution" if grip < 50.0 * rest else "serious",
+            mend="measure friction and grade together, as a deceleration on the same road",
+        ),
+    )
+
+
+@record
+class Surface:
+    """A vehicle braking alike on all wheels.
+
+    Parameters
+    ----------
+    friction : Friction
+        Coefficient of friction between tyre and road [-].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
+    """
+
+    friction: Friction
+    grade: Slope = 0.0
+    braking: Fraction = 1.0
+
+    @property
+    def effective_friction(self) -> float:
+        """Retarding force over normal force."""
+        return self.braking * self.friction
+
+    @property
+    def drag(self) -> float:
+        """Deceleration over gravity."""
+        return drag_along(self.friction, self.grade, self.braking)
+
+
+@record
+class Axles:
+    """A two-axle vehicle whose axles brake unequally, with the weight that braking shifts to the front.
+
+    Parameters
+    ----------
+    front_friction : Friction
+        Coefficient of friction at the front axle [-].
+    rear_friction : Friction
+        Coefficient of friction at the rear axle [-].
+    wheelbase : Distance
+        Distance between the axles [m].
+    cm_position : Distance
+        Distance of the mass centre behind the front axle [m].
+    cm_height : Distance
+        Height of the mass centre above the road [m].
+    front_braking : Fraction
+        Share of its friction that the front axle uses, 0 when unbraked [-].
+    rear_braking : Fraction
+        Share of its friction that the rear axle uses, 0 when unbraked [-].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    """
+
+    front_friction: Friction
+    rear_friction: Friction
+    wheelbase: Distance
+    cm_position: Distance
+    cm_height: Distance
+    front_braking: Fraction = 1.0
+    rear_braking: Fraction = 1.0
+    grade: Slope = 0.0
+
+    @property
+    def loads(self) -> tuple[float, float, float]:
+        """Front and rear moments that carry the load, and their sum; the shares are first/sum and second/sum."""
+        front = self.wheelbase - self.cm_position
+        front_moment = multiply_add(self.cm_height, self.rear_braking * self.rear_friction, front)
+        rear_moment = multiply_add(-self.cm_height, self.front_braking * self.front_friction, self.cm_position)
+        return front_moment, rear_moment, front_moment + rear_moment
+
+    @property
+    def effective_friction(self) -> float:
+        """Retarding force over normal force."""
+        front = self.wheelbase - self.cm_position
+        grip = self.front_braking * self.front_friction * front
+        return (grip + self.rear_braking * self.rear_friction * self.cm_position) / self.loads[2]
+
+    @property
+    def drag(self) -> float:
+        """Deceleration over gravity."""
+        return along_the_road(self.effective_friction, self.grade)
+
+
+@record
+class Sled:
+    """A drag sled pulled at constant speed in the direction the vehicle went.
+
+    Parameters
+    ----------
+    pull : Force
+        Force that keeps the sled sliding [N].
+    weight : Weight
+        Weight of the sled [N].
+    pull_angle : Angle
+        Angle of the pull above the road surface [rad].
+    grade : Slope
+        Rise over run of the road in the direction of the pull, uphill positive [-].
+    """
+
+    pull: Force
+    weight: Weight
+    pull_angle: Angle = 0.0
+    grade: Slope = 0.0
+
+    @property
+    def pressing(self) -> float:
+        """Normal force times 1/cos θ [N]."""
+        return self.weight - self.pull * sin(self.pull_angle) * secant(self.grade)
+
+    @property
+    def effective_friction(self) -> float:
+        """Retarding force over normal force."""
+        along = self.pull * cos(self.pull_angle) * secant(self.grade)
+        return (along - self.weight * self.grade) / self.pressing
+
+    @property
+    def drag(self) -> float:
+        """Deceleration over gravity: the pull's horizontal part over the normal force's vertical one."""
+        return self.pull * (cos(self.pull_angle) - self.grade * sin(self.pull_angle)) / self.pressing
+
+
+@record
+class DragFactors:
+    """A drag factor and what stands behind it.
+
+    Parameters
+    ----------
+    drag_factor : DragFactor
+        Deceleration along the road over gravity [-].
+    deceleration : Acceleration
+        Deceleration along the road [m/s^2].
+    effective_friction : Friction
+        Retarding force of the tyres over the load on the road [-].
+    front_share : Fraction
+        Share of the load on the front axle while braking [-].
+    rear_share : Fraction
+        Share of the load on the rear axle while braking [-].
+    weight_transfer : Fraction
+        Share of the load that braking moves from the rear axle to the front one [-].
+    """
+
+    drag_factor: DragFactor
+    deceleration: Acceleration
+    effective_friction: Friction
+    front_share: Fraction | None = None
+    rear_share: Fraction | None = None
+    weight_transfer: Fraction | None = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STANDARD_GRAVITY) -> DragFactors:
+    """Drag factor of a braking vehicle, from its surface, from its axles or from a drag sled.
+
+    Equation
+    --------
+    f = (ημ + G)/√(1 + G²). Axles: ημ becomes (μ_f b + μ_r a)/(b + hμ_r + a − hμ_f), with the mass centre a behind the
+    front axle, b = wheelbase − a ahead of the rear one and h above the road. Sled: f = P(cos α − G sin α)/(W − P sin α √(1 + G²)).
+
+    Parameters
+    ----------
+    measurement : Surface | Axles | Sled
+        What the drag factor is known from: friction, grade and braking; two axles; or a drag sled's pull and weight.
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    DragFactors
+        The drag factor, the deceleration, and the loads on the axles.
+
+    Raises
+    ------
+    InadmissibleError
+        When drag is not above zero, when the mass centre is not between the axles, when braking lifts the rear axle, or when
+        the pull lifts the sled or is less than the grade's share of its weight.
+
+    Notes
+    -----
+    Axles by statics in the braking vehicle's frame: N_f + N_r = W cos θ across the road, and about the mass centre
+    a N_f − b N_r = h(μ_f N_f + μ_r N_r). Suspension travel, air drag and the wheels' rotary inertia are left out. Every
+    denominator is a sum of terms that are positive wherever both axles press on the road, so nothing cancels but ημ + G itself.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding), 6.3 (equilibrium).
+
+    Examples
+    --------
+    >>> drag_factor(measurement=Surface(friction=0.7, grade=-0.03)).drag_factor
+    0.6696987
+    """
+    if isinstance(measurement, Axles):
+        _require_standing(measurement)
+    elif isinstance(measurement, Sled):
+        _require_dragged(measurement)
+    drag = require_drag(measurement.drag)
+    friction = measurement.effective_friction
+    found = {"drag_factor": drag, "deceleration": gravity * drag, "effective_friction": friction}
+    if isinstance(measurement, Axles):
+        front, rear, both = measurement.loads
+        moment = measurement.cm_height * friction
+        lever = measurement.wheelbase - measurement.cm_position
+        checks = balance(
+            "moments about the mass centre",
+            front / both * measurement.cm_position,
+            rear / both * lever + moment,
+            measurement.wheelbase,
+        )
+        return DragFactors(
+            **found,
+            front_share=front / both,
+            rear_share=rear / both,
+            weight_transfer=moment / measurement.wheelbase,
+            checks=checks,
+            advice=_light_rear(rear / both),
+        )
+    if isinstance(measurement, Sled):
+        return DragFactors(
+            **found,
+            checks=balance(
+                "friction and grade",
+                along_the_road(friction, measurement.grade),
+                drag,
+                plain(friction) + abs(plain(measurement.grade)) if single(friction, measurement.grade) else friction,
+            ),
+        )
+    return DragFactors(**found, advice=drag_advice(measurement.friction, measurement.grade, measurement.braking))
+
+
+def _require_standing(axles: Axles) -> None:
+    require(
+        (axles.cm_position > 0.0) & (axles.cm_position < axles.wheelbase),
+        "the mass centre, {0:.6g} m behind the front axle, is not between axles {1:.6g} m apart",
+        axles.cm_position,
+        axles.wheelbase,
+        code="mass-centre",
+    )
+    require(
+        axles.loads[1] >= 0.0,
+        "braking lifts the rear axle: friction {0:.6g} at the front times the height {1:.6g} m of the mass centre exceeds "
+        "its distance {2:.6g} m behind the front axle",
+        axles.front_braking * axles.front_friction,
+        axles.cm_height,
+        axles.cm_position,
+        code="axle-lifts",
+    )
+
+
+def _light_rear(share: float) -> tuple[Advice, ...]:
+    if not single(share) or plain(share) >= 0.1:
+        return ()
+    return (
+        Advice(
+            code="light-rear-axle",
+            message=f"only {100.0 * plain(share):.3g} % of the load stays on the rear axle",
+            mend="check the height of the mass centre",
+        ),
+    )
+
+
+def _require_dragged(sled: Sled) -> None:
+    require(
+        absolute(sled.pull_angle) < RIGHT_ANGLE,
+        "the sled must be pulled along the road, not at {0:.6g} rad from it",
+        sled.pull_angle,
+        code="pull-angle",
+    )
+    require(
+        sled.pressing > 0.0,
+        "the pull lifts the sled: it leaves {0:.6g} N of its weight on the road",
+        sled.pressing,
+        code="sled-lifts",
+    )
+    require(
+        sled.effective_friction >= 0.0,
+        "the pull is less than the grade's share of the weight: friction would be {0:.6g}",
+        sled.effective_friction,
+        code="negative-friction",
+    )

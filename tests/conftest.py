@@ -1,0 +1,11 @@
+"""Settings for every test."""
+
+import pytest
+
+from dynamics_cli import cli
+
+
+@pytest.fixture
+def toy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The family `toy`, one small task for each convention of signatures."""
+    monkeypatch.setitem(cli.FAMILIES, "toy", ("toys", "Toys."))
