@@ -5,10 +5,12 @@ Units are this family's own subject, so unlike physics it works with the unit ta
 
 from dynamics_cli.core.units import (
     Unit,
+    candidates,
     conformable,
     explain_mismatch,
     from_exact_compound,
     is_offset,
+    names_like,
     nearest,
     parse_compound,
     parse_pair,
@@ -105,6 +107,7 @@ def convert(
     >>> convert(ExactQuantity(60, 1, "mph"), "ft/s").value
     Measured(value=88.0, unit='ft/s')
     """
+    _gravity(gravity)
     if not value.unit:
         raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
     if not targets:
@@ -150,7 +153,8 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         numerator, denominator, source = _weigh(numerator, denominator, value.unit, wanted, gravity)
     if not conformable(source, wanted):
         message, hint = explain_mismatch(source, wanted)
-        raise UsageError(message, code="dimension", parameter="targets", hint=hint)
+        near = _near(value.unit, wanted) or _near(target, source)
+        raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
     _check_temperature(numerator, denominator, source)
     n, d, pi = convert_exactly(numerator, denominator, source, wanted)
     exact_text = _rational(n, d, pi)
@@ -172,18 +176,17 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
     return part
 
 
+def _near(text: str, wanted: Unit) -> str | None:
+    """A unit of the kind wanted whose name is nearly this one: mph for mhp, which is a power."""
+    fits = [name for name in names_like(text) if any(conformable(unit, wanted) for unit in candidates(name))]
+    return f"did you mean {' or '.join(fits[:3])}?" if fits else None
+
+
 def _weigh(
     numerator: int, denominator: int, text: str, wanted: Unit, gravity: ExactQuantity | None
 ) -> tuple[int, int, Unit]:
     """A mass as its weight or a weight as its mass, in SI."""
-    g = gravity or STANDARD_GRAVITY
-    unit = parse_unit(g.unit, METRE_PER_SECOND_SQUARED)
-    if not conformable(unit, METRE_PER_SECOND_SQUARED):
-        message, hint = explain_mismatch(unit, METRE_PER_SECOND_SQUARED)
-        raise UsageError(message, parameter="gravity", hint=hint)
-    gn, gd, _ = convert_exactly(g.numerator, g.denominator, unit, METRE_PER_SECOND_SQUARED)
-    if gn <= 0:
-        raise UsageError("gravity must be positive", parameter="gravity")
+    gn, gd = _gravity(gravity)
     for given, becomes, n, d in ((KILOGRAM, NEWTON, gn, gd), (NEWTON, KILOGRAM, gd, gn)):
         source = parse_unit(text, given)
         if conformable(source, given) and conformable(parse_unit(wanted.text, becomes), becomes):
@@ -194,6 +197,19 @@ def _weigh(
         parameter="weight",
         hint="for example: dynamics convert 150 lbf kg --weight",
     )
+
+
+def _gravity(gravity: ExactQuantity | None) -> tuple[int, int]:
+    """The gravity used, as an exact number of m/s²."""
+    given = gravity or STANDARD_GRAVITY
+    unit = parse_unit(given.unit, METRE_PER_SECOND_SQUARED)
+    if not conformable(unit, METRE_PER_SECOND_SQUARED):
+        message, hint = explain_mismatch(unit, METRE_PER_SECOND_SQUARED)
+        raise UsageError(message, parameter="gravity", hint=hint)
+    n, d, _ = convert_exactly(given.numerator, given.denominator, unit, METRE_PER_SECOND_SQUARED)
+    if n <= 0:
+        raise UsageError("gravity must be positive", parameter="gravity")
+    return n, d
 
 
 def _check_temperature(numerator: int, denominator: int, source: Unit) -> None:

@@ -135,4 +135,5 @@ def _has_number(word: str) -> bool:
 
 
 def _is_bare(word: str) -> bool:
-    return word[-1:].isdigit() or word.endswith(".")
+    """Whether a word is a number and nothing more."""
+    return bool(word) and not word.strip("+-−.0123456789eE")

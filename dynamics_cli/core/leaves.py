@@ -1,7 +1,8 @@
 """One leaf of the input, from text or JSON to a bound value, as its kind says it is to be read."""
 
 from dynamics_cli.core.bound import Bound, Constant, Value, VectorValue
-from dynamics_cli.core.grammar import read_amount, read_fraction, read_scalar, split_list
+from dynamics_cli.core.exact import nearest
+from dynamics_cli.core.grammar import is_uncertain, read_amount, read_fraction, read_scalar, split_list, total
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Kind
 from dynamics_cli.records import ExactQuantity
@@ -162,22 +163,20 @@ def _fraction(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
 
 def _exact(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     text = _text_of(kind, raw)
+    if is_uncertain(text):
+        raise UsageError(
+            f"{_brief(text)} is an uncertain value; a conversion is of one exact number",
+            code="uncertain",
+            hint=f"write one number, for example {kind.example}",
+        )
     amount = read_amount(text)
     if len(amount.parts) == 1:
         numerator, denominator, unit = amount.parts[0]
     else:
-        from dynamics_cli.core.units import convert, parse_unit
-
-        unit = amount.parts[-1][2]
-        last = parse_unit(unit)
-        numerator, denominator = 0, 1
-        for n, d, part in amount.signed():
-            pn, pd, pi = convert(n, d, parse_unit(part, last), last)
-            if pi:
-                raise UsageError(f"read {_brief(text)}: its parts have no exact sum")
-            numerator, denominator = numerator * pd + pn * denominator, denominator * pd
+        numerator, denominator, last = total(amount)
+        unit = last.text
     value = ExactQuantity(numerator, denominator, unit, text)
-    shown = numerator if denominator == 1 and abs(numerator) < 2**53 else numerator / denominator
+    shown = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
     return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
 
 

@@ -98,7 +98,7 @@ class Reader:
             elif not field.required:
                 return None
             elif isinstance(node, Leaf):
-                self._missing(node, own)
+                self._missing(node, own, word=bool(field.place))
                 return None
             else:
                 value = {}
@@ -109,12 +109,13 @@ class Reader:
         exact = isinstance(node, Leaf) and node.kind.form == "exact"
         return self.environ.get(GRAVITY_VARIABLE) or (None if exact else GRAVITY_DEFAULT)
 
-    def _missing(self, node: Leaf, address: str) -> None:
-        example = (
-            f"for example --{kebab(address.replace('.', '_'))} {_quoted(node.kind.example)}"
-            if node.kind.example
-            else None
-        )
+    def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
+        example = None
+        if node.kind.example and "[" in address:
+            example = f"for example {address.rpartition('.')[2]}={node.kind.example}"
+        elif node.kind.example:
+            name = "" if word else f"--{kebab(address.replace('.', '_'))} "
+            example = f"for example {name}{_quoted(node.kind.example)}"
         if node.choice is not None:
             example = f"one of {', '.join(node.choice.names)}"
         what = node.kind.about or node.kind.name

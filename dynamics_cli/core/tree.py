@@ -304,7 +304,9 @@ def _schema_command(find: "Finder", families: "Mapping[str, Any]", terminal: "Te
 def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str, ...]") -> Task:
     from dynamics_cli.core.words import nearest_words
 
-    name = words[0] if words else ""
+    if not words:
+        raise UsageError("a family and its task are missing", code="missing", hint="for example: dynamics schema skid speed")
+    name = words[0]
     if name not in families:
         near = nearest_words(name, families)
         hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"

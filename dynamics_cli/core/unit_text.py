@@ -2,7 +2,7 @@
 
 Products are written `*`, `·`, a space, or a hyphen or dot between names; powers `^2`, `**2`, `²` or the bare digit of
 `ft2`; quotients `/` or `per`. What could be read in two ways is refused: a product after a quotient (`kg/m s`) needs
-parentheses. A number has no place in a unit, but for the 1 of `1/in`.
+parentheses. A number has no place in a unit, but for the 1 of `1/in`, which may be left out (`/in`, `per inch`).
 """
 
 from dynamics_cli.core.unit_table import NAMES
@@ -16,7 +16,7 @@ LONGEST = 120
 DEEPEST = 8
 HIGHEST_POWER = 20
 PRODUCTS = "*·⋅∙×"
-NAME_SIGNS = "_°%‰′″"
+NAME_SIGNS = "_°%‰′″℃℉"
 SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = "0123456789"
 POWER_WORDS = {"sq": 2, "square": 2, "cu": 3, "cubic": 3}
@@ -109,9 +109,9 @@ class _Reader:
         character = self.peek()
         if character == "(":
             return self.parenthesis(depth)
+        if first and (character == "/" or self.at_per()):
+            return []
         if starts_name(character):
-            if first and self.at_per():
-                return []
             name = self.name()
             if name in POWER_WORDS and self.peek().isspace():
                 inner = self.operand(depth)

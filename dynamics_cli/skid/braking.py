@@ -17,8 +17,11 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.diagnostics import balance, positive_part
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
+
+# A mark as long as the computed stop may exceed it by rounding.
+ROUNDING_ROOM = 1.0 + 1e-15
 
 
 @record
@@ -301,14 +304,14 @@ def distance(
     if mark is not None:
         shed = sqrt(2.0 * deceleration * mark)
         require(
-            shed <= speed,
+            shed <= speed * ROUNDING_ROOM,
             "the mark of {0:.6g} m exceeds the stop: from {1:.6g} m/s the vehicle is at rest after {2:.6g} m",
             mark,
             speed,
             speed / deceleration * (0.5 * speed),
             code="mark-exceeds-stop",
         )
-        exit_speed = sqrt((speed - shed) * (speed + shed))
+        exit_speed = sqrt(positive_part((speed - shed) * (speed + shed)))
         exit_time = crossing_time(mark, speed, exit_speed)
     return SkidDistance(
         distance=length,

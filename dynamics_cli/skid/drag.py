@@ -274,36 +274,42 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
         _require_dragged(measurement)
     drag = require_drag(measurement.drag)
     friction = measurement.effective_friction
-    found = {"drag_factor": drag, "deceleration": gravity * drag, "effective_friction": friction}
+    front_share: float | None = None
+    rear_share: float | None = None
+    transfer: float | None = None
     if isinstance(measurement, Axles):
         front, rear, both = measurement.loads
-        moment = measurement.cm_height * friction
-        lever = measurement.wheelbase - measurement.cm_position
-        checks = balance(
-            "moments about the mass centre",
-            front / both * measurement.cm_position,
-            rear / both * lever + moment,
-            measurement.wheelbase,
-        )
-        return DragFactors(
-            **found,
-            front_share=front / both,
-            rear_share=rear / both,
-            weight_transfer=moment / measurement.wheelbase,
-            checks=checks,
-            advice=_light_rear(rear / both),
-        )
+        front_share, rear_share = front / both, rear / both
+        transfer = measurement.cm_height * friction / measurement.wheelbase
+    checks, advice = _examine(measurement, drag, friction)
+    return DragFactors(
+        drag_factor=drag,
+        deceleration=gravity * drag,
+        effective_friction=friction,
+        front_share=front_share,
+        rear_share=rear_share,
+        weight_transfer=transfer,
+        checks=checks,
+        advice=advice,
+    )
+
+
+def _examine(
+    measurement: Surface | Axles | Sled, drag: float, friction: float
+) -> tuple[tuple[Check, ...], tuple[Advice, ...]]:
+    """Check the statics by another equation than the one that was solved."""
+    if isinstance(measurement, Axles):
+        front, rear, both = measurement.loads
+        behind = rear * (measurement.wheelbase - measurement.cm_position) + measurement.cm_height * friction * both
+        ahead = front * measurement.cm_position
+        checks = balance("moments about the mass centre", ahead, behind, measurement.wheelbase * both)
+        return checks, _light_rear(rear / both)
     if isinstance(measurement, Sled):
-        return DragFactors(
-            **found,
-            checks=balance(
-                "friction and grade",
-                along_the_road(friction, measurement.grade),
-                drag,
-                plain(friction) + abs(plain(measurement.grade)) if single(friction, measurement.grade) else friction,
-            ),
-        )
-    return DragFactors(**found, advice=drag_advice(measurement.friction, measurement.grade, measurement.braking))
+        fall = measurement.weight * measurement.grade
+        held = friction * measurement.pressing
+        along = measurement.pull * cos(measurement.pull_angle) * secant(measurement.grade)
+        return balance("forces along the road", along, fall + held, absolute(fall) + along), ()
+    return (), drag_advice(measurement.friction, measurement.grade, measurement.braking)
 
 
 def _require_standing(axles: Axles) -> None:

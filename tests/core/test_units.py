@@ -1,13 +1,15 @@
 """Units: what expressions mean, which fit one another, and that every conversion is the nearest double."""
 
+import contextlib
 import math
 import random
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
 
 import mpmath
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.core import exact, units
@@ -43,15 +45,14 @@ def assert_nearest(value: float, reference: Fraction) -> None:
             assert error <= abs(Fraction(neighbour) - reference)
 
 
-def check(call: "object", reference: Fraction) -> None:
+def check(call: Callable[[], float], reference: Fraction) -> None:
     """A call answers with the nearest double, or refuses because there is none."""
-    try:
-        value = call()  # type: ignore[operator]
-    except UsageError as refusal:
-        assert refusal.code == "range"
-        assert abs(reference) >= LARGEST or 0 < abs(reference) <= Fraction(1, 2**1075)
+    if abs(reference) >= LARGEST or 0 < abs(reference) <= Fraction(1, 2**1075):
+        with pytest.raises(UsageError) as refusal:
+            call()
+        assert refusal.value.code == "range"
     else:
-        assert_nearest(value, reference)
+        assert_nearest(call(), reference)
 
 
 def decimals() -> "st.SearchStrategy[Fraction]":
@@ -71,7 +72,7 @@ def test_every_pair_within_a_kind_is_correctly_rounded() -> None:
     chance = random.Random(1959)
     assert len(PAIRS) > 900
     for source, target in PAIRS:
-        for _ in range(4):
+        for _ in range(25):
             value = Fraction(chance.randrange(-(10**16), 10**16)) * Fraction(10) ** chance.randrange(-316, 284)
             reference = exactly(value, source, target)
             answer = convert(value.numerator, value.denominator, source, target)
@@ -157,7 +158,7 @@ SAME = [
     ("kg*m^2", "kg·m²", "kg m2", "kg⋅m^2", "kg-m^2", "m^2*kg", "kilogram square meter", "kg*(m)^2"),
     ("lbf*ft", "lbf ft", "lbf-ft", "pound_force foot", "lbft", "lbf.ft"),
     ("ft/sec2", "ft/s^2", "feet/second^2", "ft per s per s"),
-    ("1/in", "in^-1", "per inch", "in.-1", "1/in."),
+    ("1/in", "in^-1", "per inch", "in.-1", "1/in.", "/in", "(/in)"),
     ("mi/hr", "mph", "miles per hour", "mile/hour"),
     ("sq ft", "ft^2", "square feet", "ft2", "sqft", "ft²"),
     ("cu in", "in.3", "in^3", "cubic inches"),
@@ -192,7 +193,8 @@ def test_spellings_of_one_unit(spellings: tuple[str, ...]) -> None:
         ("m^99", "unit-syntax"),
         ("(m^9)^9", "unit-syntax"),
         ("m^", "unit-syntax"),
-        ("/s", "unit-syntax"),
+        ("/", "unit-syntax"),
+        ("//s", "unit-syntax"),
         ("m/", "unit-syntax"),
         ("m//s", "unit-syntax"),
         ("(m", "unit-syntax"),
@@ -356,11 +358,10 @@ def test_caches_do_not_grow_without_end() -> None:
     assert len(units._candidates) <= units.CACHE_SIZE
 
 
+@settings(max_examples=300, deadline=None)
 @given(st.text(alphabet="kmsNlbft ginrad°²⁻-*/^().0123456789per·", max_size=20))
 def test_any_text_is_a_unit_or_refused(text: str) -> None:
-    try:
+    found: list[Unit] = []
+    with contextlib.suppress(UsageError):
         found = candidates(text)
-    except UsageError as refusal:
-        assert refusal.message
-    else:
-        assert all(unit.denominator > 0 and unit.numerator > 0 for unit in found)
+    assert all(unit.denominator > 0 and unit.numerator > 0 for unit in found)

@@ -1,0 +1,215 @@
+"""Coefficient of friction from test skids: each one's value, their mean and how far they scatter."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Distance,
+    DragFactor,
+    Fraction,
+    Friction,
+    Gravity,
+    RoadSpeed,
+    Slope,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.drag import drag_along, secant
+
+
+@record
+class TestSkid:
+    """One test skid to rest.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed where the wheels locked [m/s].
+    distance : Distance
+        Length of the skid along the road [m].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes used, 1 when all wheels were locked [-].
+    """
+
+    speed: RoadSpeed
+    distance: Distance
+    grade: Slope = 0.0
+    braking: Fraction = 1.0
+
+
+@record
+class SkidTested:
+    """What one test skid showed.
+
+    Parameters
+    ----------
+    friction : Friction
+        Coefficient of friction [-].
+    drag_factor : DragFactor
+        Deceleration along the road over gravity [-].
+    deviation : Ratio
+        Friction of this skid less the mean of all [-].
+    """
+
+    friction: Friction
+    drag_factor: DragFactor
+    deviation: float
+
+
+@record
+class FrictionFound:
+    """Friction from one test skid, or the mean of several with their scatter.
+
+    Parameters
+    ----------
+    friction : Friction
+        Coefficient of friction, the mean when there are several test skids [-].
+    standard_deviation : Friction
+        Sample standard deviation of the test skids; needs two or more [-].
+    standard_error : Friction
+        Standard deviation of the mean; needs two or more [-].
+    lowest : Friction
+        Lowest friction of the test skids [-].
+    highest : Friction
+        Highest friction of the test skids [-].
+    tests : tuple[SkidTested, ...]
+        Every test skid by itself.
+    """
+
+    friction: Friction
+    standard_deviation: Friction | None
+    standard_error: Friction | None
+    lowest: Friction
+    highest: Friction
+    tests: tuple[SkidTested, ...]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STANDARD_GRAVITY) -> FrictionFound:
+    """Coefficient of friction from the speed and length of one or several test skids to rest.
+
+    Equation
+    --------
+    f = v²/(2 g d), μ = (f √(1 + G²) − G)/η; s² = Σ(μ_i − mean)²/(n − 1), standard error s/√n.
+
+    Parameters
+    ----------
+    skids : TestSkid | tuple[TestSkid, ...]
+        The test skids; one may be given by its plain fields.
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    FrictionFound
+        The (mean) friction, sample standard deviation, standard error, lowest and highest, and each test skid's values.
+
+    Raises
+    ------
+    InadmissibleError
+        When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle shorter.
+
+    Notes
+    -----
+    Each skid is that of a point mass slowed uniformly to rest. The mean is found from differences to the first skid, so equal
+    skids scatter by exactly zero. The scatter describes the test skids, not the error of the instruments.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (solved for friction).
+
+    Examples
+    --------
+    >>> friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction
+    0.6990
+    """
+    made = skids if isinstance(skids, tuple) else (skids,)
+    require(len(made) > 0, "no test skid is given", code="no-skid")
+    drags = [_drag(one, gravity, f"skids[{index}]: " if len(made) > 1 else "") for index, one in enumerate(made)]
+    found = [
+        _friction(one, drag, f"skids[{index}]: " if len(made) > 1 else "")
+        for index, (one, drag) in enumerate(zip(made, drags, strict=True))
+    ]
+    first = found[0]
+    steps = [one - first for one in found[1:]]
+    shift = _sum(steps) / float(len(found)) if steps else 0.0
+    deviations = [-shift, *(step - shift for step in steps)]
+    spread: float | None = None
+    error: float | None = None
+    if steps:
+        variance = _sum([one * one for one in deviations]) / float(len(steps))
+        spread = sqrt(variance)
+        error = spread / sqrt(float(len(found)))
+    lowest = highest = first
+    for one in found[1:]:
+        lowest, highest = minimum(lowest, one), maximum(highest, one)
+    return FrictionFound(
+        friction=first + shift,
+        standard_deviation=spread,
+        standard_error=error,
+        lowest=lowest,
+        highest=highest,
+        tests=tuple(SkidTested(*row) for row in zip(found, drags, deviations, strict=True)),
+        checks=_check(made, found, drags),
+        advice=_advice(found, spread, first + shift),
+    )
+
+
+def _sum(parts: list[float]) -> float:
+    total = parts[0]
+    for part in parts[1:]:
+        total = total + part
+    return total
+
+
+def _drag(skid: TestSkid, gravity: float, name: str) -> float:
+    require(skid.distance > 0.0, name + "a test skid of {0:.6g} m shows nothing", skid.distance, code="no-length")
+    require(skid.speed > 0.0, name + "a test skid from {0:.6g} m/s shows nothing", skid.speed, code="no-speed")
+    return skid.speed / (2.0 * gravity * skid.distance) * skid.speed
+
+
+def _friction(skid: TestSkid, drag: float, name: str) -> float:
+    require(skid.braking > 0.0, name + "braking of {0:.6g} tells nothing of friction", skid.braking, code="no-braking")
+    grip = drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
+    require(
+        grip >= 0.0,
+        name + "the grade alone would have stopped the vehicle shorter: friction would be {0:.6g}",
+        grip / skid.braking,
+        code="negative-friction",
+        hint="uphill grades are positive; check speed, distance and grade",
+    )
+    return grip / skid.braking
+
+
+def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -> tuple[Check, ...]:
+    """Send every friction found back through the drag factor."""
+    checks: tuple[Check, ...] = ()
+    for skid, one, drag in zip(made, found, drags, strict=True):
+        back = drag_along(one, skid.grade, skid.braking)
+        checks += balance("drag factor from the friction found", back, drag, drag + abs(skid.grade))
+    worst = max(checks, key=lambda check: check.value or 0.0, default=None)
+    return () if worst is None else (worst,)
+
+
+def _advice(found: list[float], spread: float | None, mean: float) -> tuple[Advice, ...]:
+    if spread is None:
+        return (
+            Advice(
+                code="one-test-skid",
+                message="one test skid shows no scatter",
+                severity="note",
+                mend="make at least two more test skids",
+            ),
+        )
+    if not single(spread, mean) or plain(spread) <= 0.1 * plain(mean):
+        return ()
+    return (
+        Advice(
+            code="test-skids-scatter",
+            message=f"the test skids scatter by {plain(spread):.3g}, more than a tenth of their mean {plain(mean):.3g}",
+            mend="look for the skid that does not belong, or state the range",
+        ),
+    )

@@ -1,0 +1,214 @@
+"""A whole stop: reaction, rise of the deceleration, steady braking, and where the vehicle is at any time of it."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import multiply_add, sqrt, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Acceleration,
+    Count,
+    Distance,
+    DragFactor,
+    Fraction,
+    Friction,
+    Gravity,
+    RoadSpeed,
+    Slope,
+    Time,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance, positive_part
+from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
+
+MOST_STEPS = 10000
+
+
+@record
+class Moment:
+    """One row of the time–distance table.
+
+    Parameters
+    ----------
+    phase : str
+        What the vehicle is doing: reaction, build-up or braking.
+    time : Time
+        Time since the hazard was perceived [s].
+    distance : Distance
+        Distance travelled since then [m].
+    speed : RoadSpeed
+        Speed at that time [m/s].
+    """
+
+    phase: str
+    time: Time
+    distance: Distance
+    speed: RoadSpeed
+
+
+@record
+class Stop:
+    """A stop in its phases.
+
+    Parameters
+    ----------
+    stopping_distance : Distance
+        Distance from the perception of the hazard to rest [m].
+    stopping_time : Time
+        Time from the perception of the hazard to rest [s].
+    reaction_distance : Distance
+        Distance travelled before the brakes act [m].
+    build_up_distance : Distance
+        Distance travelled while the deceleration rises; needs the build-up time [m].
+    build_up_duration : Time
+        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time [s].
+    braking_speed : RoadSpeed
+        Speed where the full deceleration is reached [m/s].
+    braking_distance : Distance
+        Distance travelled at full deceleration [m].
+    braking_time : Time
+        Time at full deceleration [s].
+    drag_factor : DragFactor
+        Full deceleration along the road over gravity [-].
+    deceleration : Acceleration
+        Full deceleration along the road [m/s^2].
+    timeline : tuple[Moment, ...]
+        Time, distance and speed from perception to rest.
+    """
+
+    stopping_distance: Distance
+    stopping_time: Time
+    reaction_distance: Distance
+    build_up_distance: Distance | None
+    build_up_duration: Time | None
+    braking_speed: RoadSpeed
+    braking_distance: Distance
+    braking_time: Time
+    drag_factor: DragFactor
+    deceleration: Acceleration
+    timeline: tuple[Moment, ...]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def stop(
+    *,
+    speed: RoadSpeed,
+    friction: Friction,
+    reaction_time: Time,
+    build_up_time: Time | None = None,
+    grade: Slope = 0.0,
+    braking: Fraction = 1.0,
+    steps: Count = 4,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> Stop:
+    """Distance and time of a whole stop: reaction at constant speed, linear rise of the deceleration, steady braking.
+
+    Equation
+    --------
+    s = v t_r + τ(v − δ/3) + (v − δ)²/(2a), a = g f; δ = aτ²/(2T) is the speed lost in the build-up of duration T, and
+    τ = T, or √(2vT/a) when the vehicle comes to rest before the full deceleration is reached.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed when the hazard is perceived [m/s].
+    friction : Friction
+        Coefficient of friction between tyre and road [-].
+    reaction_time : Time
+        Time from the perception of the hazard until the brakes begin to act [s].
+    build_up_time : Time
+        Time in which the deceleration rises linearly from nothing to its full value [s].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
+    steps : Count
+        Rows of the time–distance table for every phase, equally spaced in time [-].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    Stop
+        Total distance and time, those of every phase, and the time–distance table.
+
+    Raises
+    ------
+    InadmissibleError
+        When the drag factor is not above zero, or steps is not within 1 to 10000.
+
+    Notes
+    -----
+    A point mass. The driver holds the speed on the grade until the brakes act; the rise of the deceleration includes the
+    grade's share. Without a build-up time the full deceleration acts at once and the phase is left out of the table.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), 3.2 (straight-line motion).
+
+    Examples
+    --------
+    >>> stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance
+    59.1
+    """
+    require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {0} rows a phase", steps, code="steps")
+    drag = require_drag(drag_along(friction, grade, braking))
+    deceleration = gravity * drag
+    reaction_distance = speed * reaction_time
+    rows = [Moment("reaction", 0.0, 0.0, speed)]
+    _coast(rows, speed, reaction_time, steps)
+    start, way = reaction_time, reaction_distance
+    braking_speed = speed
+    rise: float | None = None
+    rise_way: float | None = None
+    if build_up_time is not None:
+        full = deceleration * build_up_time <= 2.0 * speed
+        rise = where(full, build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
+        drop = where(full, 0.5 * deceleration * build_up_time, speed)
+        rise_way = rise * (speed - drop / 3.0)
+        rest = positive_part(multiply_add(-0.5 * deceleration, build_up_time, speed))
+        braking_speed = where(full, rest, 0.0 * speed)
+        _rise(rows, (start, way, speed), rise, drop, steps)
+        start, way = start + rise, way + rise_way
+    braking_time = braking_speed / deceleration
+    braking_way = braking_time * (0.5 * braking_speed)
+    _brake(rows, (start, way, braking_speed), braking_time, steps)
+    total, total_time = way + braking_way, start + braking_time
+    return Stop(
+        stopping_distance=total,
+        stopping_time=total_time,
+        reaction_distance=reaction_distance,
+        build_up_distance=rise_way,
+        build_up_duration=rise,
+        braking_speed=braking_speed,
+        braking_distance=braking_way,
+        braking_time=braking_time,
+        drag_factor=drag,
+        deceleration=deceleration,
+        timeline=tuple(rows),
+        checks=balance("table ends at the stop", rows[-1].distance, total, total),
+        advice=drag_advice(friction, grade, braking),
+    )
+
+
+def _coast(rows: list[Moment], speed: float, duration: float, steps: int) -> None:
+    for step in range(1, steps + 1):
+        time = duration * step / steps
+        rows.append(Moment("reaction", time, speed * time, speed))
+
+
+def _rise(rows: list[Moment], begin: tuple[float, float, float], duration: float, drop: float, steps: int) -> None:
+    """Speed lost grows with the square of the time, and the way lost with its cube."""
+    start, way, speed = begin
+    for step in range(1, steps + 1):
+        time = duration * step / steps
+        lost = drop * (step * step) / (steps * steps)
+        distance = way + time * (speed - lost / 3.0)
+        rows.append(Moment("build-up", start + time, distance, positive_part(speed - lost)))
+
+
+def _brake(rows: list[Moment], begin: tuple[float, float, float], duration: float, steps: int) -> None:
+    start, way, speed = begin
+    for step in range(1, steps + 1):
+        time = duration * step / steps
+        left = speed * (steps - step) / steps
+        rows.append(Moment("braking", start + time, way + time * (0.5 * (speed + left)), left))

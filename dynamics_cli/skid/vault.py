@@ -1,0 +1,210 @@
+"""Vault: the speed at which a vehicle left the ground, from where it landed."""
+
+from dynamics_cli.errors import UsageError, require
+from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, multiply_add, sin, sqrt, where
+from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Gravity, Length, RoadSpeed, Time
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import DEGREES, balance
+from dynamics_cli.skid.drag import RIGHT_ANGLE
+
+
+@record
+class Vault:
+    """A flight from take-off to landing.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed at take-off [m/s].
+    launch_angle : Angle
+        Angle of the take-off above the horizontal, given or that of the least speed [rad].
+    flight_time : Time
+        Time in the air [s].
+    landing_speed : RoadSpeed
+        Speed at landing [m/s].
+    landing_angle : Angle
+        Angle of the path at landing below the horizontal [rad].
+    """
+
+    speed: RoadSpeed
+    launch_angle: Angle
+    flight_time: Time
+    landing_speed: RoadSpeed
+    landing_angle: Angle
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def least_speed_suffices(**inputs: object) -> str | None:
+    """Why the least speed over all angles answers, or None when a take-off angle is given."""
+    if inputs.get("take_off") is not None:
+        return None
+    return "no take-off angle is given: no smaller speed could have reached the landing point"
+
+
+def vault_least_speed(
+    *, distance: Distance, rise: Length = 0.0, take_off: Angle | None = None, gravity: Gravity = STANDARD_GRAVITY
+) -> Vault:
+    """Least take-off speed, over all take-off angles, with which a vehicle reaches where it landed.
+
+    Equation
+    --------
+    v² = g (y + √(x² + y²)), at tan α = (y + √(x² + y²))/x; for y < 0 the sum is written x²/(√(x² + y²) − y).
+
+    Parameters
+    ----------
+    distance : Distance
+        Horizontal distance from take-off to landing [m].
+    rise : Length
+        Height of the landing above the take-off, negative when lower [m].
+    take_off : Angle
+        Not used by this model [rad].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    Vault
+        The least speed, its angle, and time, speed and angle of the landing.
+
+    Raises
+    ------
+    InadmissibleError
+        When the distance is zero.
+
+    Notes
+    -----
+    A point mass in flight without air drag. The least speed is a lower bound for every take-off angle; there the path at
+    take-off is perpendicular to the path at landing.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion); the least speed as
+    commonly published in accident reconstruction.
+
+    Examples
+    --------
+    >>> vault_least_speed(distance=20.0, rise=-2.0).speed
+    13.3
+    """
+    _require_way(distance)
+    slant = hypot(distance, rise)
+    long = slant + absolute(rise)
+    short = distance * (distance / long)
+    up = where(rise >= 0.0, long, short)
+    down = where(rise >= 0.0, short, long)
+    speed = sqrt(gravity * up)
+    landing = sqrt(gravity * down)
+    advice: tuple[Advice, ...] = ()
+    if take_off is not None:
+        advice = (
+            Advice(
+                code="take-off-unused",
+                message="the least speed is over all take-off angles: the one given was not used",
+                severity="note",
+            ),
+        )
+    return Vault(
+        speed=speed,
+        launch_angle=atan2(up, distance),
+        flight_time=hypot(distance, up) / speed,
+        landing_speed=landing,
+        landing_angle=atan2(distance, up),
+        checks=_energy_check(speed, landing, rise, gravity),
+        advice=advice,
+    )
+
+
+def vault_known_angle(
+    *, distance: Distance, rise: Length = 0.0, take_off: Angle | None = None, gravity: Gravity = STANDARD_GRAVITY
+) -> Vault:
+    """Take-off speed of a vehicle that left the ground at a known angle and landed at a known place.
+
+    Equation
+    --------
+    v = x √(g/(2 cos α (x sin α − y cos α))).
+
+    Parameters
+    ----------
+    distance : Distance
+        Horizontal distance from take-off to landing [m].
+    rise : Length
+        Height of the landing above the take-off, negative when lower [m].
+    take_off : Angle
+        Angle of the take-off above the horizontal [rad].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    Vault
+        The speed, and time, speed and angle of the landing.
+
+    Raises
+    ------
+    InadmissibleError
+        When the distance is zero, the take-off angle is not within ±90 degrees, or the take-off does not point above the
+        landing point.
+    UsageError
+        When no take-off angle is given.
+
+    Notes
+    -----
+    A point mass in flight without air drag. The speed grows without limit as the take-off nears the line of sight to the
+    landing point, or the vertical.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion).
+
+    Examples
+    --------
+    >>> vault_known_angle(distance=20.0, rise=-2.0, take_off=0.1).speed
+    22.4
+    """
+    if take_off is None:
+        raise UsageError(
+            "the known-angle model needs the take-off angle",
+            parameter="take_off",
+            hint="give take-off, or leave the model to be chosen",
+        )
+    _require_way(distance)
+    require(
+        absolute(take_off) < RIGHT_ANGLE,
+        "a take-off at {0:.6g} degrees goes nowhere forward",
+        take_off * DEGREES,
+        code="take-off",
+    )
+    sine, cosine = sin(take_off), cos(take_off)
+    over = multiply_add(distance, sine, -rise * cosine)
+    require(
+        over > 0.0,
+        "a take-off at {0:.6g} degrees cannot land there: it must point above {1:.6g} degrees",
+        take_off * DEGREES,
+        atan2(rise, distance) * DEGREES,
+        code="cannot-land",
+    )
+    speed = distance * sqrt(gravity / (2.0 * cosine * over))
+    forward = speed * cosine
+    fall = speed * ((over - rise * cosine) / distance)
+    landing = hypot(forward, fall)
+    return Vault(
+        speed=speed,
+        launch_angle=take_off,
+        flight_time=distance / forward,
+        landing_speed=landing,
+        landing_angle=atan2(fall, forward),
+        checks=_energy_check(speed, landing, rise, gravity),
+        advice=(),
+    )
+
+
+def _require_way(distance: float) -> None:
+    require(distance > 0.0, "a flight over {0:.6g} m shows no speed", distance, code="no-way")
+
+
+def _energy_check(speed: float, landing: float, rise: float, gravity: float) -> tuple[Check, ...]:
+    gained = 2.0 * gravity * rise
+    return balance(
+        "energy balance", speed * speed - landing * landing, gained, speed * speed + landing * landing + absolute(gained)
+    )

@@ -1,0 +1,223 @@
+"""Critical speed: what a vehicle did that left yaw marks at the limit of side friction."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Acceleration,
+    Distance,
+    Friction,
+    Gravity,
+    RoadSpeed,
+    Slope,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.drag import secant
+
+
+@record
+class Radius:
+    """A mark of known radius.
+
+    Parameters
+    ----------
+    radius : Distance
+        Radius of the mark [m].
+    """
+
+    radius: Distance
+
+
+@record
+class Chord:
+    """A mark measured by a chord and its middle ordinate.
+
+    Parameters
+    ----------
+    chord : Distance
+        Straight distance between two points of the mark [m].
+    middle_ordinate : Distance
+        Distance from the middle of the chord to the mark, across the chord [m].
+    """
+
+    chord: Distance
+    middle_ordinate: Distance
+
+    @property
+    def radius(self) -> float:
+        """Radius of the circle through the three points."""
+        return self.chord * (self.chord / (8.0 * self.middle_ordinate)) + 0.5 * self.middle_ordinate
+
+
+@record
+class CriticalSpeed:
+    """Speed at the limit of side friction.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Critical speed [m/s].
+    path_radius : Distance
+        Radius of the path of the mass centre [m].
+    mark_radius : Distance
+        Radius of the mark as measured [m].
+    lateral_acceleration : Acceleration
+        Acceleration towards the centre of the path, in the horizontal plane [m/s^2].
+    """
+
+    speed: RoadSpeed
+    path_radius: Distance
+    mark_radius: Distance
+    lateral_acceleration: Acceleration
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def yaw(
+    *,
+    path: Radius | Chord,
+    friction: Friction,
+    superelevation: Slope = 0.0,
+    track_width: Distance | None = None,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> CriticalSpeed:
+    """Critical speed of a vehicle on a curved path at the limit of side friction, with the bank of the road.
+
+    Equation
+    --------
+    v² = g R (f + e)/(1 − f e); R = C²/(8M) + M/2 from a chord, less half the track width when the mark is a tyre's.
+
+    Parameters
+    ----------
+    path : Radius | Chord
+        The radius of the mark, or a chord and its middle ordinate.
+    friction : Friction
+        Coefficient of side friction between tyre and road [-].
+    superelevation : Slope
+        Rise over run of the road across the path, positive when the outside of the curve is higher [-].
+    track_width : Distance
+        Track width, when the mark is that of the outer tyres and the path of the mass centre is wanted [m].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    CriticalSpeed
+        The speed, the radii of path and mark, and the lateral acceleration.
+
+    Raises
+    ------
+    InadmissibleError
+        When the chord or the middle ordinate is zero, half the track exceeds the radius, friction does not hold against an
+        adverse bank (f + e ≤ 0), or the bank holds the vehicle at any speed (1 − f e ≤ 0).
+
+    Notes
+    -----
+    A point mass on a circle in a horizontal plane, neither braking nor driven; 1 − f e is rounded once. Speed grows as
+    √R, and R from a chord as 1/M: a short middle ordinate decides everything.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 3.4 (motion on a circle); the critical speed
+    formula as commonly published in accident reconstruction.
+
+    Examples
+    --------
+    >>> yaw(path=Chord(chord=30.0, middle_ordinate=1.0), friction=0.75).speed
+    28.8
+    """
+    if isinstance(path, Chord):
+        _require_arc(path)
+    mark_radius = path.radius
+    require(mark_radius > 0.0, "a radius of {0:.6g} m is no curve", mark_radius, code="radius")
+    path_radius = mark_radius
+    if track_width is not None:
+        path_radius = mark_radius - 0.5 * track_width
+        require(
+            path_radius > 0.0,
+            "half the track width {0:.6g} m leaves no path inside a mark of radius {1:.6g} m",
+            track_width,
+            mark_radius,
+            code="track",
+        )
+    grip = friction + superelevation
+    require(
+        grip > 0.0,
+        "friction and superelevation sum to {0:.6g}: the vehicle slides off the bank at any speed",
+        grip,
+        code="adverse-bank",
+    )
+    lean = multiply_add(-friction, superelevation, 1.0)
+    require(
+        lean > 0.0,
+        "1 - friction × superelevation is {0:.6g}: the bank holds the vehicle at any speed, there is no critical one",
+        lean,
+        code="no-critical-speed",
+    )
+    share = grip / lean
+    return CriticalSpeed(
+        speed=sqrt(gravity * path_radius * share),
+        path_radius=path_radius,
+        mark_radius=mark_radius,
+        lateral_acceleration=gravity * share,
+        checks=_check(friction, superelevation, share),
+        advice=_arc_advice(path) + _bank_advice(lean),
+    )
+
+
+def _require_arc(path: Chord) -> None:
+    require(path.chord > 0.0, "a chord of {0:.6g} m shows no curve", path.chord, code="chord")
+    require(
+        path.middle_ordinate > 0.0,
+        "a middle ordinate of {0:.6g} m shows no curve: the mark is straight",
+        path.middle_ordinate,
+        code="middle-ordinate",
+    )
+
+
+def _check(friction: float, bank: float, share: float) -> tuple[Check, ...]:
+    """Balance of forces along the banked road, from the acceleration that was returned."""
+    cosine = 1.0 / secant(bank)
+    sine = bank * cosine
+    outward = share * (cosine - friction * sine)
+    inward = sine + friction * cosine
+    scale = share * (cosine + friction * absolute(sine)) + absolute(sine) + friction * cosine
+    return balance("forces across the path", outward, inward, scale)
+
+
+def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
+    if not isinstance(path, Chord) or not single(path.chord, path.middle_ordinate):
+        return ()
+    chord, ordinate = plain(path.chord), plain(path.middle_ordinate)
+    if ordinate > 0.5 * chord:
+        return (
+            Advice(
+                code="beyond-half-circle",
+                message=f"the middle ordinate {ordinate:.4g} m exceeds half the chord {chord:.4g} m: more than half a circle",
+                mend="check that chord and middle ordinate are not exchanged",
+            ),
+        )
+    if ordinate >= 0.25:
+        return ()
+    percent = 0.5 / ordinate
+    return (
+        Advice(
+            code="short-middle-ordinate",
+            message=f"an error of 1 cm in the middle ordinate {ordinate:.4g} m changes the speed by {percent:.3g} %",
+            severity="caution" if percent < 10.0 else "serious",
+            mend="measure a longer chord",
+        ),
+    )
+
+
+def _bank_advice(lean: float) -> tuple[Advice, ...]:
+    if not single(lean) or plain(lean) > 0.2:
+        return ()
+    return (
+        Advice(
+            code="near-self-holding-bank",
+            message=f"1 - friction × superelevation is only {plain(lean):.3g}: the speed grows without limit as it vanishes",
+            severity="serious",
+        ),
+    )

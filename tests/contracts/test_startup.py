@@ -1,0 +1,80 @@
+"""What a plain call may load, and generous bounds on what it may cost."""
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+HEAVY = (
+    "typing re json dataclasses inspect fractions decimal enum numpy pint typer click rich msgspec scipy pydantic "
+    "argparse difflib tomllib hashlib contextlib"
+).split()
+PLAIN = [
+    ["convert", "60", "mph", "ft/s"],
+    ["convert", "-40", "degC", "degF", "--json"],
+    ["convert", "1.8796 m", "ft;in"],
+    ["skid", "speed", "--distance", "60 ft", "--friction", "0.7"],
+    ["skid", "speed", "--segment", "distance=60 ft, friction=0.7, grade=-3 %, braking=80 %", "--format", "csv"],
+    ["skid", "yaw", "--chord", "100 ft", "--ordinate", "4 ft", "--friction", "0.7", "--units", "us"],
+    ["skid", "stop", "--speed", "50 mph", "--friction", "0.7"],
+]
+CODE = """
+import sys
+sys.path.insert(0, {root!r})
+from dynamics_cli.cli import main
+sys.argv = ["dynamics", *{argv!r}]
+status = main()
+print(*sorted(set(sys.modules) & set({heavy!r})), file=sys.stderr)
+sys.exit(status)
+"""
+
+
+@pytest.mark.parametrize("argv", PLAIN, ids=" ".join)
+def test_a_plain_call_loads_nothing_heavy(argv: list[str]) -> None:
+    code = CODE.format(root=str(ROOT), argv=argv, heavy=HEAVY)
+    done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.split() == []
+
+
+@pytest.mark.parametrize("argv", [["--help"], ["skid", "--help"], ["skid", "speed", "--help"]], ids=" ".join)
+def test_help_loads_no_numerical_library(argv: list[str]) -> None:
+    code = CODE.format(root=str(ROOT), argv=argv, heavy=["numpy", "pint", "scipy", "pydantic", "rich", "msgspec"])
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.split() == []
+
+
+def test_listing_the_families_imports_none_of_them() -> None:
+    code = CODE.format(root=str(ROOT), argv=["--help"], heavy=["dynamics_cli.skid", "dynamics_cli.convert"])
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stderr.split() == []
+
+
+def test_importing_the_package_is_nearly_free() -> None:
+    code = "import time; t = time.perf_counter(); import dynamics_cli; print(time.perf_counter() - t)"
+    times = [
+        float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT).stdout)
+        for _ in range(5)
+    ]
+    assert min(times) < 0.005
+
+
+@pytest.mark.parametrize(("argv", "limit"), [(PLAIN[0], 3.0), (PLAIN[3], 3.5)], ids=["convert", "skid speed"])
+def test_a_plain_call_costs_little_more_than_the_interpreter(argv: list[str], limit: float) -> None:
+    """Generous: `tests/benchmarks/startup.py` measures the real ratios."""
+    code = f"import sys; sys.argv = ['dynamics', *{argv!r}]; from dynamics_cli.cli import main; main()"
+
+    def fastest(source: str) -> float:
+        times = []
+        for _ in range(12):
+            start = time.perf_counter()
+            subprocess.run([sys.executable, "-c", source], check=True, stdout=subprocess.DEVNULL, cwd=ROOT)
+            times.append(time.perf_counter() - start)
+        return min(times)
+
+    fastest(code)
+    assert fastest(code) / fastest("pass") < limit
