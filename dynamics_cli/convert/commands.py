@@ -58,4 +58,25 @@ FAMILIES = {
             "dynamics units table josephs-huston --format csv",
         ),
     ),
+    "coords": Family(
+        "coords",
+        "Cartesian, cylindrical and spherical coordinates.",
+        Task(
+            "",
+            "Convert a point between Cartesian, cylindrical and spherical coordinates.",
+            Model(
+                "the book's coordinates",
+                "dynamics_cli.convert.coordinates:coords",
+                source="Josephs & Huston, Dynamics of Mechanical Systems, section 1.6",
+                formula="x = r·cosθ = ρ·sinφ·cosθ, y = r·sinθ = ρ·sinφ·sinθ, z = ρ·cosφ",
+                assumptions=("φ is measured from the z-axis, θ in the x–y plane from x",),
+            ),
+            examples=(
+                "dynamics coords 3 1 4 --from cartesian --into spherical",
+                'dynamics coords "4 m" "30 deg" "2 m" --from cylindrical --into cartesian',
+            ),
+            arrays=False,
+            tracked=False,
+        ),
+    ),
 }  # fmt: skip

@@ -26,9 +26,9 @@ class Gathered:
 def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, rows: bool = False) -> Gathered:
     """Everything a call says about its parameters; with `rows`, words bind only to what the rows do not give."""
     fields = task.specification.fields
-    raw, scene = _words(fields, call.words, rows=rows)
+    raw, scene = read_words(fields, call.words, rows=rows)
     for name, value in call.options.items():
-        _put(raw, task.options[name].path, value)
+        put(raw, task.options[name].path, value)
     file = settings.input or scene
     if scene and settings.input:
         raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
@@ -43,7 +43,7 @@ def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal
     from dynamics_cli.core.loading import parameters_of, read_object
 
     loaded, _ = read_object(file, terminal)
-    known = {key for field in task.specification.fields for key in _keys_of(field)}
+    known = {key for field in task.specification.fields for key in keys_of(field)}
     units = loaded.pop("units", {}) if "units" not in known else {}
     if not isinstance(units, dict):
         raise UsageError("[units] names default units, one for each kind", parameter="units")
@@ -51,14 +51,14 @@ def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal
     reader = Reader(terminal.environ, folder=folder, units=units)
     if file != "-":
         reader.files.append(file)
-    return Gathered(_merge(task, parameters_of(loaded, known), raw), reader)
+    return Gathered(merge(task, parameters_of(loaded, known), raw), reader)
 
 
-def _merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
+def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
     """Options over the file's parameters; a lone item's fields on the command line replace the file's list of items."""
     merged = dict(below)
     for field in task.specification.fields:
-        keys = _keys_of(field)
+        keys = keys_of(field)
         if field.spreads and not keys.isdisjoint(above):
             exclusive = isinstance(field.node, Many) or not _compatible(field, merged, above, keys)
             for key in keys if exclusive else ():
@@ -85,19 +85,21 @@ def _deep(below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
     return merged
 
 
-def _keys_of(field: Field) -> "set[str]":
+def keys_of(field: Field) -> "set[str]":
+    """The keys under which a task's parameter may be given."""
     if isinstance(field.node, Record) and field.place:
         return set(field.node.names)
     return set(field.spread())
 
 
-def _put(raw: "dict[str, Any]", path: "tuple[str, ...]", value: "Any") -> None:
+def put(raw: "dict[str, Any]", path: "tuple[str, ...]", value: "Any") -> None:
+    """Put a value where its path of keys says."""
     for key in path[:-1]:
         raw = raw.setdefault(key, {})
     raw[path[-1]] = value
 
 
-def _words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -> "tuple[dict[str, Any], str]":
+def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -> "tuple[dict[str, Any], str]":
     """Words put to the positional parameters in order; a number's unit may be a word of its own."""
     raw: dict[str, Any] = {}
     rest = list(words)

@@ -144,7 +144,8 @@ def _result(node: object) -> "dict[str, Any]":
     if isinstance(node, Many):
         if node.columns and isinstance(node.item, Record):
             return {"type": "object", "properties": {name: _listed(s) for name, s in _result_fields(node.item).items()}}
-        return {"type": "array", "items": _result(node.item)}
+        several = {"type": "array", "items": _result(node.item)}
+        return {"anyOf": [_result(node.item), several]} if node.single else several
     assert isinstance(node, Leaf)
     if node.choice is not None or node.kind.form in ("text", "unit"):
         return {"type": ["string", "null"]}

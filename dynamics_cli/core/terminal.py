@@ -6,6 +6,7 @@ import sys
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from contextlib import AbstractContextManager
     from typing import BinaryIO
 
 
@@ -47,6 +48,20 @@ class Terminal:
         """Write words for people to standard error."""
         self.stderr.write(text.encode(errors="backslashreplace"))
         self.stderr.flush()
+
+    def own_stdout(self) -> "AbstractContextManager[object]":
+        """Send what a library prints to this terminal's standard output."""
+        import contextlib
+        import io
+
+        if self._stdout is None:
+            return contextlib.nullcontext()
+
+        class Text(io.StringIO):
+            def write(text, words: str) -> int:
+                return self.stdout.write(words.encode())
+
+        return contextlib.redirect_stdout(Text())
 
     @property
     def shows_progress(self) -> bool:

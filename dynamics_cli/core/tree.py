@@ -4,8 +4,6 @@ The only module that imports typer. Commands are built for the chosen family onl
 direct route reads, and both end in the same `execute`.
 """
 
-import os
-
 from typer import _click as click
 from typer._completion_classes import completion_init
 from typer._completion_shared import get_completion_script
@@ -13,7 +11,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from typer.exceptions import Abort
 
 from dynamics_cli import __version__
-from dynamics_cli.core.call import UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.call import FORMATS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.help import command_help, option_help, placeholder
 from dynamics_cli.core.specification import Leaf, Option, Tagged
 from dynamics_cli.core.task import Family, Task
@@ -34,10 +32,10 @@ SHELLS = ("bash", "zsh", "fish")
 def run_tree(argv: "list[str]", families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> int:
     """Carry out a call through typer; typer's own complaints become UsageError."""
     completion_init()
-    os.environ.setdefault("_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION", "1")
     root = _root(families, find, terminal)
     try:
-        status = root.main(args=argv, prog_name="dynamics", standalone_mode=False)
+        with terminal.own_stdout():
+            status = root.main(args=argv, prog_name="dynamics", standalone_mode=False)
     except Abort:
         raise KeyboardInterrupt from None
     except click.exceptions.NoSuchOption as error:
@@ -225,15 +223,16 @@ def _complete_words(task: Task, incomplete: str) -> "list[str]":
 def _option(option: Option) -> TyperOption:
     decls = [_variable("option", option.name), f"--{option.name}"]
     text = option_help(option)
+    choice = option.leaf.choice if option.leaf is not None else None
     if option.flag:
         return TyperOption(param_decls=decls, is_flag=True, default=False, help=text)
-
-    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
-        choice = option.leaf.choice if option.leaf is not None else None
-        return [name for name in choice.names if name.startswith(incomplete)] if choice else []
-
     return TyperOption(
-        param_decls=decls, multiple=True, type=str, metavar=placeholder(option), help=text, autocompletion=complete
+        param_decls=decls,
+        multiple=True,
+        type=str,
+        metavar=placeholder(option),
+        help=text,
+        autocompletion=_completer(choice.names if choice else ()),
     )
 
 
@@ -244,8 +243,25 @@ def _universal_options() -> "list[TyperOption]":
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
-            made.append(TyperOption(param_decls=decls, multiple=True, type=str, metavar=metavar, help=text))
+            names = {"format": FORMATS, "units": SYSTEMS}.get(name, ())
+            made.append(
+                TyperOption(
+                    param_decls=decls,
+                    multiple=True,
+                    type=str,
+                    metavar=metavar,
+                    help=text,
+                    autocompletion=_completer(names),
+                )
+            )
     return made
+
+
+def _completer(names: "tuple[str, ...]") -> "Callable[[Any, Any, str], list[str]]":
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return [name for name in names if name.startswith(incomplete)]
+
+    return complete
 
 
 def _version_option(terminal: "Terminal") -> TyperOption:

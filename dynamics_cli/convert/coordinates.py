@@ -1,0 +1,166 @@
+"""The command `coords`: points with their units from one system of coordinates to another.
+
+The physics (`coords.py`) is of plain numbers; whether a component is a length, a pure number or an angle depends on the
+system, so units are dealt with here, exactly, and the rounding bounds with them.
+"""
+
+from dynamics_cli.convert import coords as physics
+from dynamics_cli.core.units import NUMBER, Unit, conformable, explain_mismatch, from_si, parse_unit, to_si
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.quantities import Text
+from dynamics_cli.records import Advice, Choice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
+
+UNIT_ROUNDOFF = 2.0**-53
+METRE = parse_unit("m")
+RADIAN = parse_unit("rad")
+DEGREE = parse_unit("deg")
+NAMES = {"cartesian": ("x", "y", "z"), "cylindrical": ("r", "theta", "z"), "spherical": ("rho", "phi", "theta")}
+ANGLES = ("theta", "phi")
+CONVENTION = {
+    "cartesian": "x, y, z right-handed",
+    "cylindrical": "x = r cosθ, y = r sinθ, z",
+    "spherical": "x = ρ sinφ cosθ, y = ρ sinφ sinθ, z = ρ cosφ: φ from the z-axis, θ in the x–y plane from x",
+}
+
+
+class System(Choice):
+    """A system of coordinates."""
+
+    names = ("cartesian", "cylindrical", "spherical")
+
+
+@record
+class Coordinates:
+    """A point in the system asked for; angles in degrees unless the input's were in another unit.
+
+    Parameters
+    ----------
+    x : Measured
+        Cartesian x.
+    y : Measured
+        Cartesian y.
+    r : Measured
+        Distance from the z-axis.
+    rho : Measured
+        Distance from the origin.
+    phi : Measured
+        Angle from the z-axis, 0 to π.
+    theta : Measured
+        Angle in the x–y plane from x, −π to π.
+    z : Measured
+        Height along the z-axis.
+    convention : Text
+        What the angles mean.
+    """
+
+    x: Measured | None
+    y: Measured | None
+    r: Measured | None
+    rho: Measured | None
+    phi: Measured | None
+    theta: Measured | None
+    z: Measured | None
+    convention: Text
+    numerics: Numerics
+    advice: tuple[Advice, ...]
+
+
+def coords(
+    first: ExactQuantity, second: ExactQuantity, third: ExactQuantity, /, *, from_: System, into: System
+) -> Coordinates:
+    """Convert a point between Cartesian, cylindrical and spherical coordinates.
+
+    Equation: x = r cosθ = ρ sinφ cosθ, y = r sinθ = ρ sinφ sinθ, z = ρ cosφ.
+
+    Parameters
+    ----------
+    first : ExactQuantity
+        x, r or ρ: a length or a pure number.
+    second : ExactQuantity
+        y (a length or a pure number), θ of cylindrical or φ of spherical coordinates (angles, with their unit).
+    third : ExactQuantity
+        z (a length or a pure number) or θ of spherical coordinates (an angle, with its unit).
+    from_ : System
+        The system the point is given in.
+    into : System
+        The system wanted.
+
+    Returns
+    -------
+    Coordinates
+        The components by name; angles are 0 where the point leaves them undetermined, with a note.
+
+    Raises
+    ------
+    UsageError
+        When an angle has no unit, lengths and pure numbers are mixed, or both systems are the same.
+
+    Notes
+    -----
+    Stable near the axes and for components from the smallest to the largest doubles.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
+    """
+    if from_ == into:
+        raise UsageError(f"from and into are both {from_}", parameter="into")
+    components = tuple(zip(NAMES[from_], (first, second, third), strict=True))
+    lengths = _units(components)
+    numbers = [_read(name, given, lengths) for name, given in components]
+    tracked = Tracked.inputs(numbers)
+    made = getattr(physics, f"{from_}_to_{into}")(*tracked)
+    angle_unit = next((parse_unit(given.unit, RADIAN) for name, given in components if name in ANGLES), DEGREE)
+    shown = {name: _show(name, getattr(made, name), numbers, angle_unit, lengths) for name in NAMES[into]}
+    empty = dict.fromkeys(("x", "y", "r", "rho", "phi", "theta", "z"))
+    return Coordinates(
+        **{**empty, **{name: entry[0] for name, entry in shown.items()}},
+        convention=CONVENTION["spherical" if "spherical" in (from_, into) else "cylindrical"],
+        numerics=Numerics(
+            "closed form",
+            tuple(entry[1] for entry in shown.values()),
+            tuple(condition for entry in shown.values() for condition in entry[2]),
+        ),
+        advice=made.advice,
+    )
+
+
+def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
+    """The unit of the lengths, the first one's; pure numbers where none has one."""
+    found = [(name, given) for name, given in components if name not in ANGLES]
+    bare = [name for name, given in found if not given.unit]
+    if bare and len(bare) < len(found):
+        raise UsageError(
+            f"{bare[0]} has no unit and the others have", parameter=bare[0], hint="give all a length unit, or none"
+        )
+    return parse_unit(found[0][1].unit, METRE) if not bare else NUMBER
+
+
+def _read(name: str, given: ExactQuantity, lengths: Unit) -> float:
+    wanted = RADIAN if name in ANGLES else METRE if lengths is not NUMBER else NUMBER
+    if name in ANGLES and not given.unit:
+        raise UsageError(f"{name} is an angle: its unit is missing", parameter=name, hint="for example 30 deg")
+    unit = parse_unit(given.unit, wanted)
+    if not conformable(unit, wanted):
+        message, hint = explain_mismatch(unit, wanted)
+        raise UsageError(message, parameter=name, hint=hint)
+    return to_si(given.numerator, given.denominator, unit)
+
+
+def _show(
+    name: str, component: Tracked | float, inputs: list[float], angle_unit: Unit, lengths: Unit
+) -> tuple[Measured, ErrorBound, tuple[Condition, ...]]:
+    """A component in its unit, with its bound and its condition numbers."""
+    number = component if isinstance(component, Tracked) else Tracked(component, 0.0, (0.0,) * 3)
+    unit, coherent = (angle_unit, "rad") if name in ANGLES else (lengths, "m" if lengths is not NUMBER else "")
+    converts = unit.text != coherent
+    value = from_si(number.value, unit) if converts else number.value
+    if number.value == 0.0:
+        return Measured(value, unit.text), ErrorBound(name, number.error, relative=False), ()
+    bound = number.error / abs(number.value) + (UNIT_ROUNDOFF if converts else 0.0)
+    conditions = tuple(
+        Condition(name, parameter, slope * given / number.value)
+        for parameter, slope, given in zip(("first", "second", "third"), number.slopes, inputs, strict=True)
+    )
+    return Measured(value, unit.text), ErrorBound(name, bound), conditions

@@ -1,0 +1,119 @@
+"""Lines from a file or a pipe, in blocks: as many as have come, never more than fit in a little memory."""
+
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import BinaryIO
+
+    from dynamics_cli.core.terminal import Terminal
+
+# Enough rows to amortise array calls, few enough to stay in the processor's cache.
+BLOCK_BYTES = 1 << 17
+# A longer line is nobody's case, and must not eat the memory.
+LONGEST_LINE = 1 << 24
+BOM = b"\xef\xbb\xbf"
+
+
+class Source:
+    """A stream of lines: `blocks()` gives lists of lines without their ends, blank lines left out.
+
+    A line longer than `LONGEST_LINE` is given as None in a block of its own; the rest of it is read and dropped.
+    """
+
+    def __init__(self, name: str, terminal: "Terminal") -> None:
+        self.name = name
+        self.bytes_read = 0
+        self.size: int | None = None
+        self._file = terminal.stdin if name == "-" else self._open(name)
+        # `read1` gives what has come; a buffered `read` would wait for a whole block.
+        self._read = getattr(self._file, "read1", self._file.read)
+        self._first = True
+
+    def _open(self, name: str) -> "BinaryIO":
+        import os
+
+        try:
+            file = open(name, "rb", buffering=0)
+            self.size = os.fstat(file.fileno()).st_size or None
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            message = f"cannot read {name!r}: {reason}"
+            raise UsageError(message, code="unreadable", parameter="rows") from None
+        return file  # type: ignore[return-value]
+
+    def close(self) -> None:
+        """Close the file, but not standard input."""
+        if self.name != "-":
+            self._file.close()
+
+    def blocks(self) -> "Iterator[list[bytes | None]]":
+        """The lines, block by block."""
+        rest: list[bytes] = []
+        length = 0
+        dropping = False
+        while data := self._next():
+            end = data.rfind(b"\n")
+            if dropping:
+                start = data.find(b"\n")
+                if start < 0:
+                    continue
+                dropping = False
+                yield [None]
+                data, end = data[start + 1 :], end - start - 1
+            if end < 0:
+                rest.append(data)
+                length += len(data)
+                if length > LONGEST_LINE:
+                    rest, length, dropping = [], 0, True
+                continue
+            whole = b"".join((*rest, data[:end])) if rest else data[:end]
+            rest = [data[end + 1 :]]
+            length = len(rest[0])
+            if lines := self._lines(whole):
+                yield lines
+        if dropping:
+            yield [None]
+        if lines := self._lines(b"".join(rest)):
+            yield lines
+
+    def _next(self) -> bytes:
+        """Some bytes: one read, and what more has already come, up to a block."""
+        data: bytes = self._read(BLOCK_BYTES)
+        if data and len(data) < BLOCK_BYTES and self._more():
+            parts = [data]
+            length = len(data)
+            while length < BLOCK_BYTES and self._more():
+                part = self._read(BLOCK_BYTES - length)
+                if not part:
+                    break
+                parts.append(part)
+                length += len(part)
+            data = b"".join(parts)
+        self.bytes_read += len(data)
+        return data
+
+    def _more(self) -> bool:
+        """Whether more bytes wait in a pipe; "no" where it cannot be asked."""
+        if self.size is not None:
+            return False
+        from select import select
+
+        try:
+            return bool(select([self._file.fileno()], [], [], 0)[0])
+        except (OSError, ValueError):
+            return False
+
+    def _lines(self, data: bytes) -> "list[bytes | None]":
+        if self._first and data:
+            self._first = False
+            data = data.removeprefix(BOM)
+        if b"\r" in data:
+            data = data.replace(b"\r\n", b"\n").removesuffix(b"\r")
+        if data[:1] in (b"", b"\n", b" ", b"\t", b"\r") or any(
+            mark in data for mark in (b"\n\n", b"\n ", b"\n\t", b"\n\r")
+        ):
+            return [line for line in data.split(b"\n") if line and not line.isspace()]
+        # A block ends before its last line's end, so only that line can be empty here.
+        return data.removesuffix(b"\n").split(b"\n")  # type: ignore[return-value]

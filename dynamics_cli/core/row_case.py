@@ -1,0 +1,115 @@
+"""One row answered as one command would answer it; every faster way through a stream must agree with this one."""
+
+from dynamics_cli.core.answer import call_model, choose
+from dynamics_cli.core.bound import Fields
+from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.gather import gather, keys_of, merge, put, read_words
+from dynamics_cli.core.reading import Reader
+from dynamics_cli.core.row_layout import Layout
+from dynamics_cli.core.shown import Display
+from dynamics_cli.core.specification import Field, Leaf, Many
+from dynamics_cli.core.task import Task
+from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+    Raw = dict[str, Any]
+
+
+class Case:
+    """What all rows of a stream have in common: the task, the parameters the call fixes, how results are shown."""
+
+    def __init__(self, task: Task, call: Call, settings: Settings, terminal: "Terminal") -> None:
+        self.task = task
+        self.asked = settings.model
+        gathered = gather(task, call, settings, terminal, rows=True)
+        self.base: Raw = gathered.raw
+        self.reader: Reader = gathered.reader
+        # What the command line itself says wins over the rows; what its files say does not.
+        self.fixed, _ = read_words(task.specification.fields, call.words, rows=True)
+        for name, value in call.options.items():
+            put(self.fixed, task.options[name].path, value)
+        self.measure = self._measure()
+        self.default_unit = ""
+        self.layout = Layout(
+            task.specification.result, Display(settings.units, settings.to), self.fixed.get(self.measure[1])
+        )
+
+    def check(self) -> None:
+        """Refuse now what would fail in every row: a model that does not exist, a fixed parameter that cannot be read."""
+        if self.asked:
+            choose(self.task, Fields(None, {}), self.asked)
+        try:
+            self.bind({})
+        except DynamicsError as error:
+            wrong = [one for one in error.all() if one.code != "missing"]
+            if wrong:
+                raise (ManyErrors(wrong) if len(wrong) > 1 else wrong[0]) from None
+
+    def _measure(self) -> "tuple[str, str]":
+        """The names of an exact quantity and of its units, where the task's words are those; else empty."""
+        words = self.task.specification.words
+        if len(words) == 2 and _form(words[0]) == "exact" and _form(words[1]) == "unit":
+            return words[0].key, words[1].key
+        return "", ""
+
+    def take_default_unit(self) -> None:
+        """Read the first of several fixed units as that of bare numbers: `dynamics convert mph ft/s --rows -`."""
+        name = self.measure[1]
+        targets = self.fixed.get(name, [])
+        if len(targets) > 1 and self.measure[0] not in self.fixed:
+            self.default_unit = targets[0]
+            self.fixed = {**self.fixed, name: targets[1:]}
+            self.base = {**self.base, name: targets[1:]}
+            self.layout = Layout(self.task.specification.result, self.layout.display, targets[1:])
+
+    @property
+    def names(self) -> "set[str]":
+        """The names a row may give at its top."""
+        return {name for field in self.task.specification.fields for name in keys_of(field)}
+
+    def raw(self, row: "Raw") -> "Raw":
+        """A row's parameters over those of `--input`, the command line over both."""
+        if self.default_unit:
+            row = self._with_unit(row)
+        if not self.base:
+            return row
+        merged = merge(self.task, self.base, row)
+        return merge(self.task, merged, self.fixed) if self.fixed else merged
+
+    def _with_unit(self, row: "Raw") -> "Raw":
+        value = row.get(self.measure[0])
+        if isinstance(value, str) and value.strip()[-1:] in tuple("0123456789."):
+            return {**row, self.measure[0]: f"{value} {self.default_unit}"}
+        return row
+
+    def bind(self, row: "Raw") -> Fields:
+        """The row's inputs as read."""
+        reader = self.reader
+        reader.errors, reader.notes, reader.files = [], [], []
+        return reader.read(self.task.specification.fields, self.raw(row))
+
+    def values(self, row: "Raw") -> "list[Any]":
+        """What the row shows; raises what a single call would."""
+        bound = self.bind(row)
+        model, _ = choose(self.task, bound, self.asked)
+        return self.layout.values(call_model(self.task, model, bound))
+
+    def words(self, words: "list[str]") -> "Raw":
+        """The parameters that a line of words gives: those positional ones that the call does not fix."""
+        free = tuple(field for field in self.task.specification.words if field.key not in self.fixed)
+        raw, scene = read_words(free, words, rows=False)
+        if scene:
+            raise UsageError("a row cannot name a scene", code="unexpected")
+        return raw
+
+
+def _form(field: Field) -> str:
+    node = field.node
+    leaf = node.item if isinstance(node, Many) else node
+    return leaf.kind.form if isinstance(leaf, Leaf) and leaf.choice is None else ""
+

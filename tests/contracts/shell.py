@@ -1,0 +1,24 @@
+"""Runs shell lines with `dynamics` on the path, as a user would."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+
+def shell(command: str, folder: Path, bin_folder: Path) -> subprocess.CompletedProcess[str]:
+    """One line of sh, in `folder`."""
+    program = bin_folder / "dynamics"
+    if not program.exists():
+        program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m dynamics_cli "$@"\n')
+        program.chmod(0o755)
+    env = {
+        **os.environ,
+        "PATH": f"{bin_folder}{os.pathsep}{os.environ['PATH']}",
+        "PYTHONPATH": f"{ROOT}{os.pathsep}{os.environ.get('PYTHONPATH', '')}",
+    }
+    for name in ("DYNAMICS_FORMAT", "DYNAMICS_GRAVITY", "DYNAMICS_ROUTE"):
+        env.pop(name, None)
+    return subprocess.run(["sh", "-c", command], cwd=folder, env=env, capture_output=True, text=True, check=False)

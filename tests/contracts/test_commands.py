@@ -1,0 +1,113 @@
+"""Every command there is: documented, with examples that run alike by both routes and validate against its schema."""
+
+import json
+import shlex
+
+import jsonschema
+import pytest
+from harness import run
+
+from dynamics_cli import cli
+from dynamics_cli.core.call import UNIVERSAL_OPTIONS
+from dynamics_cli.core.help import undescribed
+from dynamics_cli.core.schema import schema
+from dynamics_cli.core.task import UNIVERSAL, Task
+
+TASKS = {task.path: task for name in cli.FAMILIES for task in cli.family(name).tasks.values()}
+EXAMPLES = [(path, example) for path, task in TASKS.items() for example in task.examples]
+
+
+def words(example: str) -> list[str]:
+    assert example.startswith("dynamics ")
+    return shlex.split(example)[1:]
+
+
+@pytest.fixture(params=TASKS, ids=list(TASKS))
+def task(request: pytest.FixtureRequest) -> Task:
+    return TASKS[request.param]
+
+
+def test_every_task_has_an_example_a_summary_and_sources(task: Task) -> None:
+    assert task.examples
+    assert task.summary.endswith(".")
+    assert all(model.source and model.name for model in task.models)
+
+
+def test_every_parameter_is_described(task: Task) -> None:
+    assert undescribed(task) == []
+
+
+def test_help_is_complete(task: Task) -> None:
+    text = run(*task.path.split(), "--help").out
+    assert "Examples:" in text
+    assert "Source:" in text
+    for name in [*task.options, *UNIVERSAL_OPTIONS]:
+        assert f"--{name}" in text
+
+
+def test_the_public_function_is_documented(task: Task) -> None:
+    for model in task.models:
+        text = model.call().__doc__ or ""
+        assert text.splitlines()[0].endswith(".")
+        assert "Parameters" in text
+
+
+def test_the_schema_is_a_schema(task: Task) -> None:
+    jsonschema.Draft202012Validator.check_schema(schema(task))
+    assert json.loads(run("schema", *task.path.split()).out) == json.loads(json.dumps(schema(task)))
+
+
+@pytest.mark.parametrize(("path", "example"), EXAMPLES, ids=[example for _, example in EXAMPLES])
+class TestExamples:
+    def test_both_routes_are_byte_identical(self, path: str, example: str) -> None:
+        for form in ("table", "json", "csv", "markdown", "ndjson"):
+            plainly = run(*words(example), env={"DYNAMICS_FORMAT": form})
+            assert plainly.status == 0, plainly.err
+            assert plainly == run(*words(example), env={"DYNAMICS_FORMAT": form}, route="tree")
+
+    def test_the_document_keeps_its_schema(self, path: str, example: str) -> None:
+        if "--format" in example:
+            return
+        document = json.loads(run(*words(example), env={"DYNAMICS_FORMAT": "json"}).out)
+        inputs = {key: value for key, value in document["inputs"].items() if key != "sweep"}
+        if "sweep" not in document["inputs"]:
+            jsonschema.validate({"inputs": inputs, "results": document["results"]}, schema(TASKS[path]))
+
+    def test_the_inputs_of_a_document_give_the_same_document(self, path: str, example: str) -> None:
+        if "--format" in example or "--sweep" in example or "--limit" in example:
+            return
+        document = json.loads(run(*words(example), env={"DYNAMICS_FORMAT": "json"}).out)
+        shown = [word for word in _shown_options(words(example))]
+        again = run(*path.split(), "--input", "-", "--json", *shown, stdin=json.dumps(document["inputs"]))
+        assert again.status == 0, again.err
+        assert again.document["results"] == document["results"]
+        assert again.document["inputs"] == document["inputs"]
+
+
+def _shown_options(argv: list[str]) -> list[str]:
+    """The universal options of a call, which its inputs do not hold."""
+    kept: list[str] = []
+    for index, word in enumerate(argv):
+        how = UNIVERSAL_OPTIONS.get(word[2:], ("",))[0] if word.startswith("--") else ""
+        if how == "flag" and word != "--json":
+            kept.append(word)
+        elif how in ("value", "many"):
+            kept += [word, argv[index + 1]]
+    return kept
+
+
+def test_universal_options_are_reserved() -> None:
+    assert set(UNIVERSAL_OPTIONS) <= set(UNIVERSAL)
+
+
+def test_family_help_lists_every_task() -> None:
+    for name in cli.FAMILIES:
+        family = cli.family(name)
+        if family.alone is None:
+            text = run(name, "--help").out
+            assert all(task in text for task in family.tasks)
+            assert run(name).out == text
+
+
+def test_top_help_fits_a_screen() -> None:
+    assert len(run("--help").out.splitlines()) <= 24
