@@ -1,0 +1,171 @@
+"""Quantiles by integrating along one direction: parallel lines across the space, and on each the root of model = v.
+
+With z = a·s + B·y, s along the gradient, P(result ≤ v) = Σ_j w_j Φ(s_j(v)) over lines j with quadrature points y_j. All
+roots on all lines and all quantiles are found by one Newton iteration, bordered by the condition on the probability.
+"""
+
+import numpy as np
+
+from dynamics_cli.numerics.hermite import gauss_hermite
+from dynamics_cli.numerics.normal_arrays import density, probability
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.propagate_space import Space
+
+    Array = NDArray[np.float64]
+
+MOST_STEPS = 14
+FIRST_DIFFERENCE = 1e-3
+LONGEST_STEP = 2.0
+# The orders of the rule along the lines, for moments.
+ORDERS = (8, 13, 21, 34, 55)
+# Lines of less weight say nothing about whether the model rises along them.
+_NEGLIGIBLE = 1e-9
+
+
+class Lines:
+    """Parallel lines through the space: z = direction·s + base_j, with weights that sum to one."""
+
+    def __init__(self, space: "Space", result: int, direction: "Array", across: "Array", rest: "Array", w: "Array") -> None:
+        self.space = space
+        self.result = result
+        self.direction = direction
+        self.rest = rest
+        self.weights = w
+        self.base = across @ rest
+
+    def values(self, s: "Array") -> "Array":
+        """The result at s (lines, k)."""
+        z = self.base[:, :, None] + self.direction[:, None, None] * s
+        return self.space.evaluate(z.reshape(len(z), -1))[self.result].reshape(s.shape)
+
+    def at(self, index: "Array", s: "Array") -> "Array":
+        """The result on chosen lines, one s each."""
+        return self.space.evaluate(self.base[:, index] + self.direction[:, None] * s)[self.result]
+
+
+class Roots:
+    """Converged roots: s (lines, quantiles), the quantiles, and the slopes of the model at the roots."""
+
+    __slots__ = ("quantiles", "s", "slopes", "steps")
+
+    def __init__(self, s: "Array", quantiles: "Array", slopes: "Array", steps: int) -> None:
+        self.s = s
+        self.quantiles = quantiles
+        self.slopes = slopes
+        self.steps = steps
+
+    def density(self, weights: "Array") -> "Array":
+        """The probability density of the result at its quantiles."""
+        return weights @ (density(self.s) / self.slopes)  # type: ignore[no-any-return]
+
+
+def solve(
+    lines: Lines, p: "Array", scores: "Array", tolerance: float, guess: "tuple[Array, Array] | None" = None
+) -> Roots | None:
+    """Find all quantiles; None where a value is undefined, the model does not rise, or the iteration does not settle.
+
+    `tolerance` bounds the weighted error left in s before the last step, whose own error is of second order.
+    """
+    weights = lines.weights
+    if guess is None:
+        s = np.broadcast_to(scores, (weights.size, p.size))
+        both = lines.values(np.concatenate([s, s + FIRST_DIFFERENCE], axis=1))
+        value = both[:, : p.size]
+        slope = (both[:, p.size :] - value) / FIRST_DIFFERENCE
+    else:
+        s, slope = guess
+        value = lines.values(s)
+    v = weights @ value
+    absolute = np.abs(weights)
+    for step in range(1, MOST_STEPS + 1):
+        if not (slope > 0.0).all() or np.isnan(value).any():
+            return None
+        share = weights[:, None] * density(s) / slope
+        change = p - weights @ probability(s) - (share * (v - value)).sum(axis=0)
+        v = v + change / share.sum(axis=0)
+        move = np.minimum(np.maximum((v - value) / slope, -LONGEST_STEP), LONGEST_STEP)
+        s_next = s + move
+        if float((absolute @ np.abs(move)).max()) < tolerance:
+            return Roots(s_next, v, slope, step)
+        before, s = value, s_next
+        value = lines.values(s)
+        # Secant; where the step was too small to tell, the old slope stands.
+        far = np.abs(move) > 1e-9
+        slope = np.where(far, (value - before) / np.where(far, move, 1.0), slope)
+    return None
+
+
+class Moments:
+    """Mean and deviation of a result over the lines, and how far the rule along them can be trusted."""
+
+    __slots__ = ("error", "mean", "order", "rising", "std")
+
+    def __init__(self, mean: float, std: float, error: float, order: int, *, rising: bool) -> None:
+        self.mean = mean
+        self.std = std
+        self.error = error
+        self.order = order
+        self.rising = rising
+
+
+def moments(lines: Lines, accuracy: float, order: int = 0) -> Moments:
+    """Mean and deviation by Gauss–Hermite along every line, of an order that suffices (or the one given)."""
+    last: Moments | None = None
+    for count in (order,) if order else ORDERS:
+        made = _moments(lines, count)
+        if last is not None and made.std > 0.0:
+            made.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
+        if not made.rising or made.error <= 0.3 * accuracy:
+            return made
+        last = made
+    assert last is not None
+    return last
+
+
+def _moments(lines: Lines, count: int) -> Moments:
+    nodes, along = gauss_hermite(count)
+    values = lines.values(np.broadcast_to(nodes, (lines.weights.size, count)))
+    sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
+    if np.isnan(values).any():
+        return Moments(np.nan, np.nan, np.inf, count, rising=False)
+    mean = float(lines.weights @ (values @ along))
+    apart = values - mean
+    variance = float(lines.weights @ ((apart * apart) @ along))
+    return Moments(mean, np.sqrt(max(variance, 0.0)), np.inf, count, rising=sound)
+
+
+def features(rest: "Array") -> "Array":
+    """Terms of a quadratic in y (with products while there are few axes): what carries roots to other lines."""
+    axes, count = rest.shape
+    made = [np.ones(count), *rest, *(rest * rest)]
+    if axes <= 4:
+        made += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
+    return np.array(made).T
+
+
+_projections: "dict[tuple[object, object], Array]" = {}
+
+
+def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | None" = None) -> "tuple[Array, Array]":
+    """A guess of roots and slopes on new lines from a quadratic fitted to those of old ones."""
+    projection = _projections.get(key) if key else None
+    if projection is None:
+        root = np.sqrt(np.abs(old.weights))
+        fitted = np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root
+        projection = features(new.rest) @ fitted
+        if key and projection.size < 1_000_000:
+            _projections[key] = projection
+    s, slope = projection @ roots.s, projection @ roots.slopes
+    # A quadratic may be far off on far lines: it must not leave what the old roots spanned.
+    room = 1.0 + roots.s.max(axis=0) - roots.s.min(axis=0)
+    s = np.clip(s, roots.s.min(axis=0) - room, roots.s.max(axis=0) + room)
+    return s, np.maximum(slope, 0.1 * roots.slopes.min(axis=0))
+
+
+Rule = "Callable[[int, int], tuple[Array, Array]]"
