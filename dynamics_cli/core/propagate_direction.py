@@ -8,7 +8,7 @@ problems so that the true error stays below them; plain differences of levels or
 
 import numpy as np
 
-from dynamics_cli.core.propagate_lines import Lines, Roots, carry, moments, solve
+from dynamics_cli.core.propagate_lines import Lines, Roots, carry, moments, order_moments, solve
 from dynamics_cli.core.propagate_scan import Scan
 from dynamics_cli.core.propagate_space import Space, complement
 from dynamics_cli.numerics import smolyak
@@ -30,7 +30,10 @@ FLOOR = 3e-14
 FIRST_LATTICE = 128
 # A level that moves less than this share of the level before is converging.
 CONVERGING = 0.2
+MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
+# So many lines are not tried when the level before does not promise that they will do.
+MANY_LINES = 2_000
 _rules: "dict[tuple[int, int, int], tuple[Array, Array]]" = {}
 
 
@@ -47,7 +50,7 @@ class Goal:
     @property
     def tolerance(self) -> float:
         """How near roots must come before the last step, which squares it."""
-        return min(max(0.03 * float(np.sqrt(self.accuracy)), 1e-8), 1e-3)
+        return min(max(0.06 * float(np.sqrt(self.accuracy)), 1e-8), 3e-3)
 
 
 class Outcome:
@@ -84,6 +87,26 @@ def direction_of(space: Space, probe: "Array", result: int) -> "Array":
         return gradient / size  # type: ignore[no-any-return]
     made[int(np.argmax(np.abs(bend)))] = 1.0
     return made
+
+
+def tail_direction(space: Space, result: int, direction: "Array", score: float) -> "Array":
+    """The direction half-way between the gradient at the centre and those at both ends of the interval.
+
+    Where inputs are bounded the ends rise along other inputs than the centre; the lines then tilt less.
+    """
+    count = space.size
+    step = 0.5 * np.eye(count)
+    ends = [score * direction[:, None], -score * direction[:, None]]
+    values = space.evaluate(np.concatenate([part for end in ends for part in (end + step, end - step)], axis=1))[result]
+    made = direction.copy()
+    for part in values.reshape(2, 2, count):
+        gradient = part[0] - part[1]
+        size = float(np.sqrt(gradient @ gradient))
+        if not size > 0.0:
+            return direction
+        made += 0.5 * gradient / size
+    size = float(np.sqrt(made @ made))
+    return made / size if size > 0.5 else direction  # type: ignore[no-any-return]
 
 
 def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:
@@ -125,7 +148,7 @@ def rule(rest: int, level: int, accuracy: float) -> "tuple[Array, Array]":
 def _levels(rest: int, goal: Goal) -> "list[int]":
     if rest <= 2:
         return list(range(1, len(TENSOR_COUNTS) + 1))
-    return [level for level in range(1, 5) if smolyak.size(rest, level) <= MOST_GRID_LINES]
+    return [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
 
 
 def _grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
@@ -138,7 +161,6 @@ def _grids(space: Space, result: int, direction: "Array", across: "Array", goal:
     last: tuple[Lines, Roots, tuple[int, int]] | None = None
     for level in _levels(rest, goal):
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
-        key = (rest, level)
         shape = (rest, level, lines.weights.size)
         guess = carry(last[0], last[1], lines, (last[2], shape)) if last else None
         roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
@@ -159,9 +181,8 @@ def _grids(space: Space, result: int, direction: "Array", across: "Array", goal:
         if best is None or made.estimate <= best.estimate:
             best = made
         last = (lines, roots, shape)
-        if made.estimate <= goal.accuracy or _stalled(differences, rest):
+        if made.estimate <= goal.accuracy or _stalled(differences, rest) or _hopeless(space, level, differences, goal):
             break
-        del key
     return _with_moments(best, goal)
 
 
@@ -170,6 +191,14 @@ def _stalled(differences: "list[float]", rest: int) -> bool:
     if rest <= 2:
         return len(differences) >= 4 and differences[-1] > 0.7 * differences[-2]
     return len(differences) >= 2 and differences[-1] > CONVERGING * differences[-2]
+
+
+def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) -> bool:
+    """Whether the next sparse grid would be large and, by what bounded inputs do to it, not good enough."""
+    rest = space.size - 1
+    if rest <= 2 or space.smooth or not differences:
+        return False
+    return CONVERGING * differences[-1] > goal.accuracy and smolyak.size(rest, level + 1) > MANY_LINES
 
 
 def _not_rising(best: Outcome | None) -> None:
@@ -186,16 +215,15 @@ def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
     """Mean and deviation on the lines found; None when the values along them do not rise."""
     if outcome is None:
         return None
-    made = moments(outcome.lines, goal.accuracy)
+    made = moments(outcome.lines, goal.accuracy, outcome.before)
     if not made.rising:
         return None
     outcome.mean, outcome.std = made.mean, made.std
-    error = made.error if np.isfinite(made.error) else 0.0
+    error = made.error
     if outcome.before is not None and made.std > 0.0:
-        before = moments(outcome.before, goal.accuracy, made.order)
-        if not np.isnan(before.mean):
-            apart = max(abs(before.mean - made.mean), abs(before.std - made.std)) / made.std
-            error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
+        before = order_moments(outcome.before, made.order)
+        apart = max(abs(before.mean - made.mean), abs(before.std - made.std)) / made.std
+        error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)
     return outcome
 
@@ -252,53 +280,65 @@ class _Listed:
         return share[None, :], np.zeros(v.size)
 
 
-def _lattice_lines(
-    space: Space, result: int, direction: "Array", across: "Array", count: int, seed: int, rest: "Array | None" = None
-) -> Lines:
-    """Lattice lines, the old ones (`rest`) first when a lattice is doubled; every replicate keeps its own columns."""
-    axes = space.size - 1
-    fresh = quantile(lattice(axes, count, SHIFTS, seed, start=0 if rest is None else 1))
-    if rest is not None:
-        old = rest.reshape(axes, SHIFTS, -1)
-        fresh = np.concatenate([old, fresh.reshape(axes, SHIFTS, -1)], axis=2).reshape(axes, -1)
-    return Lines(space, result, direction, across, fresh, np.full(fresh.shape[1], 1.0 / fresh.shape[1]))
+def _lattice_lines(space: Space, result: int, direction: "Array", across: "Array", count: int, seed: int) -> Lines:
+    rest = quantile(lattice(space.size - 1, count, SHIFTS, seed))
+    return Lines(space, result, direction, across, rest, np.full(rest.shape[1], 1.0 / rest.shape[1]))
 
 
 def _lattices(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
-    """Doubled lattices until the replicates agree; None when the iteration fails on any line."""
-    best: Outcome | None = None
+    """Growing lattices until the replicates agree; None when the iteration fails on any line.
+
+    After the first the axes across are turned so that the first of them is the one along which roots shift most: the
+    leading coordinates of a lattice are its best.
+    """
+    if not space.smooth:
+        direction = tail_direction(space, result, direction, float(goal.scores[-1]))
+        across = complement(direction)
     last: tuple[Lines, Roots] | None = None
     count = FIRST_LATTICE
-    rest: Array | None = None
-    while count <= MOST_POINTS:
-        lines = _lattice_lines(space, result, direction, across, count, goal.seed, rest)
-        rest = lines.rest
-        guess = _carried(last, lines) if last else None
+    while True:
+        guess = None
+        lines = _lattice_lines(space, result, direction, across, count, goal.seed)
+        if last is not None:
+            turn = _tilt(*last)
+            across = across @ turn
+            last[0].rest = turn.T @ last[0].rest
+            lines = _lattice_lines(space, result, direction, across, count, goal.seed)
+            guess = carry(_thinned(last[0]), _thin_roots(*last), lines)
         roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None:
             return None
-        best = Outcome(f"{SHIFTS} shifted lattices of {count} lines along the gradient", roots.quantiles, lines, groups=SHIFTS)
-        best.roots = roots
-        best.estimate = replicate_estimate(best, goal)
-        enough = space.points + 3 * 4 * lines.weights.size * goal.p.size > goal.points
-        if best.estimate <= goal.accuracy or enough:
-            break
+        made = Outcome(f"{SHIFTS} shifted lattices of {count} lines along the gradient", roots.quantiles, lines, groups=SHIFTS)
+        made.roots = roots
+        made.estimate = replicate_estimate(made, goal)
         last = (lines, roots)
-        count *= 2
-    return _lattice_moments(best, goal)
+        larger = _larger(count, made.estimate / goal.accuracy)
+        cost = 4 * SHIFTS * larger * goal.p.size
+        if made.estimate <= goal.accuracy or larger == count or space.points + cost > goal.points:
+            return _lattice_moments(made, goal)
+        count = larger
 
 
-def _carried(last: "tuple[Lines, Roots]", lines: Lines) -> "tuple[Array, Array]":
-    """Old lines keep their roots; new ones start from a quadratic through a part of the old ones."""
-    old, roots = last
-    part = slice(None, None, max(1, old.weights.size // 1024))
-    few = Lines.__new__(Lines)
-    few.rest, few.weights = old.rest[:, part], old.weights[part]
-    s, slope = carry(few, Roots(roots.s[part], roots.quantiles, roots.slopes[part], 0), lines)
-    half = old.weights.size // SHIFTS
-    for made, known in ((s, roots.s), (slope, roots.slopes)):
-        made.reshape(SHIFTS, 2 * half, -1)[:, :half] = known.reshape(SHIFTS, half, -1)
-    return s, slope
+def _tilt(lines: Lines, roots: Roots) -> "Array":
+    """A rotation of the axes across whose first axis is the linear tilt of the outer roots."""
+    thin, few = _thinned(lines), _thin_roots(lines, roots)
+    terms = np.vstack([np.ones(thin.rest.shape[1]), thin.rest])
+    slopes = np.linalg.lstsq(terms.T, few.s[:, 0] + few.s[:, -1], rcond=None)[0][1:]
+    size = float(np.sqrt(slopes @ slopes))
+    if len(slopes) < 2 or size < 1e-9:
+        return np.eye(len(slopes))
+    return np.column_stack([slopes / size, complement(slopes / size)])
+
+
+def _larger(count: int, ratio: float) -> int:
+    """The next lattice: errors fall about as fast as the count grows, or somewhat faster."""
+    power = min(max(int(np.ceil(0.85 * np.log2(max(ratio, 1.0)))), 1), 4)
+    return min(count << power, MOST_POINTS)
+
+
+def _thin_roots(lines: Lines, roots: Roots) -> Roots:
+    part = slice(None, None, max(1, lines.weights.size // 1024))
+    return Roots(roots.s[part], roots.quantiles, roots.slopes[part], 0)
 
 
 def replicate_estimate(outcome: Outcome, goal: Goal) -> float:
@@ -318,28 +358,34 @@ def replicate_estimate(outcome: Outcome, goal: Goal) -> float:
 def _lattice_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
     if outcome is None:
         return None
-    made = moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate))
+    made = moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
     if not made.rising:
         return None
     outcome.mean, outcome.std = made.mean, made.std
-    if np.isfinite(made.error):
-        outcome.estimate = max(outcome.estimate, made.error)
+    outcome.estimate = max(outcome.estimate, made.error)
     return outcome
 
 
+def _thinned(lines: Lines) -> Lines:
+    """Every so many of the lines, about a thousand."""
+    made = Lines.__new__(Lines)
+    part = slice(None, None, max(1, lines.weights.size // 1024))
+    made.space, made.result, made.direction = lines.space, lines.result, lines.direction
+    made.rest, made.base = lines.rest[:, part], lines.base[:, part]
+    made.weights = np.full(made.rest.shape[1], 1.0 / made.rest.shape[1])
+    return made
+
+
 def _scanned(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """Doubled lattices of scanned lines: for models that turn, jump, stay flat or are partly inadmissible."""
+    """Growing lattices of scanned lines: for models that turn, jump, stay flat or are partly inadmissible."""
     count = 16
-    rest: Array | None = None
     while True:
-        lines = _lattice_lines(space, result, direction, across, count, goal.seed, rest)
-        rest = lines.rest
+        lines = _lattice_lines(space, result, direction, across, count, goal.seed)
         best = _scan_outcome(Scan(lines), goal, SHIFTS, f"{SHIFTS} shifted lattices of {count} scanned lines")
-        if best.estimate <= goal.accuracy or 2 * count > MOST_POINTS:
+        larger = _larger(count, best.estimate / goal.accuracy)
+        if best.estimate <= goal.accuracy or larger == count or space.points + 60 * SHIFTS * larger > goal.points:
             return best
-        if space.points + 2 * 60 * lines.weights.size > goal.points:
-            return best
-        count *= 2
+        count = larger
 
 
 def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:

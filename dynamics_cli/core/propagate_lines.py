@@ -11,8 +11,6 @@ from dynamics_cli.numerics.normal_arrays import density, probability
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from numpy.typing import NDArray
 
     from dynamics_cli.core.propagate_space import Space
@@ -23,7 +21,7 @@ MOST_STEPS = 14
 FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.
-ORDERS = (8, 13, 21, 34, 55)
+ORDERS = (7, 12, 20, 33, 55)
 # Lines of less weight say nothing about whether the model rises along them.
 _NEGLIGIBLE = 1e-9
 
@@ -114,21 +112,33 @@ class Moments:
         self.rising = rising
 
 
-def moments(lines: Lines, accuracy: float, order: int = 0) -> Moments:
-    """Mean and deviation by Gauss–Hermite along every line, of an order that suffices (or the one given)."""
-    last: Moments | None = None
-    for count in (order,) if order else ORDERS:
-        made = _moments(lines, count)
-        if last is not None and made.std > 0.0:
-            made.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
-        if not made.rising or made.error <= 0.3 * accuracy:
+def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moments:
+    """Mean and deviation by Gauss–Hermite along every line.
+
+    The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
+    """
+    trial = trial or lines
+    last = order_moments(trial, ORDERS[0])
+    if not last.rising:
+        return last
+    for count in ORDERS[1:]:
+        made = order_moments(trial, count)
+        if not made.rising or made.std == 0.0:
             return made
+        last.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
+        if last.error <= 0.3 * accuracy:
+            break
+        made.error = last.error
         last = made
-    assert last is not None
-    return last
+    if trial is lines:
+        return last
+    final = order_moments(lines, last.order)
+    final.error = last.error
+    return final
 
 
-def _moments(lines: Lines, count: int) -> Moments:
+def order_moments(lines: Lines, count: int) -> Moments:
+    """Mean and deviation by a rule of so many points along every line."""
     nodes, along = gauss_hermite(count)
     values = lines.values(np.broadcast_to(nodes, (lines.weights.size, count)))
     sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
@@ -152,20 +162,24 @@ def features(rest: "Array") -> "Array":
 _projections: "dict[tuple[object, object], Array]" = {}
 
 
+def _fit(old: Lines) -> "Array":
+    """From values on the old lines to the coefficients of the quadratic through them."""
+    root = np.sqrt(np.abs(old.weights))
+    return np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root  # type: ignore[no-any-return]
+
+
 def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | None" = None) -> "tuple[Array, Array]":
     """A guess of roots and slopes on new lines from a quadratic fitted to those of old ones."""
-    projection = _projections.get(key) if key else None
-    if projection is None:
-        root = np.sqrt(np.abs(old.weights))
-        fitted = np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root
-        projection = features(new.rest) @ fitted
-        if key and projection.size < 1_000_000:
-            _projections[key] = projection
-    s, slope = projection @ roots.s, projection @ roots.slopes
+    if key is None:
+        terms = features(new.rest)
+        fit = _fit(old)
+        s, slope = terms @ (fit @ roots.s), terms @ (fit @ roots.slopes)
+    else:
+        if key not in _projections:
+            _projections[key] = features(new.rest) @ _fit(old)
+        s, slope = _projections[key] @ roots.s, _projections[key] @ roots.slopes
     # A quadratic may be far off on far lines: it must not leave what the old roots spanned.
     room = 1.0 + roots.s.max(axis=0) - roots.s.min(axis=0)
     s = np.clip(s, roots.s.min(axis=0) - room, roots.s.max(axis=0) + room)
     return s, np.maximum(slope, 0.1 * roots.slopes.min(axis=0))
 
-
-Rule = "Callable[[int, int], tuple[Array, Array]]"

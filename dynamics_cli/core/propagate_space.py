@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     # Results by name, and the rows that are inadmissible (or None).
     Model = Callable[[dict[str, Any]], tuple[dict[str, Any], Any]]
 
-# Arrays beyond so many points would leave the processor's cache, and the memory soon after.
-LARGEST_BLOCK = 1 << 16
+# Arrays of more points leave the processor's cache, which costs more than twice the time a point.
+LARGEST_BLOCK = 1 << 13
 # A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
 _PIVOT = 1e-12
 

@@ -37,15 +37,14 @@ def uniforms(seed: int, count: int) -> "list[float]":
     return made
 
 
-def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED, start: int = 0) -> "Array":
-    """Points (dimensions, shifts · (count − start)) in the open unit cube, shift by shift.
+def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED) -> "Array":
+    """Points (dimensions, shifts · count) in the open unit cube, shift by shift.
 
-    `count` is a power of two up to 2^14; with `start` only the points that half as many would lack are given (the odd
-    ones), so that a doubled lattice keeps what was computed.
+    `count` is a power of two up to 2^14.
     """
     if dimensions > MOST_DIMENSIONS or count > MOST_POINTS or count & (count - 1):
         raise ValueError(f"no lattice of {count} points in {dimensions} dimensions")
-    index = np.arange(count) if not start else np.arange(1, count, 2)
+    index = np.arange(count)
     generator = np.array(VECTOR[:dimensions])
     offsets = np.array(uniforms(seed, MOST_DIMENSIONS * shifts)).reshape(shifts, MOST_DIMENSIONS)[:, :dimensions]
     base = ((generator[:, None] * index) & (count - 1)) / count

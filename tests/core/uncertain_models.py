@@ -46,12 +46,22 @@ def surfaces(x: dict[str, Any]) -> Any:
 
 
 def impact(x: dict[str, Any]) -> Any:
-    """Tangential speed after a planar impact with friction: sliding or sticking, whichever the cone allows."""
+    """Tangential velocity change in a planar impact with friction: sliding or sticking, whichever the cone allows (a kink)."""
+    pt, kt, kx, pn = _impulse(x)
+    return (kt * pt + kx * pn) + 0.0 * x["ut"]
+
+
+def impact_rest(x: dict[str, Any]) -> Any:
+    """Sliding speed left after the impact: zero with a probability of its own (an atom)."""
+    pt, kt, kx, pn = _impulse(x)
+    return np.maximum(x["ut"] + kt * pt + kx * pn, 1e-12)
+
+
+def _impulse(x: dict[str, Any]) -> Any:
     kt, kn, kx = 1.0 / x["m"] + x["rn"] ** 2 / x["J"], 1.0 / x["m"] + x["rt"] ** 2 / x["J"], -x["rt"] * x["rn"] / x["J"]
     pn = (1.0 + x["e"]) * x["un"] / kn
     stick = (-x["ut"] - kx * pn) / kt
-    pt = np.clip(stick, -x["mu"] * pn, x["mu"] * pn)
-    return x["ut"] + kt * pt + kx * pn
+    return np.clip(stick, -x["mu"] * pn, x["mu"] * pn), kt, kx, pn
 
 
 def cam(x: dict[str, Any]) -> Any:
@@ -95,7 +105,7 @@ for _i in range(4):
 TOLERANCES = {"h": Uniform(0.0119, 0.0121), "beta": Uniform(1.5, 1.55), "r": Uniform(0.0395, 0.0405), "eps": Uniform(0.003, 0.004)}
 IMPACT = {
     "m": Normal(1500.0, 50.0), "J": Normal(2500.0, 150.0), "rn": Normal(1.8, 0.1), "rt": Normal(0.5, 0.1), "e": Uniform(0.05, 0.3),
-    "mu": Normal(0.45, 0.08), "un": Normal(9.0, 0.5), "ut": Normal(6.0, 0.6),
+    "mu": Normal(0.45, 0.08), "un": Normal(9.0, 0.5), "ut": Normal(16.0, 1.0),
 }  # fmt: skip
 GEAR = {"alpha": Uniform(19.8 * DEG, 20.2 * DEG), "x": Normal(0.5, 0.02), "z": Normal(41.0, 1e-9), "m": Triangular(2.99, 3.0, 3.01)}
 
