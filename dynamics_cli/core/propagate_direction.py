@@ -404,14 +404,14 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
     made.mean = float(weights @ first) / scan.admissible
     made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - made.mean**2, 0.0)))
     if groups > 1 and made.std > 0.0:
-        made.estimate = _scan_estimate(scan, made, share, slope, first, second)
+        made.estimate = _scan_estimate(scan, made, goal, share, slope, first, second)
     elif made.std == 0.0:
         made.estimate = FLOOR
     return made
 
 
 def _scan_estimate(
-    scan: Scan, made: Outcome, share: "Array", slope: "Array", first: "Array", second: "Array"
+    scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", first: "Array", second: "Array"
 ) -> float:
     """The scatter of replicates: of probabilities over the density (not at atoms and gaps), and of the moments."""
     weights = scan.lines.weights
@@ -425,7 +425,12 @@ def _scan_estimate(
     scatter = shares.std(axis=0, ddof=1)
     dense = slope * made.std / scan.admissible
     # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.
-    errors += [float(e / d) if d > 1e-3 else float(e) for e, d in zip(scatter, dense, strict=True)]
+    sure = REPLICATE_FACTOR * scatter
+    before = scan.below(made.quantiles - 1e-7 * made.std, 1e-9)[0]
+    under, over = (weights @ part / scan.admissible for part in (before, share))
+    for e, d, low, high, p in zip(scatter, dense, under + sure, over - sure, goal.p, strict=True):
+        # Well within an atom the quantile is the atom, whatever the scatter.
+        errors.append(0.0 if low < p < high else float(e / d) if d > 1e-3 else float(e))
     return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)
 
 

@@ -49,7 +49,10 @@ class Space:
 
     def inputs(self, z: "Array") -> "dict[str, Any]":
         """The inputs at points z, by address."""
-        scores = z if self.factor is None else self.factor @ z
+        return self.inputs_of(z if self.factor is None else self.factor @ z)
+
+    def inputs_of(self, scores: "Array") -> "dict[str, Any]":
+        """The inputs whose own normal scores (correlated, if they are) are given."""
         made: dict[str, Any] = dict(self.fixed)
         for name, distribution, score in zip(self.names, self.distributions, scores, strict=True):
             made[name] = distribution.at(score)
@@ -61,9 +64,13 @@ class Space:
         if count > LARGEST_BLOCK:
             parts = [self.evaluate(z[:, i : i + LARGEST_BLOCK]) for i in range(0, count, LARGEST_BLOCK)]
             return np.concatenate(parts, axis=1)
+        return self.evaluate_inputs(self.inputs(z), count)
+
+    def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
+        """Every result at so many cases of the inputs."""
         self.points += count
         with np.errstate(all="ignore"):
-            results, refused = self.model(self.inputs(z))
+            results, refused = self.model(inputs)
         if not self.results:
             self.results = list(results)
         made = np.empty((len(self.results), count))

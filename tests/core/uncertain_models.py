@@ -46,9 +46,15 @@ def surfaces(x: dict[str, Any]) -> Any:
 
 
 def impact(x: dict[str, Any]) -> Any:
-    """Tangential velocity change in a planar impact with friction: sliding or sticking, whichever the cone allows (a kink)."""
+    """Velocity change in a planar impact with friction: sliding or sticking, whichever the cone allows (a kink)."""
+    pt, _, _, pn = _impulse(x)
+    return np.hypot(pn, pt) / x["m"]
+
+
+def impact_along(x: dict[str, Any]) -> Any:
+    """Tangential velocity change of the contact: the least of two functions of different inputs, a kink of 90°."""
     pt, kt, kx, pn = _impulse(x)
-    return (kt * pt + kx * pn) + 0.0 * x["ut"]
+    return kt * pt + kx * pn + 0.0 * x["ut"]
 
 
 def impact_rest(x: dict[str, Any]) -> Any:

@@ -1,0 +1,191 @@
+"""Which input drives a result: variance shares (first-order and total Sobol indices), and the covariance of results.
+
+Up to three inputs: the analysis of variance of a tensor grid. More, smooth: projection on Hermite polynomials of degree
+three from a sparse grid. Otherwise Jansen's estimator on shifted lattices. Correlated inputs have no such indices; the
+variance is then split by covariance, share_i = Cov(c_i x_i, result)/variance to first order, which can be negative.
+"""
+
+from itertools import combinations_with_replacement
+
+import numpy as np
+
+from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.numerics.hermite import gauss_hermite, polynomials, tensor
+from dynamics_cli.numerics.lattice import MOST_DIMENSIONS, lattice
+from dynamics_cli.numerics.normal_arrays import quantile
+from dynamics_cli.numerics.smolyak import chaos_terms, smolyak
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+SHIFTS = 8
+# A projection that misses more than this share of the variance is not used.
+_MISSED = 2e-3
+_MOST_TERMS = 500
+
+
+class Shares:
+    """For every result: first-order and total shares of every input (results, inputs), and an estimate of their error.
+
+    `values` and `weights` are the cases they came from, which serve for the covariance of results too.
+    """
+
+    def __init__(
+        self, method: str, first: "Array", total: "Array", error: float, values: "Array", weights: "Array"
+    ) -> None:
+        self.method = method
+        self.first = first
+        self.total = total
+        self.error = error
+        self.values = values
+        self.weights = weights
+
+    def covariance(self) -> "Array":
+        """Correlation coefficients of the results, from the admissible cases."""
+        good = ~np.isnan(self.values).any(axis=0)
+        values, weights = self.values[:, good], self.weights[good]
+        weights = weights / weights.sum()
+        apart = values - (values @ weights)[:, None]
+        made = (apart * weights) @ apart.T
+        scale = np.sqrt(np.maximum(np.diag(made), 0.0))
+        with np.errstate(all="ignore"):
+            return np.clip(np.nan_to_num(made / np.outer(scale, scale)), -1.0, 1.0)  # type: ignore[no-any-return]
+
+
+def variance_shares(space: Space, variances: "Array", seed: int) -> Shares:
+    """The shares of all results by the cheapest method that holds."""
+    if space.factor is not None:
+        return _covariances(space, seed)
+    if space.size <= 3 and not space.stepped:
+        made = _tensor(space)
+        if made is not None:
+            return made
+    elif space.smooth and chaos_terms(space.size, 3) <= _MOST_TERMS:
+        made = _chaos(space, variances)
+        if made is not None:
+            return made
+    return _jansen(space, seed)
+
+
+def _tensor(space: Space) -> Shares | None:
+    """Conditional means on the grid are sums over its axes."""
+    n = space.size
+    count = {1: 40, 2: 20, 3: 9}[n] if space.smooth else {1: 60, 2: 40, 3: 15}[n]
+    nodes, own = gauss_hermite(count)
+    points, weights = tensor(nodes, own, n)
+    heavy = weights > 1e-18
+    values = np.zeros((0, 0))
+    found = space.evaluate(points[:, heavy])
+    if np.isnan(found).any():
+        return None
+    values = np.zeros((found.shape[0], weights.size))
+    values[:, heavy] = found
+    mean = found @ weights[heavy]
+    apart = np.where(heavy, values - mean[:, None], 0.0)
+    variance = (apart * apart) @ weights
+    cube = apart.reshape((-1, *(count,) * n))
+    first, total = np.zeros((len(found), n)), np.zeros((len(found), n))
+    for axis in range(n):
+        given, without = cube, cube
+        for other in reversed(range(n)):
+            if other != axis:
+                given = np.tensordot(given, own, axes=(other + 1, 0))
+        without = np.tensordot(cube, own, axes=(axis + 1, 0))
+        first[:, axis] = (given * given) @ own
+        rest = tensor(nodes, own, n - 1)[1].reshape((count,) * (n - 1))
+        total[:, axis] = variance - (without * without * rest).reshape(len(found), -1).sum(axis=1)
+    scale = np.where(variance > 0.0, variance, 1.0)[:, None]
+    return Shares(f"analysis of variance on {count}^{n} points", first / scale, total / scale, 1e-6, found, weights[heavy])
+
+
+_bases: "dict[int, tuple[Array, Array]]" = {}
+
+
+def _basis(n: int) -> "tuple[Array, Array]":
+    """Weighted Hermite products of total degree ≤ 3 on the sparse grid, (terms, points), and their exponents."""
+    if n not in _bases:
+        points, weights = smolyak(n, 3)
+        tables = polynomials(points, 3)
+        exponents = []
+        for degree in range(1, 4):
+            for axes in combinations_with_replacement(range(n), degree):
+                exponents.append(np.bincount(axes, minlength=n))
+        made = np.array(exponents)
+        terms = np.ones((len(made), weights.size))
+        for axis in range(n):
+            terms *= tables[made[:, axis], axis]
+        _bases[n] = terms * weights, made
+    return _bases[n]
+
+
+def _chaos(space: Space, variances: "Array") -> Shares | None:
+    points, weights = smolyak(space.size, 3)
+    terms, exponents = _basis(space.size)
+    values = space.evaluate(points)
+    if np.isnan(values).any():
+        return None
+    squares = ((values - values[:, :1]) @ terms.T) ** 2
+    explained = squares.sum(axis=1)
+    known = variances > 0.0
+    missed = np.abs(explained[known] / variances[known] - 1.0)
+    if missed.size and missed.max() > _MISSED:
+        return None
+    active = exponents > 0
+    alone = active.sum(axis=1) == 1
+    scale = np.where(explained > 0.0, explained, 1.0)[:, None]
+    first = np.array([squares[:, active[:, i] & alone].sum(axis=1) for i in range(space.size)]).T / scale
+    total = np.array([squares[:, active[:, i]].sum(axis=1) for i in range(space.size)]).T / scale
+    error = float(missed.max()) if missed.size else 0.0
+    return Shares(f"Hermite polynomials of degree 3 from {weights.size} points", first, total, error, values, weights)
+
+
+def _jansen(space: Space, seed: int) -> Shares:
+    """Two independent lattices A and B, and A with one coordinate of B, for every input (Jansen 1999)."""
+    n = space.size
+    count = 1024 if n <= 8 else 256
+    if 2 * n <= MOST_DIMENSIONS:
+        uniform = lattice(2 * n, count, SHIFTS, seed)
+    else:
+        uniform = np.random.default_rng(seed).random((2 * n, SHIFTS * count))
+    z = quantile(uniform)
+    a, b = z[:n], z[n:]
+    fa, fb = space.evaluate(a), space.evaluate(b)
+    results = len(fa)
+    mean = np.nanmean(np.concatenate([fa, fb], axis=1), axis=1, keepdims=True)
+    variance = 0.5 * (np.nanmean((fa - mean) ** 2, axis=1) + np.nanmean((fb - mean) ** 2, axis=1))
+    scale = np.where(variance > 0.0, variance, 1.0)
+    first, total = np.zeros((results, n)), np.zeros((results, n))
+    scatter = 0.0
+    for i in range(n):
+        mixed = a.copy()
+        mixed[i] = b[i]
+        found = space.evaluate(mixed)
+        other, own = 0.5 * (fb - found) ** 2, 0.5 * (fa - found) ** 2
+        first[:, i] = 1.0 - np.nanmean(other, axis=1) / scale
+        total[:, i] = np.nanmean(own, axis=1) / scale
+        replicates = np.nanmean(own.reshape(results, SHIFTS, -1), axis=2) / scale[:, None]
+        scatter = max(scatter, float(replicates.std(axis=1, ddof=1).max()))
+    error = 2.0 * 2.365 * scatter / float(np.sqrt(SHIFTS))
+    weights = np.full(fa.shape[1], 1.0 / fa.shape[1])
+    return Shares(f"Jansen's estimator, {SHIFTS} lattices of {count} points", first, total, error, fa, weights)
+
+
+def _covariances(space: Space, seed: int) -> Shares:
+    """Correlated inputs: slopes by each input's own score, times the covariance of that score with the rest."""
+    assert space.factor is not None
+    n = space.size
+    correlation = space.factor @ space.factor.T
+    step = 0.5 * np.eye(n)
+    cases = np.concatenate([step, -step], axis=1)
+    values = space.evaluate_inputs(space.inputs_of(cases), cases.shape[1])
+    slopes = np.nan_to_num(values[:, :n] - values[:, n:])
+    parts = slopes * (slopes @ correlation)
+    whole = parts.sum(axis=1, keepdims=True)
+    shares = np.where(whole > 0.0, parts / np.where(whole > 0.0, whole, 1.0), 0.0)
+    z = quantile(lattice(n, 512, SHIFTS, seed)) if n <= MOST_DIMENSIONS else np.zeros((n, 1))
+    sample = space.evaluate(z)
+    weights = np.full(sample.shape[1], 1.0 / sample.shape[1])
+    return Shares("covariance with the result, first order", shares, shares, np.nan, sample, weights)

@@ -1,0 +1,270 @@
+"""Uncertain inputs through any model: distributions in, distributions out, and what drives them.
+
+`propagate` takes a model on arrays and the inputs' distributions and gives, for every result, mean, median, standard
+deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits; and,
+labelled apart, the range over the corners of all the inputs' intervals.
+"""
+
+import numpy as np
+
+from dynamics_cli.core.propagate_direction import Goal, Outcome, direction_of, exceedance, integrate
+from dynamics_cli.core.propagate_shares import Shares, variance_shares
+from dynamics_cli.core.propagate_simple import Plain, Sample, linear, second_order, unscented
+from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.errors import InadmissibleError, UsageError
+from dynamics_cli.numerics import normal
+from dynamics_cli.numerics.lattice import DEFAULT_SEED, MOST_DIMENSIONS, lattice
+from dynamics_cli.numerics.normal_arrays import quantile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.distributions import Distribution
+    from dynamics_cli.core.propagate_space import Model
+
+    Array = NDArray[np.float64]
+
+METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
+DEFAULT_ACCURACY = 1e-4
+# Model evaluations for one result, unless asked: about a second of a formula's time.
+DEFAULT_POINTS = 3_000_000
+# More inputs than this have too many corners to visit.
+MOST_CORNERS = 10
+
+
+class Spread:
+    """One result's distribution in numbers."""
+
+    def __init__(self, name: str, method: str, quantiles: "Sequence[float]", mean: float, std: float) -> None:
+        self.name = name
+        self.method = method
+        self.interval = (float(quantiles[0]), float(quantiles[-1]))
+        self.median = float(quantiles[len(quantiles) // 2])
+        self.mean = mean
+        self.std = std
+        self.estimate = 0.0
+        self.admissible = 1.0
+        self.first: list[float] = []
+        self.total: list[float] = []
+        self.beyond: list[tuple[float, float]] = []
+        self.corners: tuple[float, float] | None = None
+        self.tornado: list[tuple[float, float]] = []
+
+
+class Propagation:
+    """All results: `spreads` by name in the model's order, `inputs` the order of shares, `correlation` of the results."""
+
+    def __init__(self, space: Space, coverage: float, seed: int) -> None:
+        self.inputs = space.names
+        self.coverage = coverage
+        self.seed = seed
+        self.spreads: dict[str, Spread] = {}
+        self.correlation: Array | None = None
+        self.shares_method = ""
+        self.shares_error = 0.0
+        self.points = 0
+
+    @property
+    def estimate(self) -> float:
+        """The largest error estimate, in standard deviations of the result it belongs to."""
+        return max((spread.estimate for spread in self.spreads.values()), default=0.0)
+
+
+def propagate(
+    model: "Model",
+    distributions: "Mapping[str, Distribution]",
+    correlation: "Mapping[tuple[str, str], float] | None" = None,
+    *,
+    coverage: float = 0.95,
+    method: str = "auto",
+    accuracy: float = DEFAULT_ACCURACY,
+    samples: int = 0,
+    seed: int = DEFAULT_SEED,
+    limits: "Mapping[str, Sequence[float]] | None" = None,
+    slopes: "Mapping[str, Mapping[str, float]] | None" = None,
+    shares: bool = True,
+) -> Propagation:
+    """Propagate uncertainty through `model`.
+
+    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the model
+    evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose exceedance is
+    asked; `slopes` the derivatives of each result at the inputs' means, where they are known.
+    """
+    if method not in METHODS:
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
+    if not 0.0 < coverage < 1.0:
+        raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
+    space = Space(model, distributions, correlation or {})
+    tail = 0.5 * (1.0 - coverage)
+    score = -normal.quantile(tail)
+    p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
+    goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed)
+    made = Propagation(space, coverage, seed)
+    if space.size == 0:
+        _certain(space, made)
+        return made
+    probe = _probe(space, seed)
+    _distribute(space, made, goal, method, samples, probe, limits or {}, slopes or {})
+    if shares:
+        _add_shares(space, made, seed)
+        _add_corners(space, made, probe)
+    made.points = space.points
+    return made
+
+
+def _certain(space: Space, made: Propagation) -> None:
+    values = space.evaluate(np.zeros((0, 1)))[:, 0]
+    for name, value in zip(space.results, values.tolist(), strict=True):
+        made.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
+
+
+def _probe(space: Space, seed: int) -> "Array":
+    """All results at the centre, half a standard deviation to both sides of it on every axis, and at a few points beyond."""
+    n = space.size
+    step = 0.5 * np.eye(n)
+    few = quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed))
+    if n > MOST_DIMENSIONS:
+        few = np.resize(few, (n, few.shape[1]))
+    return space.evaluate(np.concatenate([np.zeros((n, 1)), step, -step, few], axis=1))
+
+
+def _distribute(
+    space: Space,
+    made: Propagation,
+    goal: Goal,
+    method: str,
+    samples: int,
+    probe: "Array",
+    limits: "Mapping[str, Sequence[float]]",
+    slopes: "Mapping[str, Mapping[str, float]]",
+) -> None:
+    sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
+    for row, name in enumerate(space.results):
+        twin = next((space.results[i] for i in range(row) if np.array_equal(probe[i], probe[row], equal_nan=True)), "")
+        wanted = list(limits.get(name, ()))
+        if twin and not wanted and not limits.get(twin):
+            made.spreads[name] = _copy(made.spreads[twin], name)
+        elif (probe[row] == probe[row, 0]).all():
+            made.spreads[name] = _constant(name, float(probe[row, 0]), wanted)
+        elif sample is not None:
+            made.spreads[name] = _sampled(name, row, sample, goal, wanted)
+        else:
+            made.spreads[name] = _integrated(space, name, row, goal, method, probe, wanted, slopes.get(name))
+
+
+def _copy(spread: Spread, name: str) -> Spread:
+    made = Spread.__new__(Spread)
+    made.__dict__.update(spread.__dict__, name=name)
+    return made
+
+
+def _constant(name: str, value: float, limits: "Sequence[float]") -> Spread:
+    made = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
+    made.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in limits]
+    return made
+
+
+def _sampled(name: str, row: int, sample: Sample, goal: Goal, limits: "Sequence[float]") -> Spread:
+    plain, admissible, ordered = sample.plain(row, goal)
+    if ordered.size < 2:
+        raise InadmissibleError("hardly any case within the inputs' uncertainty is admissible", hint="check the inputs")
+    made = _of_plain(name, plain)
+    made.admissible = admissible
+    made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in limits]
+    return made
+
+
+def _of_plain(name: str, plain: Plain) -> Spread:
+    made = Spread(name, plain.method, plain.quantiles.tolist(), plain.mean, plain.std)
+    made.estimate = plain.estimate
+    return made
+
+
+def _integrated(
+    space: Space,
+    name: str,
+    row: int,
+    goal: Goal,
+    method: str,
+    probe: "Array",
+    limits: "Sequence[float]",
+    slopes: "Mapping[str, float] | None",
+) -> Spread:
+    direction = direction_of(space, probe, row)
+    outcome = integrate(space, row, direction, goal, method)
+    spread = Spread(name, outcome.method, outcome.quantiles.tolist(), outcome.mean, outcome.std)
+    spread.estimate, spread.admissible = outcome.estimate, outcome.admissible
+    if limits:
+        found = exceedance(outcome, np.array(limits, dtype=float), goal)
+        spread.beyond = list(zip(limits, found.tolist(), strict=True))
+    if method in ("linear", "second-order", "unscented"):
+        plain = {"linear": lambda: linear(space, row, goal, slopes), "second-order": lambda: second_order(space, row, goal),
+                 "unscented": lambda: unscented(space, row, goal)}[method]()  # fmt: skip
+        spread = _beside(spread, plain, outcome, goal)
+    return spread
+
+
+def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Spread:
+    """A classical method's numbers, with their distance from the quadrature's as its error; probabilities as if normal."""
+    made = _of_plain(spread.name, plain)
+    apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
+    scale = outcome.std if outcome.std > 0.0 else 1.0
+    made.estimate = float(max(apart)) / scale + outcome.estimate
+    made.admissible = spread.admissible
+    for limit, _ in spread.beyond:
+        z = (limit - plain.mean) / plain.std if plain.std > 0.0 else np.copysign(np.inf, limit - plain.mean)
+        made.beyond.append((limit, normal.upper(float(z)) if np.isfinite(z) else float(z < 0.0)))
+    return made
+
+
+def _add_shares(space: Space, made: Propagation, seed: int) -> None:
+    """Shares of the variance of every result, and the results' correlation."""
+    variances = np.array([made.spreads[name].std ** 2 for name in space.results])
+    found: Shares = variance_shares(space, np.nan_to_num(variances, posinf=0.0), seed)
+    for row, name in enumerate(space.results):
+        if made.spreads[name].std > 0.0:
+            made.spreads[name].first = found.first[row].tolist()
+            made.spreads[name].total = found.total[row].tolist()
+    made.shares_method, made.shares_error = found.method, found.error
+    if sum(spread.std > 0.0 for spread in made.spreads.values()) > 1:
+        made.correlation = found.covariance()
+
+
+def _add_corners(space: Space, made: Propagation, probe: "Array") -> None:
+    """Results at the ends of every input's own interval, one at a time (the tornado) and all at once (the worst case)."""
+    n = space.size
+    ends = np.array([distribution.interval(made.coverage) for distribution in space.distributions])
+    middle = space.inputs_of(np.zeros((n, 1)))
+    base = np.array([middle[name][0] for name in space.names])
+    cases = np.repeat(base[:, None], 2 * n, axis=1)
+    for i in range(n):
+        cases[i, 2 * i : 2 * i + 2] = ends[i]
+    if n <= MOST_CORNERS:
+        bits = (np.arange(1 << n)[None, :] >> np.arange(n)[:, None]) & 1
+        corners = np.where(bits == 1, ends[:, 1:], ends[:, :1])
+        cases = np.concatenate([cases, corners], axis=1)
+    values = space.evaluate_inputs({**space.fixed, **dict(zip(space.names, cases, strict=True))}, cases.shape[1])
+    for row, name in enumerate(space.results):
+        spread = made.spreads[name]
+        if not spread.std > 0.0:
+            continue
+        alone = values[row, : 2 * n].reshape(n, 2)
+        spread.tornado = [(float(a), float(b)) for a, b in alone]
+        if n <= MOST_CORNERS:
+            corners = values[row, 2 * n :]
+        else:
+            corners = _steepest_corners(space, row, ends, alone)
+        if not np.isnan(corners).all():
+            spread.corners = (float(np.nanmin(corners)), float(np.nanmax(corners)))
+
+
+def _steepest_corners(space: Space, row: int, ends: "Array", alone: "Array") -> "Array":
+    """Too many corners: the two where every input is at the end that, alone, lowers or raises the result."""
+    rising = alone[:, 1] >= alone[:, 0]
+    high = np.where(rising, ends[:, 1], ends[:, 0])
+    low = np.where(rising, ends[:, 0], ends[:, 1])
+    cases = np.column_stack([low, high])
+    return space.evaluate_inputs({**space.fixed, **dict(zip(space.names, cases, strict=True))}, 2)[row]  # type: ignore[no-any-return]
