@@ -141,7 +141,7 @@ class TestOutput:
 
     def test_explain(self) -> None:
         explanation = answer(*OK, "--explain")["explanation"]
-        assert explanation["formula"] == "v = √(vₑ² + 2·g·Σ f·d)"
+        assert explanation["formula"] == "v = √(vₑ² + 2·g·Σ f·d), f = (η·μ + G)/√(1 + G²)"
         assert explanation["with_numbers"].startswith("(57.044 km/h) = √((0 m/s)² + 2·(9.80665 m/s²)")
         assert "Josephs & Huston" in explanation["source"]
         assert explanation["assumptions"]
@@ -191,7 +191,7 @@ class TestInput:
     def test_the_results_of_an_earlier_document_are_read_as_parameters(self) -> None:
         first = run(*OK, "--json").out
         document = answer("skid", "distance", "--friction", "0.7", "--input", "-", stdin=first)
-        assert document["results"]["length"]["value"] == pytest.approx(18.288, rel=1e-14)
+        assert document["results"]["distance"]["value"] == pytest.approx(18.288, rel=1e-14)
 
     def test_bare_numbers_are_read_exactly_from_their_text(self) -> None:
         text = '{"distance": "60 ft", "friction": 0.70000000000000000000000001}'
