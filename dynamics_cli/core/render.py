@@ -1,6 +1,6 @@
 """Documents as JSON, NDJSON, CSV, Markdown or a table for people; plain text built here costs no import.
 
-Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables as many digits as asked.
+Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables the digits asked for.
 """
 
 try:
@@ -227,10 +227,8 @@ def to_csv(document: "Document", table: str) -> str:
     """The task's main table, or else its results on one line."""
     results = document["results"]
     node = results.get(table) if table else None
-    if node:
-        made = columns(node)
-    else:
-        made = [(name, unit, [value]) for name, value, unit in _split_lists(flatten(results))]
+    plain = [] if node else _split_lists(flatten(results))
+    made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]
     lines = [",".join(header(name, unit) for name, unit, _ in made)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
     return "\n".join(lines) + "\n"

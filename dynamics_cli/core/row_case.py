@@ -112,4 +112,3 @@ def _form(field: Field) -> str:
     node = field.node
     leaf = node.item if isinstance(node, Many) else node
     return leaf.kind.form if isinstance(leaf, Leaf) and leaf.choice is None else ""
-

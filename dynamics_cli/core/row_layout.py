@@ -173,9 +173,7 @@ class Layout:
             self._known.append(".".join(keys))
             self.display.of(".".join(keys), item.kind)
 
-    def _measured(
-        self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool
-    ) -> "Iterator[Part]":
+    def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
         if self.targets is None:
             yield Part(keys, steps, "measured")
         elif several == (len(self.targets) > 1):

@@ -81,9 +81,7 @@ class CsvOutput(Output):
     def __init__(self, source: Input, layout: Layout) -> None:
         super().__init__(source, layout)
         taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads}
-        self.columns = [
-            header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names
-        ]
+        self.columns = [header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names]
         self.error_column = _free("error", taken)
 
     def head(self) -> bytes:

@@ -320,6 +320,8 @@ def distance(
         deceleration=deceleration,
         exit_speed=exit_speed,
         exit_time=exit_time,
-        checks=balance("energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed),
+        checks=balance(
+            "energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed
+        ),
         advice=drag_advice(friction, grade, braking),
     )

@@ -173,7 +173,9 @@ def _drag(skid: TestSkid, gravity: float, name: str) -> float:
 
 def _friction(skid: TestSkid, drag: float, name: str) -> float:
     require(skid.braking > 0.0, name + "braking of {0:.6g} tells nothing of friction", skid.braking, code="no-braking")
-    grip = drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
+    grip = (
+        drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
+    )
     require(
         grip >= 0.0,
         name + "the grade alone would have stopped the vehicle shorter: friction would be {0:.6g}",

@@ -206,5 +206,8 @@ def _require_way(distance: float) -> None:
 def _energy_check(speed: float, landing: float, rise: float, gravity: float) -> tuple[Check, ...]:
     gained = 2.0 * gravity * rise
     return balance(
-        "energy balance", speed * speed - landing * landing, gained, speed * speed + landing * landing + absolute(gained)
+        "energy balance",
+        speed * speed - landing * landing,
+        gained,
+        speed * speed + landing * landing + absolute(gained),
     )

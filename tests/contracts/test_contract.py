@@ -179,7 +179,9 @@ class TestInput:
             assert answer("skid", "speed", "--input", "-", stdin=text)["results"] == plain
 
     def test_options_win(self) -> None:
-        document = answer("skid", "speed", "--input", "-", "--friction", "0.7", stdin='{"distance":"60 ft","friction":1}')
+        document = answer(
+            "skid", "speed", "--input", "-", "--friction", "0.7", stdin='{"distance":"60 ft","friction":1}'
+        )
         assert document["inputs"]["friction"] == {"value": 0.7}
 
     def test_a_lone_segment_on_the_command_line_replaces_the_file_s_list(self) -> None:
@@ -214,7 +216,9 @@ class TestPython:
             dynamics_cli.run("skid speed", friction=0.7)
 
     def test_module_run(self) -> None:
-        done = subprocess.run([sys.executable, "-m", "dynamics_cli", *OK], capture_output=True, text=True, cwd=ROOT, check=False)
+        done = subprocess.run(
+            [sys.executable, "-m", "dynamics_cli", *OK], capture_output=True, text=True, cwd=ROOT, check=False
+        )
         assert done.stdout == run(*OK).out
 
 
@@ -233,7 +237,9 @@ class TestCompletion:
     def test_names_complete(self, words: str, count: int, expected: str) -> None:
         env = {**os.environ, "COMP_WORDS": words, "COMP_CWORD": str(count), "_DYNAMICS_COMPLETE": "complete_bash"}
         code = "import sys; sys.argv = ['dynamics']; from dynamics_cli.cli import main; main()"
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=env, cwd=ROOT, check=False)
+        done = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, env=env, cwd=ROOT, check=False
+        )
         assert expected in done.stdout.split()
 
     @pytest.mark.parametrize("name", ["bash", "zsh", "fish"])

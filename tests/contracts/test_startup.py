@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-HEAVY = (
+HEAVY = (  # noqa: SIM905
     "typing re json dataclasses inspect fractions decimal enum numpy pint typer click rich msgspec scipy pydantic "
     "argparse difflib tomllib hashlib contextlib"
 ).split()
