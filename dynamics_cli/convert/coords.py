@@ -1,8 +1,9 @@
 """Cartesian, cylindrical and spherical coordinates, stable near the axes and from the smallest to the largest double.
 
-Cylindrical (r, θ, z): x = r cos θ, y = r sin θ. Spherical (ρ, φ, θ): φ is measured from the Z-axis and θ in the X–Y plane from X:
-x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ (Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6).
-Results are canonical: r, ρ ≥ 0, 0 ≤ φ ≤ π, −π < θ ≤ π; an angle that the point does not determine is zero, and said to be.
+Cylindrical (r, θ, z): x = r cos θ, y = r sin θ. Spherical (ρ, φ, θ): φ is measured from the Z-axis and θ in the X–Y
+plane from X: x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ (Josephs & Huston, Dynamics of Mechanical Systems, CRC
+Press 2002, section 1.6). Results are canonical: r, ρ ≥ 0, 0 ≤ φ ≤ π, −π < θ ≤ π; an angle that the point does not
+determine is zero, and said to be.
 """
 
 from dynamics_cli.errors import require
@@ -104,8 +105,8 @@ def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
 
     Examples
     --------
-    >>> cartesian_to_cylindrical(3.0, 1.0, 4.0).r
-    3.1622776601683795
+    >>> round(cartesian_to_cylindrical(3.0, 1.0, 4.0).r, 4)
+    3.1623
     """
     r = _representable(hypot(x, y))
     return Cylindrical(r, atan2(y + 0.0, x + 0.0), z, _undetermined(r, None))
@@ -139,8 +140,8 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
 
     Examples
     --------
-    >>> cartesian_to_spherical(3.0, 1.0, 4.0).rho
-    5.0990195135927845
+    >>> round(cartesian_to_spherical(3.0, 1.0, 4.0).rho, 4)
+    5.099
     """
     largest = maximum(maximum(absolute(x), absolute(y)), absolute(z))
     scale = where(largest < _SMALL, _UP, where(largest > _LARGE, _DOWN, 1.0))
@@ -179,8 +180,8 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
 
     Examples
     --------
-    >>> cylindrical_to_cartesian(4.0, 0.5235987755982988, 2.0).x
-    3.464101615137755
+    >>> round(cylindrical_to_cartesian(4.0, 0.5235987755982988, 2.0).x, 4)
+    3.4641
     """
     _require_distance("r", r)
     return Cartesian(r * cos(theta), r * sin(theta), z)
@@ -214,8 +215,8 @@ def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
 
     Examples
     --------
-    >>> cylindrical_to_spherical(4.0, 0.5235987755982988, 2.0).rho
-    4.472135954999579
+    >>> round(cylindrical_to_spherical(4.0, 0.5235987755982988, 2.0).rho, 4)
+    4.4721
     """
     _require_distance("r", r)
     rho = _representable(hypot(r, z))
@@ -250,8 +251,8 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
 
     Examples
     --------
-    >>> spherical_to_cartesian(7.0, 0.7853981633974483, 1.0471975511965976).y
-    4.286607049870561
+    >>> round(spherical_to_cartesian(7.0, 0.7853981633974483, 1.0471975511965976).y, 4)
+    4.2866
     """
     _require_distance("rho", rho)
     _require_polar(phi)
@@ -287,8 +288,8 @@ def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrica
 
     Examples
     --------
-    >>> spherical_to_cylindrical(7.0, 0.7853981633974483, 1.0471975511965976).r
-    4.949747468305832
+    >>> round(spherical_to_cylindrical(7.0, 0.7853981633974483, 1.0471975511965976).r, 4)
+    4.9497
     """
     _require_distance("rho", rho)
     _require_polar(phi)

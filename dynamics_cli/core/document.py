@@ -66,7 +66,7 @@ class _Walk:
         if isinstance(value, Measured):
             self.names.append(address)
             self.conditions.setdefault(address, {})
-            return {"value": list(value.value) if isinstance(value.value, tuple) else value.value, "unit": value.unit}
+            return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         if node.choice is not None or node.kind.form in ("text", "flag", "unit"):
             return value
         self.names.append(address)

@@ -33,7 +33,7 @@ class Part:
     `how` is "number", "whole", "flag", "word" or "measured" (a number or several, each with a unit of its own).
     """
 
-    __slots__ = ("address", "how", "keys", "shown", "steps", "unit")
+    __slots__ = ("address", "how", "keys", "several", "shown", "steps", "unit")
 
     def __init__(
         self, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]", how: str, shown: Shown | None = None

@@ -7,11 +7,11 @@ where Python stops: the rows are halved until the one that does it is alone.
 
 import numpy as np
 
-from dynamics_cli.core.answer import call_model, choose
+from dynamics_cli.core.answer import arguments, call_model, choose
 from dynamics_cli.core.bound import Bound, Fields, Several, Value, VectorValue
 from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Slot, Unsuited, texts
-from dynamics_cli.core.row_layout import Part
+from dynamics_cli.core.row_columns import Column, Slot, Unsuited, joined_texts, texts
+from dynamics_cli.core.row_layout import Part, compact
 from dynamics_cli.core.shown import Shown
 from dynamics_cli.core.task import Model, load
 from dynamics_cli.core.units import parse_unit
@@ -85,11 +85,9 @@ class Plan:
     def _model(self) -> Model:
         task = self.case.task
         if len(task.models) > 1 and not self.case.asked:
-            hidden = {address: Untouchable() for address in self.addresses}
-            made = self.bound.assemble(hidden)
+            args, kwargs = arguments(task, self.bound, {address: Untouchable() for address in self.addresses})
             for model in task.models[:-1]:
-                words = {field.name: made.pop(field.name) for field in task.specification.words if field.name in made}
-                if load(model.suffices)(*words.values(), **made) is not None:
+                if load(model.suffices)(*args, **kwargs) is not None:
                     return model
             return task.models[-1]
         return choose(task, self.bound, self.case.asked)[0]
@@ -139,6 +137,8 @@ class _Found:
             raise
         except (DynamicsError, ArithmeticError, ValueError):
             self._halve(arrays, rows, depth)
+        except (TypeError, AttributeError) as error:
+            raise Unsuited(f"the physics does not take arrays: {error}") from None
         else:
             self._take(record, rows)
 
@@ -151,12 +151,14 @@ class _Found:
 
     def _take(self, record: "Any", rows: "NDArray[np.int64]") -> None:
         good = _finite(record, len(rows))
+        if not good.any():
+            return
         layout = self.plan.case.layout
         constant: list[Any] = []
         for index, (part, factor) in enumerate(zip(layout.parts, self.plan._scales, strict=True)):
             found = part.of(record)
             if not isinstance(found, np.ndarray) or not found.ndim:
-                constant.append(part.value(record))
+                constant.append(_constant(part, record))
                 continue
             if found.shape != rows.shape or part.how == "word":
                 raise Unsuited(f"{part.address} is no column")
@@ -186,6 +188,13 @@ class _Found:
             array = self.arrays[index]
             made.append((part, "each", array if everything else array[self.good]))
         return made
+
+
+def _constant(part: Part, record: "Any") -> "Any":
+    try:
+        return part.value(record)
+    except UsageError as error:
+        raise Unsuited(error.message) from None
 
 
 def _shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "Any":
@@ -284,17 +293,33 @@ def _owner(address: str, leaves: "dict[str, Value | VectorValue]") -> str:
     return address
 
 
-def written(results: "list[Result]", *, json: bool) -> "list[Result]":
-    """Columns as texts: the shortest text of every number, flags and compound numbers as JSON or cells."""
-    from dynamics_cli.core.row_layout import compact
-
+def written(results: "list[Result]", form: str) -> "list[Result]":
+    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them."""
     made: list[Result] = []
+    side: list[Array] = []
     for part, how, value in results:
         if how == "each" and isinstance(value, np.ndarray):
             if value.dtype == object:
-                rows = value.tolist()
-                value = [(compact(row) if json else ",".join(part.cells(row))).encode() for row in rows]
+                value = _listed(value.tolist(), part, form)
+            elif form == "csv":
+                # Neighbours are written together, which saves a cut and a join a row.
+                side.append(value)
+                if len(side) > 1:
+                    made.pop()
+                made.append((part, how, side))
+                continue
             else:
                 value = texts(value)
+        side = []
         made.append((part, how, value))
-    return made
+    return [
+        (part, how, joined_texts(value) if how == "each" and value and isinstance(value[0], np.ndarray) else value)
+        for part, how, value in made
+    ]
+
+
+def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":
+    if form == "ndjson":
+        return [compact(row).encode() for row in rows]
+    separator = "," if form == "csv" else "\t"
+    return [separator.join(part.cells(row)).encode() for row in rows]

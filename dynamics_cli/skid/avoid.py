@@ -1,7 +1,7 @@
-"""Avoidability: could the driver have stopped from where the hazard was first visible, and what speed would have sufficed."""
+"""Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, maximum, minimum, sqrt
+from dynamics_cli.numerics.elementary import hypot, maximum, minimum, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Distance,
@@ -67,7 +67,7 @@ class Avoidance:
         Speed at the hazard at the speed travelled [m/s].
     sufficient_speed : RoadSpeed
         Greatest speed from which the vehicle stops before the hazard [m/s].
-    sufficient_distance : Distance
+    stopping_distance : Distance
         Distance that the speed travelled needs to stop [m].
     avoidable_at_limit : bool
         Whether the vehicle stops before the hazard at the speed limit; needs the speed limit [-].
@@ -85,7 +85,7 @@ class Avoidance:
     margin: Length
     impact_speed: RoadSpeed
     sufficient_speed: RoadSpeed
-    sufficient_distance: Distance
+    stopping_distance: Distance
     avoidable_at_limit: bool | None
     margin_at_limit: Length | None
     impact_speed_at_limit: RoadSpeed | None
@@ -106,7 +106,7 @@ def avoid(
     braking: Fraction = 1.0,
     gravity: Gravity = STANDARD_GRAVITY,
 ) -> Avoidance:
-    """Whether the driver could have stopped before the hazard, at the speed travelled and at the limit, and what speed sufficed.
+    """Whether the driver could have stopped before the hazard, travelled or at the limit, and what speed sufficed.
 
     Equation
     --------
@@ -154,8 +154,8 @@ def avoid(
 
     Examples
     --------
-    >>> avoid(speed=25.0, sight_distance=50.0, reaction_time=1.5, friction=0.7).sufficient_speed
-    17.8
+    >>> round(avoid(speed=25.0, sight_distance=50.0, reaction_time=1.5, friction=0.7).sufficient_speed, 4)
+    17.8543
     """
     drag = require_drag(drag_along(friction, grade, braking))
     deceleration = gravity * drag
@@ -178,7 +178,7 @@ def avoid(
         margin=travelled.margin,
         impact_speed=travelled.impact_speed,
         sufficient_speed=sufficient,
-        sufficient_distance=travelled.stopping_distance,
+        stopping_distance=travelled.stopping_distance,
         avoidable_at_limit=None if limit is None else limit.margin >= 0.0,
         margin_at_limit=None if limit is None else limit.margin,
         impact_speed_at_limit=None if limit is None else limit.impact_speed,
@@ -206,8 +206,6 @@ def _approach(case: str, speed: float, sight: float, reaction_time: float, decel
 
 
 def _nonzero(x: float, moving: bool) -> float:
-    from dynamics_cli.numerics.elementary import where
-
     return where(moving, x, 1.0)
 
 

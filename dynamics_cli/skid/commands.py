@@ -130,6 +130,60 @@ VAULT = Task(
     ),
 )
 
+PEDESTRIAN = Task(
+    "pedestrian",
+    "Projection speed of a pedestrian from the throw distance: bounds, or the speed at a known launch angle.",
+    Model(
+        "Searle's throw",
+        HERE + "pedestrian:pedestrian",
+        source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
+        formula="√(2·{friction|μ}·{gravity|g}·({throw_distance|s} − μ·{launch_height|H})/(1 + μ²)) ≤ v ≤ "
+        "√(2·μ·g·(s − μ·H)); with the angle α: v = √(2·μ·g·(s − μ·H))/(cosα + μ·sinα)",
+        assumptions=(
+            "level ground",
+            "friction acts on the landing as on the slide",
+            "the upper bound holds to 2·atan μ",
+        ),
+    ),
+    examples=(
+        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
+        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 --launch-angle "12 deg" --launch-height "1 m"',
+    ),
+)
+
+AVOID = Task(
+    "avoid",
+    "Could the driver have stopped, at the speed travelled and at the limit, and what speed would have sufficed.",
+    Model(
+        "reaction at constant speed, then uniform braking",
+        HERE + "avoid:avoid",
+        source=BOOK,
+        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + √(t² + 2·S/a)), a = {gravity|g}·{drag_factor|f}",
+        assumptions=("the hazard stays where it is", "uniform braking after the reaction", POINT),
+    ),
+    examples=(
+        'dynamics skid avoid --speed "62 km/h" --speed-limit "50 km/h" --sight-distance "32 m" --reaction-time "1.2 s" '
+        "--friction 0.75",
+    ),
+    table="approaches",
+)
+
+SPIN = Task(
+    "spin",
+    "Speed lost by a vehicle that rotates after an impact, by the partial drag of its tyres.",
+    Model(
+        "mean sine of the slip angle",
+        HERE + "spin:spin",
+        source="work–energy, section 10.10 of the book; the partial drag of a rotating vehicle as commonly used",
+        formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), f = ({mean_share|k}·{friction|μ} + G)/√(1 + G²)",
+        assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
+    ),
+    examples=(
+        'dynamics skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
+        'dynamics skid spin --drag-share "60 %" --distance "18 m" --friction 0.65 --end-speed "5 km/h"',
+    ),
+)
+
 FAMILIES = {
     "skid": Family(
         "skid",
@@ -141,5 +195,8 @@ FAMILIES = {
         STOP,
         YAW,
         VAULT,
+        PEDESTRIAN,
+        AVOID,
+        SPIN,
     )
 }

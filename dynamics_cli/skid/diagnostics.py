@@ -27,7 +27,7 @@ def positive_part(x: float) -> float:
 
 
 def balance(name: str, left: float, right: float, scale: float) -> tuple[Check, ...]:
-    """Check that two sides agree relative to `scale`; nothing for arrays, nor where squares leave the range of doubles."""
+    """Check that two sides agree relative to `scale`; nothing for arrays, nor where squares overflow."""
     if not single(left, right, scale):
         return ()
     size = abs(plain(scale))

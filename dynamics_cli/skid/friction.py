@@ -110,12 +110,13 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
     Raises
     ------
     InadmissibleError
-        When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle shorter.
+        When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle
+        shorter.
 
     Notes
     -----
-    Each skid is that of a point mass slowed uniformly to rest. The mean is found from differences to the first skid, so equal
-    skids scatter by exactly zero. The scatter describes the test skids, not the error of the instruments.
+    Each skid is that of a point mass slowed uniformly to rest. The mean is found from differences to the first skid,
+    so equal skids scatter by exactly zero. The scatter describes the test skids, not the error of the instruments.
 
     References
     ----------
@@ -123,8 +124,8 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
 
     Examples
     --------
-    >>> friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction
-    0.6990
+    >>> round(friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction, 4)
+    0.699
     """
     made = skids if isinstance(skids, tuple) else (skids,)
     require(len(made) > 0, "no test skid is given", code="no-skid")

@@ -79,8 +79,8 @@ def pedestrian(
     Raises
     ------
     InadmissibleError
-        When friction is zero, the throw distance does not exceed μH, the launch angle is not within ±90 degrees, or landing
-        would stop the body at once (v cos α < μ √(v² sin² α + 2gH)), where the formula does not hold.
+        When friction is zero, the throw distance does not exceed μH, the launch angle is not within ±90 degrees, or
+        landing would stop the body at once (v cos α < μ √(v² sin² α + 2gH)), where the formula does not hold.
 
     Notes
     -----
@@ -94,8 +94,8 @@ def pedestrian(
 
     Examples
     --------
-    >>> pedestrian(throw_distance=25.0, friction=0.66).least_speed
-    15.0
+    >>> round(pedestrian(throw_distance=25.0, friction=0.66).least_speed, 4)
+    15.0141
     """
     require(friction > 0.0, "friction {0:.6g} cannot stop a thrown body", friction, code="no-friction")
     reach = multiply_add(-friction, launch_height, throw_distance)
@@ -132,8 +132,8 @@ def pedestrian(
     left = forward - friction * landing
     require(
         left >= -1e-15 * forward,
-        "landing stops the body at once: its horizontal speed {0:.6g} m/s is less than friction times the vertical one, "
-        "{1:.6g} m/s",
+        "landing stops the body at once: its horizontal speed {0:.6g} m/s is less than friction times the vertical "
+        "one, {1:.6g} m/s",
         forward,
         friction * landing,
         code="stops-at-landing",
@@ -171,7 +171,7 @@ def _angle_advice(launch_angle: float, greatest_angle: float) -> tuple[Advice, .
     return (
         Advice(
             code="beyond-greatest-angle",
-            message=f"the greatest speed holds for launch angles from 0 to {plain(greatest_angle) * DEGREES:.4g} degrees only",
+            message=f"the greatest speed holds for launches from 0 to {plain(greatest_angle) * DEGREES:.4g} degrees",
             mend="use the speed of this launch angle, or the least speed",
         ),
     )

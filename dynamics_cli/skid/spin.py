@@ -1,4 +1,4 @@
-"""Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across the path."""
+"""Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, hypot, multiply_add, sin, sqrt, where
@@ -36,7 +36,7 @@ class Rotation:
     start_angle : Angle
         Angle between heading and path at the start, in the sense of the rotation [rad].
     rolling_drag : Fraction
-        Share of the full friction when the vehicle points along its path: near 0 with free wheels, 1 with all locked [-].
+        Share of the full friction when the vehicle points along its path: near 0 when they roll, 1 when locked [-].
     """
 
     rotation: Angle
@@ -126,7 +126,7 @@ def spin(
 
     Equation
     --------
-    v² = v_e² + 2 g f d, f = (kμ + G)/√(1 + G²); k = r + (1 − r)·mean |sin ψ| over the rotation, with the rolling drag r.
+    v² = v_e² + 2 g f d, f = (kμ + G)/√(1 + G²); k = r + (1 − r)·mean |sin ψ| over the rotation, r the rolling drag.
 
     Parameters
     ----------
@@ -155,20 +155,20 @@ def spin(
 
     Notes
     -----
-    Model "mean sine of the slip angle": a tyre at slip angle ψ drags with the share r + (1 − r)|sin ψ| of the full friction,
-    and the vehicle turns uniformly along its path. Tyres are taken as sliding at once, so for rotations of a few degrees
-    from straight ahead, where a tyre still grips, the model does not hold; it is meant for spins of a quarter turn and
-    more. The energy of the rotation is not counted: it is small beside that of the path.
+    Model "mean sine of the slip angle": a tyre at slip angle ψ drags with the share r + (1 − r)|sin ψ| of the full
+    friction, and the vehicle turns uniformly along its path. Tyres are taken as sliding at once, so for rotations of
+    a few degrees from straight ahead, where a tyre still grips, the model does not hold; it is meant for spins of a
+    quarter turn and more. The energy of the rotation is not counted: it is small beside that of the path.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (work and energy); the partial drag of a
-    rotating vehicle as commonly used in accident reconstruction.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (work and energy); the partial
+    drag of a rotating vehicle as commonly used in accident reconstruction.
 
     Examples
     --------
-    >>> spin(drag=Rotation(rotation=3.141592653589793), distance=20.0, friction=0.7).speed
-    13.2
+    >>> round(spin(drag=Rotation(rotation=3.141592653589793), distance=20.0, friction=0.7).speed, 4)
+    13.2215
     """
     rate: float | None = None
     if isinstance(drag, Rotation):
@@ -209,7 +209,7 @@ def _turn_advice(drag: Rotation | Share) -> tuple[Advice, ...]:
     return (
         Advice(
             code="short-rotation",
-            message=f"a rotation of {turned:.3g} degrees is short for a mean over the spin: near straight ahead tyres still grip",
+            message=f"a rotation of {turned:.3g} degrees is short for a mean: near straight ahead tyres still grip",
             mend="give drag-share, or take the rotation over the whole spin",
         ),
     )

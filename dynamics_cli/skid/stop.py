@@ -59,7 +59,8 @@ class Stop:
     build_up_distance : Distance
         Distance travelled while the deceleration rises; needs the build-up time [m].
     build_up_duration : Time
-        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time [s].
+        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time
+        [s].
     braking_speed : RoadSpeed
         Speed where the full deceleration is reached [m/s].
     braking_distance : Distance
@@ -138,17 +139,19 @@ def stop(
 
     Notes
     -----
-    A point mass. The driver holds the speed on the grade until the brakes act; the rise of the deceleration includes the
-    grade's share. Without a build-up time the full deceleration acts at once and the phase is left out of the table.
+    A point mass. The driver holds the speed on the grade until the brakes act; the rise of the deceleration includes
+    the grade's share. Without a build-up time the full deceleration acts at once and the phase is left out of the
+    table.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), 3.2 (straight-line motion).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), 3.2 (straight-line
+    motion).
 
     Examples
     --------
-    >>> stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance
-    59.1
+    >>> round(stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance, 4)
+    59.1347
     """
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {0} rows a phase", steps, code="steps")
     drag = require_drag(drag_along(friction, grade, braking))

@@ -74,18 +74,18 @@ def vault_least_speed(
 
     Notes
     -----
-    A point mass in flight without air drag. The least speed is a lower bound for every take-off angle; there the path at
-    take-off is perpendicular to the path at landing.
+    A point mass in flight without air drag. The least speed is a lower bound for every take-off angle; there the path
+    at take-off is perpendicular to the path at landing.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion); the least speed as
-    commonly published in accident reconstruction.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion); the least speed
+    as commonly published in accident reconstruction.
 
     Examples
     --------
-    >>> vault_least_speed(distance=20.0, rise=-2.0).speed
-    13.3
+    >>> round(vault_least_speed(distance=20.0, rise=-2.0).speed, 4)
+    13.3228
     """
     _require_way(distance)
     slant = hypot(distance, rise)
@@ -143,15 +143,15 @@ def vault_known_angle(
     Raises
     ------
     InadmissibleError
-        When the distance is zero, the take-off angle is not within ±90 degrees, or the take-off does not point above the
-        landing point.
+        When the distance is zero, the take-off angle is not within ±90 degrees, or the take-off does not point above
+        the landing point.
     UsageError
         When no take-off angle is given.
 
     Notes
     -----
-    A point mass in flight without air drag. The speed grows without limit as the take-off nears the line of sight to the
-    landing point, or the vertical.
+    A point mass in flight without air drag. The speed grows without limit as the take-off nears the line of sight to
+    the landing point, or the vertical.
 
     References
     ----------
@@ -159,8 +159,8 @@ def vault_known_angle(
 
     Examples
     --------
-    >>> vault_known_angle(distance=20.0, rise=-2.0, take_off=0.1).speed
-    22.4
+    >>> round(vault_known_angle(distance=20.0, rise=-2.0, take_off=0.1).speed, 4)
+    22.236
     """
     if take_off is None:
         raise UsageError(
