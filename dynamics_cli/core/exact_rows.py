@@ -145,8 +145,7 @@ class ExactPlan:
         if part.unit:
             index = part.steps[-1] if isinstance(part.steps[-1], int) else 0
             return part, "measured", ([texts(values[index])], [self.targets[index]])
-        several = part.address == part.several
-        if several != (len(self.targets) > 1):
+        if part.several != (len(self.targets) > 1):
             return part, "all", None
         return part, "measured", (list(map(texts, values)), self.targets)
 

@@ -4,15 +4,18 @@ Every number is the document's own: JSON and CSV carry the shortest text that ro
 """
 
 try:
-    from _json import encode_basestring as quote
+    from _json import encode_basestring
 except ImportError:  # another Python than CPython
-    from json.encoder import encode_basestring as quote  # type: ignore[no-redef]
+    from json.encoder import encode_basestring
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
     Document = dict[str, Any]
+
+
+quote = encode_basestring
 
 
 def to_json(value: "Any") -> str:

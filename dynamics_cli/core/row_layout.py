@@ -43,6 +43,7 @@ class Part:
         self.how = how
         self.shown = shown
         self.unit = shown.text if shown is not None else ""
+        self.several = False
         self.address = ""
         for step in steps:
             self.address += f"[{step}]" if isinstance(step, int) else f".{step.rstrip('_')}"
@@ -175,7 +176,9 @@ class Layout:
 
     def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
         if self.targets is None:
-            yield Part(keys, steps, "measured")
+            part = Part(keys, steps, "measured")
+            part.several = several
+            yield part
         elif several == (len(self.targets) > 1):
             for index, target in enumerate(self.targets):
                 path = (*steps, index) if several else steps
