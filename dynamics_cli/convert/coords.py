@@ -149,7 +149,8 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     across = hypot(x * scale, y * scale)
     rho = _representable(hypot(across, axial) / scale)
     off_axis = where(x == 0.0, y, x)
-    return Spherical(rho, atan2(across, axial + 0.0), atan2(y + 0.0, x + 0.0), _undetermined(absolute(off_axis), rho))
+    phi = where(largest == 0.0, 0.0, atan2(across, axial + 0.0))
+    return Spherical(rho, phi, atan2(y + 0.0, x + 0.0), _undetermined(absolute(off_axis), rho))
 
 
 def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
@@ -256,8 +257,8 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    across = sin(phi)
-    return Cartesian(rho * (across * cos(theta)), rho * (across * sin(theta)), rho * cos(phi))
+    across = rho * sin(phi)
+    return Cartesian(across * cos(theta), across * sin(theta), rho * cos(phi))
 
 
 def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrical:

@@ -71,7 +71,9 @@ class Conversion:
             values[odd] = 0.0
         return values, odd, self._exactness(column, values, whole, power, singly) if flag else None
 
-    def _exactness(self, column: Column, values: "Array", whole: "Array", power: int, singly: "list[int]") -> "list[bool]":
+    def _exactness(
+        self, column: Column, values: "Array", whole: "Array", power: int, singly: "list[int]"
+    ) -> "list[bool]":
         """Whether each number is the exact result: whether what is left of the denominator divides N."""
         factor = self.factor
         ten = 10**power
@@ -107,6 +109,7 @@ class ExactPlan:
     def __init__(self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]") -> None:
         self.case = case
         self.proved = False
+        self.failures = 0
         name, targets = case.measure
         self.addresses = list(addresses)
         given = case.raw(raw)
@@ -163,6 +166,8 @@ class Pairs:
             if len(self.plans) >= 2048:
                 self.plans.clear()
             try:
+                if b"'" in rest or b'"' in rest:
+                    raise Unsuited("quotes may join words")
                 raw = self.case.words((token + b" " + rest).decode().split())
                 self.plans[rest] = ExactPlan(self.case, raw, [self.case.measure[0]])
             except (Unsuited, DynamicsError, UnicodeDecodeError):

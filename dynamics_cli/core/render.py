@@ -151,7 +151,7 @@ def to_table(document: "Document", digits: int) -> str:
     if inputs or tables:
         lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
     bounds = document["numerics"].get("error_bound", {})
-    tails = {name: f"error ≤ {_bound(entry)}" for name, entry in bounds.items()}
+    tails = {name: f"(error ≤ {_bound(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     lines += ["", *_aligned(flatten(document["results"]), digits, tails)]
     lines += _tables({name: node for name, node in document["results"].items() if is_table(node)}, digits)
     lines.append("")
@@ -185,9 +185,9 @@ def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
 
 def _bound(entry: "dict[str, Any]") -> str:
     if entry.get("relative", entry.get("absolute")) == 0.0:
-        return "0 (exact)"
+        return "exact"
     if "relative" in entry:
-        return f"{entry['relative']:.1e} of it"
+        return f"{entry['relative']:.1e} relative"
     return f"{entry['absolute']:.1e} {entry.get('unit', '')}".rstrip()
 
 

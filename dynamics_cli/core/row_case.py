@@ -4,7 +4,6 @@ from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.gather import gather, keys_of, merge, put, read_words
-from dynamics_cli.core.reading import Reader
 from dynamics_cli.core.row_layout import Layout
 from dynamics_cli.core.shown import Display
 from dynamics_cli.core.specification import Field, Leaf, Many
@@ -15,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.reading import Reader
     from dynamics_cli.core.terminal import Terminal
 
     Raw = dict[str, Any]
@@ -40,7 +40,7 @@ class Case:
         )
 
     def check(self) -> None:
-        """Refuse now what would fail in every row: a model that does not exist, a fixed parameter that cannot be read."""
+        """Refuse now what would fail in every row: an unknown model, a fixed parameter that cannot be read."""
         if self.asked:
             choose(self.task, Fields(None, {}), self.asked)
         try:

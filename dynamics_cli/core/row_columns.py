@@ -141,7 +141,7 @@ def texts(values: "Array") -> "list[bytes]":
     tokens = _encode(listed)[1:-1].split(b",") if listed else []
     for row in _odd_sized(values):
         tokens[row] = repr(listed[row]).encode()
-    return tokens  # type: ignore[no-any-return]
+    return tokens
 
 
 def joined_texts(columns: "list[Array]") -> "list[bytes]":
@@ -153,13 +153,13 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
     rows = _encode(listed)[2:-2].split(b"],[") if listed else []
     for row in sorted({row for column in columns for row in _odd_sized(column)}):
         rows[row] = ",".join(map(repr, listed[row])).encode()
-    return rows  # type: ignore[no-any-return]
+    return rows
 
 
 def _odd_sized(values: "Array") -> "list[int]":
     size = np.abs(values)
     odd = ((size < _PLAIN_LOW) & (size != 0.0)) | (size >= _PLAIN_HIGH)
-    return np.flatnonzero(odd).tolist() if odd.any() else []  # type: ignore[no-any-return]
+    return np.flatnonzero(odd).tolist() if odd.any() else []
 
 
 def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:

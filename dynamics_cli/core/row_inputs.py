@@ -3,6 +3,8 @@
 A line that cannot be split as its header says is given back as one quoted cell, so that what follows stays aligned.
 """
 
+from itertools import pairwise
+
 from dynamics_cli.core.gather import put
 from dynamics_cli.core.loading import parse_json
 from dynamics_cli.core.references import split_address
@@ -104,7 +106,7 @@ def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
         put(raw, path, value)  # type: ignore[arg-type]
         return
     node: Any = raw
-    for step, after in zip(path, path[1:], strict=False):
+    for step, after in pairwise(path):
         empty: Any = [] if isinstance(after, int) else {}
         if isinstance(step, int):
             node.extend({} for _ in range(step + 1 - len(node)))

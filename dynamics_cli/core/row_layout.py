@@ -1,4 +1,4 @@
-"""Which results a row carries: the numbers, flags and choices of the result record; tables, checks and advice stay out."""
+"""Which results a row carries: the record's numbers, flags and choices; tables, checks and advice stay out."""
 
 from dynamics_cli.core.render import quote
 from dynamics_cli.core.shown import Display, Shown, plain

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 FEWEST = 16
 MOST_REFUSALS = 24
 NAN = float("nan")
+VARIES = object()
 
 
 class Untouchable:
@@ -57,6 +58,7 @@ class Plan:
     ) -> None:
         self.case = case
         self.proved = False
+        self.failures = 0
         self.bound = case.bind(raw)
         leaves = {bound.address: bound for bound in values_of(self.bound)}
         self._leaves = {address: leaves[_owner(address, leaves)] for address, _, _ in self.bound.leaves()}
@@ -162,17 +164,17 @@ class _Found:
                 continue
             if found.shape != rows.shape or part.how == "word":
                 raise Unsuited(f"{part.address} is no column")
-            constant.append(self)
+            constant.append(VARIES)
             shown = _shown(found, part, factor, good)
             if len(rows) == len(self.good):
                 self.arrays[index] = shown
             else:
                 whole = self.arrays.setdefault(index, np.zeros(len(self.good), dtype=shown.dtype))
                 whole[rows] = shown
-        if self.constant and [item is self for item in constant] != [item is self for item in self.constant]:
+        if self.constant and [item is VARIES for item in constant] != [item is VARIES for item in self.constant]:
             raise Unsuited("results exist for some rows only")
         # Values that are alike in all rows of one call may differ between calls.
-        if self.constant and any(a != b for a, b in zip(constant, self.constant, strict=True) if a is not self):
+        if self.constant and any(a != b for a, b in zip(constant, self.constant, strict=True) if a is not VARIES):
             raise Unsuited("results differ between calls")
         self.constant = constant
         self.good[rows] = good
@@ -182,7 +184,7 @@ class _Found:
         made: list[Result] = []
         everything = self.good.all()
         for index, (part, value) in enumerate(zip(self.plan.case.layout.parts, self.constant, strict=False)):
-            if value is not self:
+            if value is not VARIES:
                 made.append((part, "all", value))
                 continue
             array = self.arrays[index]

@@ -105,7 +105,7 @@ def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
 class Shape:
     """One shape of objects: its pattern, and the addresses of the numbers that it finds."""
 
-    __slots__ = ("addresses", "cut", "line", "plan", "search", "units", "whole")
+    __slots__ = ("_search", "addresses", "cut", "line", "plan", "units", "whole")
 
     def __init__(self, line: bytes, names: "set[str]", numeric: "set[str] | None" = None) -> None:
         self.line = line
@@ -130,7 +130,18 @@ class Shape:
         if self.cut:
             pattern = b"(" + pattern
         self.whole = re.compile(pattern)
-        self.search = re.compile(b"^" + pattern + b"$", re.MULTILINE)
+        # The numbers found are read by a JSON parser afterwards, so a looser, faster pattern does for whole blocks.
+        self._search = re.compile(pattern.replace(b"(" + NUMBER + b")", b"([-+.0-9eE]+)"))
+
+    def find(self, data: bytes, count: int) -> "list[list[bytes]] | None":
+        """What each group finds in each of so many lines, or None when some line is of another shape."""
+        stride = self._search.groups + 1
+        parts = self._search.split(data)
+        # Between matches, and only there, stands the end of a line.
+        ends = parts[stride:-1:stride]
+        if len(parts) != count * stride + 1 or parts[0] or parts[-1] or ends.count(b"\n") != count - 1:
+            return None
+        return [parts[group::stride] for group in range(1, stride)]
 
     def _between(self, start: int, end: int) -> bytes:
         if start <= self.cut < end and self.cut:

@@ -127,9 +127,11 @@ def pedestrian(
         code="stops-at-landing",
     )
     speed = greatest / gain
-    flight_time, landing = _flight(speed * sine, launch_height, gravity)
-    forward = speed * cosine
-    left = forward - friction * landing
+    upward, forward = speed * sine, speed * cosine
+    flight_time, landing = _flight(upward, launch_height, gravity)
+    # the speed left for the slide, from the form that subtracts less
+    rising = multiply_add(-friction, landing, forward)
+    left = where(upward >= 0.0, rising, multiply_add(-friction, gravity * flight_time, greatest))
     require(
         left >= -1e-15 * forward,
         "landing stops the body at once: its horizontal speed {0:.6g} m/s is less than friction times the vertical "

@@ -1,7 +1,7 @@
 """Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import cos, hypot, multiply_add, sin, sqrt, where
+from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -100,16 +100,21 @@ class SpinLoss:
 def mean_across(start: float, rotation: float) -> float:
     """Mean of |sin ψ| for ψ from `start` through `rotation`, by whole half-turns and a rest without cancellation."""
     turns = plain(rotation) // HALF_TURN
-    begin = _within_half_turn(start, plain(start) // HALF_TURN)
-    rest = _within_half_turn(rotation, turns)
-    end = begin + rest
-    inside = 2.0 * sin(begin + 0.5 * rest) * sin(0.5 * rest)
-    before, after = cos(0.5 * begin), cos(0.5 * end)
-    across = 2.0 * (before * before + after * after)
-    return (2.0 * turns + where(end <= HALF_TURN, inside, across)) / rotation
+    rest = _beyond(rotation, turns)
+    before = plain(start) // HALF_TURN
+    # the start lies `begun` beyond a zero of the sine and `left` before the next one
+    begun, left = _beyond(start, before), -_beyond(start, before + 1.0)
+    left = where(begun < 0.0, -begun, left)
+    begun = where(begun < 0.0, begun + HALF_TURN, begun)
+    middle = where(begun <= 0.5 * HALF_TURN, begun + 0.5 * rest, left - 0.5 * rest)
+    inside = 2.0 * sin(middle) * sin(0.5 * rest)
+    falling, rising = sin(0.5 * left), sin(0.5 * (rest - left))
+    across = 2.0 * (falling * falling + rising * rising)
+    return (2.0 * turns + where(rest <= left, inside, across)) / rotation
 
 
-def _within_half_turn(angle: float, turns: float) -> float:
+def _beyond(angle: float, turns: float) -> float:
+    """What an angle exceeds a whole number of half-turns by."""
     return multiply_add(-turns, HALF_TURN, angle) - turns * HALF_TURN_REST
 
 

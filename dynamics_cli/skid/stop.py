@@ -170,7 +170,7 @@ def stop(
         rise_way = rise * (speed - drop / 3.0)
         rest = positive_part(multiply_add(-0.5 * deceleration, build_up_time, speed))
         braking_speed = where(full, rest, 0.0 * speed)
-        _rise(rows, (start, way, speed), rise, drop, steps)
+        _rise(rows, (start, way, speed), rise, (drop, braking_speed), steps)
         start, way = start + rise, way + rise_way
     braking_time = braking_speed / deceleration
     braking_way = braking_time * (0.5 * braking_speed)
@@ -199,14 +199,18 @@ def _coast(rows: list[Moment], speed: float, duration: float, steps: int) -> Non
         rows.append(Moment("reaction", time, speed * time, speed))
 
 
-def _rise(rows: list[Moment], begin: tuple[float, float, float], duration: float, drop: float, steps: int) -> None:
+def _rise(
+    rows: list[Moment], begin: tuple[float, float, float], duration: float, end: tuple[float, float], steps: int
+) -> None:
     """Speed lost grows with the square of the time, and the way lost with its cube."""
     start, way, speed = begin
+    drop, rest = end
     for step in range(1, steps + 1):
         time = duration * step / steps
         lost = drop * (step * step) / (steps * steps)
         distance = way + time * (speed - lost / 3.0)
-        rows.append(Moment("build-up", start + time, distance, positive_part(speed - lost)))
+        left = rest + drop * (steps * steps - step * step) / (steps * steps)
+        rows.append(Moment("build-up", start + time, distance, left))
 
 
 def _brake(rows: list[Moment], begin: tuple[float, float, float], duration: float, steps: int) -> None:

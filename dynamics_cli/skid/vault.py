@@ -184,16 +184,16 @@ def vault_known_angle(
         atan2(rise, distance) * DEGREES,
         code="cannot-land",
     )
-    speed = distance * sqrt(gravity / (2.0 * cosine * over))
-    forward = speed * cosine
-    fall = speed * ((over - rise * cosine) / distance)
-    landing = hypot(forward, fall)
+    speed = sqrt(gravity * distance * (distance / (2.0 * cosine * over)))
+    # the landing's direction, times the take-off's speed
+    fall = (over - rise * cosine) / distance
+    landing = speed * hypot(cosine, fall)
     return Vault(
         speed=speed,
         launch_angle=take_off,
-        flight_time=distance / forward,
+        flight_time=distance / (speed * cosine),
         landing_speed=landing,
-        landing_angle=atan2(fall, forward),
+        landing_angle=atan2(fall, cosine),
         checks=_energy_check(speed, landing, rise, gravity),
         advice=(),
     )
