@@ -42,6 +42,9 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
             with Progress(source, terminal) as progress:
                 for lines in source.blocks():
                     if stream is None:
+                        lines = [line for line in lines if line is None or not line.isspace()]
+                        if not lines:
+                            continue
                         stream, lines = _begin(case, lines, form, terminal)
                         sink.write(stream.output.head())
                     sink.write(stream.block(lines))
@@ -92,12 +95,12 @@ def _begin(
 
 
 def _is_header(case: Case, line: bytes) -> bool:
-    """Whether every cell of a line names a parameter (or a result of an earlier step)."""
+    """Whether some cell of a line is the name of a parameter (or of an earlier step's result): words never are."""
     try:
         names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
     except UsageError:
         return False
-    return all(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
+    return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
 
 
 def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:

@@ -5,7 +5,7 @@ from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Bound, Fields, Several
 from dynamics_cli.core.call import Settings
 from dynamics_cli.core.gather import Gathered
-from dynamics_cli.core.grammar import split_pairs
+from dynamics_cli.core.grammar import read_amount, split_list, split_pairs
 from dynamics_cli.core.row_case import Case
 from dynamics_cli.core.row_inputs import nest
 from dynamics_cli.core.row_layout import Layout, Part
@@ -41,6 +41,9 @@ class _Points(Case):
         self.reader = gathered.reader
         self.layout = Layout(task.specification.result, Display(settings.units, settings.to))
         self.start = gathered.raw
+        for axis in axes:
+            if isinstance(axis.path[-1], int) and len(axis.path) == 2:
+                self.start = _with_list(self.start, str(axis.path[0]))
         self.axes = axes
         self.count = 1
         for axis in axes:
@@ -266,6 +269,18 @@ def _copied(raw: "Any") -> "Any":
     if isinstance(raw, list):
         return [_copied(_as_object(item)) for item in raw]
     return raw
+
+
+def _with_list(raw: "Raw", name: str) -> "Raw":
+    """A vector given as one text, or as a list with a unit, as a list of components each with its unit."""
+    value = raw.get(name)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return {**raw, name: [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]}
+    if not isinstance(value, str):
+        return raw
+    items = split_list(value.strip().removeprefix("(").removesuffix(")"))
+    unit = read_amount(items[-1]).parts[-1][2]
+    return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
 
 
 def _as_object(item: "Any") -> "Any":

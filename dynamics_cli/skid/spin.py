@@ -156,7 +156,7 @@ def spin(
     Raises
     ------
     InadmissibleError
-        When the rotation is not above zero, or the drag factor is not above zero.
+        When the rotation or its distance is zero, or the drag factor is not above zero.
 
     Notes
     -----
@@ -184,13 +184,14 @@ def spin(
             code="no-rotation",
             hint="give drag-share instead when the vehicle did not turn",
         )
+        require(distance > 0.0, "a spin over {0:.6g} m takes no time", distance, code="no-way")
     share = drag.share
     factor = require_drag(drag_along(friction, grade, share))
     shed = 2.0 * gravity * (factor * distance)
     speed = hypot(end_speed, sqrt(shed))
     time = crossing_time(distance, speed, end_speed)
     if isinstance(drag, Rotation):
-        rate = drag.rotation / where(time > 0.0, time, 1.0)
+        rate = drag.rotation / time
     both = speed + end_speed
     lost = shed / where(both > 0.0, both, 1.0)
     return SpinLoss(

@@ -137,7 +137,9 @@ def measure(function: Callable[..., Any], case: dict[str, Any], groups: dict[str
     return found
 
 
-def answer_rows(function: Callable[..., Any], tree: Any, columns: list[Any], groups: dict[str, type], count: int) -> Any:
+def answer_rows(
+    function: Callable[..., Any], tree: Any, columns: list[Any], groups: dict[str, type], count: int
+) -> Any:
     """Answer many rows at once as the program does: refused rows are taken out and the rest asked again."""
     keep = np.arange(count)
     while keep.size:
@@ -145,7 +147,8 @@ def answer_rows(function: Callable[..., Any], tree: Any, columns: list[Any], gro
         try:
             return keep, flat(function(**build(tree, iter(picked), groups)))
         except InadmissibleError as error:
-            assert isinstance(error.refused, np.ndarray), error
+            if not isinstance(error.refused, np.ndarray):
+                raise
             keep = keep[~np.broadcast_to(error.refused, keep.shape)]
     return keep, {}
 

@@ -1,6 +1,6 @@
 """Writes coords.json: points in the other systems of coordinates, to 40 digits.
 
-Angles come from arc cosines at 1,400 digits and from the argument of a complex exponential, where the program uses atan2.
+Angles come from arc cosines at 1,400 digits and from the argument of a complex exponential; the program uses atan2.
 Run: python tests/references/generate_coords_references.py [FILE]. The same bytes every time.
 """
 

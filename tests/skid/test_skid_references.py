@@ -1,4 +1,4 @@
-"""Every skid task against 40-digit references: its error, the bound stated for it, arrays, checks, and the file itself."""
+"""Every skid task against 40-digit references: its error, the bound stated for it, arrays and checks."""
 
 import subprocess
 import sys
