@@ -105,7 +105,10 @@ class _Walk:
         _finite(number, address)
         out = _quantity(shown.value(number), shown.text)
         error = getattr(value, "error", None)
-        if error is not None:
+        if error is not None and not math.isfinite(error):
+            message = f"no bound can be stated for the rounding of {address}: the formula leaves the range of a double"
+            self.advice.append(Advice("no-bound", message, "caution"))
+        elif error is not None:
             self._bound(address, number, error, shown)
             if not table:
                 self._condition(address, number, value.slopes)

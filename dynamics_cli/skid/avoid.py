@@ -15,7 +15,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, positive_part, single
+from dynamics_cli.skid.diagnostics import balance, plain, single
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 
@@ -196,7 +196,7 @@ def _approach(case: str, speed: float, sight: float, reaction_time: float, decel
     braking = speed / deceleration * (0.5 * speed)
     needed = reaction + braking
     available = maximum(sight - reaction, 0.0)
-    impact = sqrt(positive_part(speed * speed - 2.0 * deceleration * available))
+    impact = sqrt(maximum(speed * speed - 2.0 * deceleration * available, 0.0))
     covered = minimum(reaction, sight)
     braked = minimum(available, braking)
     both = speed + impact

@@ -1,7 +1,7 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, sqrt, where
+from dynamics_cli.numerics.elementary import hypot, maximum, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, positive_part
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
 
 # A mark as long as the computed stop may exceed it by rounding.
@@ -313,7 +313,7 @@ def distance(
             speed / deceleration * (0.5 * speed),
             code="mark-exceeds-stop",
         )
-        exit_speed = sqrt(positive_part((speed - shed) * (speed + shed)))
+        exit_speed = sqrt(maximum((speed - shed) * (speed + shed), 0.0))
         exit_time = crossing_time(mark, speed, exit_speed)
     return SkidDistance(
         distance=length,

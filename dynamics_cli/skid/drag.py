@@ -263,7 +263,7 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding), 6.3 (equilibrium).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding), chapter 6 (force systems).
 
     Examples
     --------

@@ -1,10 +1,10 @@
 """Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import absolute, atan, cos, hypot, multiply_add, sin, sqrt, where
+from dynamics_cli.numerics.elementary import absolute, atan, cos, hypot, maximum, multiply_add, sin, sqrt, where
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Friction, Gravity, RoadSpeed, Time
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, positive_part, single
+from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 
@@ -140,7 +140,7 @@ def pedestrian(
         friction * landing,
         code="stops-at-landing",
     )
-    left = positive_part(left)
+    left = maximum(left, 0.0)
     flight = forward * flight_time
     slide_time = left / (friction * gravity)
     slide = slide_time * (0.5 * left)

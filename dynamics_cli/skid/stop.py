@@ -1,7 +1,7 @@
 """A whole stop: reaction, rise of the deceleration, steady braking, and where the vehicle is at any time of it."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -16,7 +16,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, positive_part
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 MOST_STEPS = 10000
@@ -145,7 +145,7 @@ def stop(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), 3.2 (straight-line
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), chapter 3 (straight-line
     motion).
 
     Examples
@@ -199,7 +199,7 @@ def _build_up(speed: float, deceleration: float, build_up_time: float) -> tuple[
     full = deceleration * build_up_time <= 2.0 * speed
     rise = where(full, build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
     drop = where(full, 0.5 * deceleration * build_up_time, speed)
-    rest = positive_part(multiply_add(-0.5 * deceleration, build_up_time, speed))
+    rest = maximum(multiply_add(-0.5 * deceleration, build_up_time, speed), 0.0)
     return rise, drop, where(full, rest, 0.0 * speed)
 
 

@@ -79,7 +79,7 @@ def vault_least_speed(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion); the least speed
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 8 (projectile motion); the least speed
     as commonly published in accident reconstruction.
 
     Examples
@@ -155,7 +155,7 @@ def vault_known_angle(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 8 (projectile motion).
 
     Examples
     --------

@@ -119,7 +119,7 @@ def yaw(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 3.4 (motion on a circle); the critical
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3 (motion on a circle); the critical
     speed formula as commonly published in accident reconstruction.
 
     Examples
