@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
 FIRST_ARRAY_ROWS = 1000
 ARRAY_ROWS = 64
+# Rows in which bare numbers are looked for.
+LOOKED_AT = 50
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -85,13 +87,24 @@ def _begin(
     if start == b"{":
         source = JsonInput(case, first)
     elif case.task.specification.words and not _is_header(case, first):
-        case.take_default_unit()
         source = TextInput(case)
     else:
         lines = lines[1:]
         source = _csv_input(case, first, terminal)
+    _settle_unit(case, source, lines[:LOOKED_AT])
     case.check()
     return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
+
+
+def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None:
+    """Of several units, take the first as that of bare numbers if the rows hold such: `convert mph ft/s --rows -`."""
+    for line in lines:
+        try:
+            if line is not None and case.is_bare(source.read(line)):
+                case.take_default_unit()
+                return
+        except UsageError:
+            continue  # what is wrong with this row is told in its place
 
 
 def _is_header(case: Case, line: bytes) -> bool:
@@ -116,8 +129,6 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
             code="header",
             hint=f"cells are separated by commas; parameters are {', '.join(sorted(case.names))}",
         )
-    if case.default_unit == "" and not any(source.columns[i].unit for i in source.parameters):
-        case.take_default_unit()
     _warn(case, [column.name for column in source.columns if not column.path], terminal)
     return source
 

@@ -132,7 +132,7 @@ _SPLIT_LIMIT = 6e299
 
 
 def product_error(a: float, b: float, product: float) -> float:
-    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971); exact unless a part under- or overflows."""
+    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971), unless a part leaves the range."""
     big_a = _SPLITTER * a
     high_a = big_a - (big_a - a)
     low_a = a - high_a
@@ -157,7 +157,7 @@ def _multiply_add(a: float, b: float, c: float) -> float:
 
 
 def multiply_add(a: float, b: float, c: float) -> float:
-    """a·b + c as if computed in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
+    """a·b + c as if in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
     if type(a) is float and type(b) is float and type(c) is float:
         return _multiply_add(a, b, c)
     if any(hasattr(x, "apply") for x in (a, b, c)) or not any(hasattr(x, "dtype") for x in (a, b, c)):

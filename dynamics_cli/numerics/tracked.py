@@ -4,7 +4,7 @@ Sent through a physics function in place of floats, it does the same floating-po
 its `value` is the answer to the bit; `error` bounds what rounding did to it (given the doubles that went in), and
 `slopes` are its derivatives by the inputs.
 
-Running error analysis: an operation with unit roundoff u = 2⁻⁵³ turns input bounds into |f'|·e + second order + u·|result|
+Running error analysis: with unit roundoff u = 2⁻⁵³ an operation turns bounds into |f'|·e + second order + u·|result|
 (Higham, Accuracy and Stability of Numerical Algorithms, 3.3). Functions of the C library count as one ulp (2u).
 """
 

@@ -51,7 +51,8 @@ FRICTION = Task(
     ),
     examples=(
         'dynamics skid friction --speed "30 mph" --distance "43 ft"',
-        'dynamics skid friction --test-skid "speed=30 mph, distance=43 ft" --test-skid "speed=30 mph, distance=41.5 ft" '
+        'dynamics skid friction --test-skid "speed=30 mph, distance=43 ft" '
+        '--test-skid "speed=30 mph, distance=41.5 ft" '
         '--test-skid "speed=30 mph, distance=44 ft"',
     ),
 )
@@ -63,8 +64,8 @@ DRAG_FACTOR = Task(
         "statics of the braking vehicle",
         HERE + "drag:drag_factor",
         source="statics, with the weight transfer of the deceleration itself; work–energy form: " + BOOK,
-        formula="{drag_factor|f} = ({effective_friction|η·μ} + G)/√(1 + G²); axles: η·μ = (μf·b + μr·a)/(b + h·μr + a − h·μf); "
-        "sled: f = P·(cosα − G·sinα)/(W − P·sinα·√(1 + G²))",
+        formula="{drag_factor|f} = ({effective_friction|η·μ} + G)/√(1 + G²); "
+        "axles: η·μ = (μf·b + μr·a)/(b + h·μr + a − h·μf); sled: f = P·(cosα − G·sinα)/(W − P·sinα·√(1 + G²))",
         assumptions=("the deceleration is steady", "both axles stay on the road"),
     ),
     examples=(
@@ -121,7 +122,8 @@ VAULT = Task(
         "known take-off angle",
         HERE + "vault:vault_known_angle",
         source="projectile motion; Josephs & Huston, chapter 8",
-        formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cosα·({distance|x}·sinα − {rise|y}·cosα))), α = {take_off|α}",
+        formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cosα·({distance|x}·sinα − {rise|y}·cosα))), "
+        "α = {take_off|α}",
         assumptions=("a point mass without air drag",),
     ),
     examples=(
@@ -147,7 +149,8 @@ PEDESTRIAN = Task(
     ),
     examples=(
         'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
-        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 --launch-angle "12 deg" --launch-height "1 m"',
+        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
+        '--launch-angle "12 deg" --launch-height "1 m"',
     ),
 )
 
@@ -158,7 +161,8 @@ AVOID = Task(
         "reaction at constant speed, then uniform braking",
         HERE + "avoid:avoid",
         source=BOOK,
-        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + √(t² + 2·S/a)), a = {gravity|g}·{drag_factor|f}",
+        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + √(t² + 2·S/a)), "
+        "a = {gravity|g}·{drag_factor|f}",
         assumptions=("the hazard stays where it is", "uniform braking after the reaction", POINT),
     ),
     examples=(
@@ -175,7 +179,8 @@ SPIN = Task(
         "mean sine of the slip angle",
         HERE + "spin:spin",
         source="work–energy, section 10.10 of the book; the partial drag of a rotating vehicle as commonly used",
-        formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), f = ({mean_share|k}·{friction|μ} + G)/√(1 + G²)",
+        formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), "
+        "f = ({mean_share|k}·{friction|μ} + G)/√(1 + G²)",
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
     examples=(

@@ -263,7 +263,8 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding), chapter 6 (force systems).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding) and
+    chapter 6 (force systems).
 
     Examples
     --------

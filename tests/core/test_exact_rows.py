@@ -16,8 +16,8 @@ from dynamics_cli.errors import UsageError
 CONVERT = find_task(["convert"])[0]
 PAIRS = (
     "mph ft/s", "lb N", "lb kg", "ft m", "psi kPa", "in mm", "km/h mph", "hp kW", "deg rad", "rpm rad/s",
-    "degF degC", "degC K", "K degF", "degR K", "deg rev", "ft lb J", "slug lb", "yd ft;in", "% ppm", "deg arcmin", "nmi mi",
-    "Nm lbf*ft",
+    "degF degC", "degC K", "K degF", "degR K", "deg rev", "ft lb J", "slug lb", "yd ft;in", "% ppm", "deg arcmin",
+    "nmi mi", "Nm lbf*ft",
 )  # fmt: skip
 
 
@@ -41,8 +41,8 @@ def text_rows(seed: int, count: int, odd: float = 0.05) -> bytes:
         if generator.random() < odd:
             line = generator.choice(
                 ("60mph ft/s", "60 mph kg", "60 mhp ft/s", "5 ft 6 in", '"5 ft 6 in" m', "x", "60", "60 mph",
-                 "-500 degF K", "1e400 m ft", "60 mph ft/s km/h", "1_0 m ft", "60  mph ft/s", " 60 mph ft/s", "60 m 'ft",
-                 "\udcff m ft")
+                 "-500 degF K", "1e400 m ft", "60 mph ft/s km/h", "1_0 m ft", "60  mph ft/s", " 60 mph ft/s",
+                 "60 m 'ft", "\udcff m ft")
             )  # fmt: skip
         lines.append(line)
     return "\n".join(lines).encode(errors="surrogateescape") + b"\n"
@@ -110,6 +110,10 @@ def test_fixed_words() -> None:
     assert run(CONVERT, b"60 mph\n", "ft/s")[1] == b"60 mph\t88.0\n"
     # Of several words the first is the unit of bare numbers; the others are the units wanted.
     assert run(CONVERT, b"60\n", "mph", "ft/s", "km/h")[1] == b"60\t88.0\t96.56064\n"
+    # Where no row has a bare number, all words are units wanted.
+    assert run(CONVERT, b"60 mph\n", "ft/s", "km/h")[1] == b"60 mph\t88.0\t96.56064\n"
+    for row in (b'{"value":60}', b'{"value":{"value":60}}', b'{"value":"60"}'):
+        assert json.loads(run(CONVERT, row, "mph", "ft/s")[1])["results"]["value"]["value"] == 88.0
     status, out, _ = run(CONVERT, b"60\n", "ft/s")
     assert status == 4
     assert b"unit is missing" in out
