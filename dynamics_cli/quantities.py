@@ -235,7 +235,9 @@ else:
     Positive = Kind("ratio", "", above=0.0, example="2", about="a pure number above zero")
     Friction = Kind("friction", "", low=0.0, example="0.7", about="a coefficient of friction")
     Restitution = Kind("restitution", "", low=0.0, high=1.0, example="0.3", about="a coefficient of restitution")
-    Fraction = Kind("fraction", "", us="%", low=0.0, high=1.0, example="80 %", about="a share between nothing and all")
+    Fraction = Kind(
+        "fraction", "", si="%", us="%", low=0.0, high=1.0, example="80 %", about="a share between nothing and all"
+    )
     DragFactor = Kind("drag factor", "", low=0.0, example="0.65", about="deceleration over gravity")
     # forces and energy
     Force = Kind("force", "N", si="N", us="lbf", example="200 lbf", about="a force")

@@ -77,7 +77,7 @@ class Choice(str):
 
     __slots__ = ()
     names: "ClassVar[tuple[str, ...]]" = ()
-    aliases: "ClassVar[dict[str, str]]" = {}
+    aliases: "ClassVar[dict[str, str]]" = {}  # noqa: RUF012
 
     def __new__(cls, text: str) -> "Self":
         """Read `text`, in any case, with spaces or underscores for hyphens."""
@@ -125,7 +125,7 @@ class Advice:
 
 @record
 class ErrorBound:
-    """A bound that a solver, or an exact calculation, states for one of its results; absolute ones in the unit shown."""
+    """A bound that a solver or an exact calculation states for one of its results; absolute ones in the unit shown."""
 
     result: str
     bound: float

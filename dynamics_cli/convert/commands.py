@@ -2,7 +2,9 @@
 
 from dynamics_cli.core.task import Family, Model, Task
 
-TABLE = "Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1; the defining constants of SI and of the US units"
+TABLE = (
+    "Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1; the defining constants of SI and of the US units"
+)
 LISTS = "dynamics_cli.convert.unit_lists"
 
 

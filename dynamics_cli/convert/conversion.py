@@ -110,7 +110,7 @@ def convert(
     _gravity(gravity)
     if not value.unit:
         raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
-    if not targets:
+    if not targets or not all(target.strip() for target in targets):
         raise UsageError("targets: the unit to convert to is missing", parameter="targets", hint="for example ft/s")
     parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets]
     several = len(parts) > 1

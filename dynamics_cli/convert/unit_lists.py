@@ -2,8 +2,8 @@
 
 import os
 
-from dynamics_cli.core.units import all_units, candidates, conformable_names, kind_name, names_like, nearest
 from dynamics_cli.core.unit_words import base_expression
+from dynamics_cli.core.units import all_units, candidates, conformable_names, kind_name, names_like, nearest
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Count, Ratio, Text
 from dynamics_cli.records import Choice, record

@@ -10,14 +10,15 @@ if TYPE_CHECKING:
     from dynamics_cli.core.terminal import Terminal
 
 # Enough rows to amortise array calls, few enough to stay in the processor's cache.
-BLOCK_BYTES = 1 << 17
+BLOCK_ROWS = 6000
+LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 20
 # A longer line is nobody's case, and must not eat the memory.
 LONGEST_LINE = 1 << 24
 BOM = b"\xef\xbb\xbf"
 
 
 class Source:
-    """A stream of lines: `blocks()` gives lists of lines without their ends, blank lines left out.
+    """A stream of lines: `blocks()` gives lists of lines without their ends, empty lines left out.
 
     A line longer than `LONGEST_LINE` is given as None in a block of its own; the rest of it is read and dropped.
     """
@@ -30,18 +31,19 @@ class Source:
         # `read1` gives what has come; a buffered `read` would wait for a whole block.
         self._read = getattr(self._file, "read1", self._file.read)
         self._first = True
+        self._block = LEAST_BYTES
 
     def _open(self, name: str) -> "BinaryIO":
         import os
 
         try:
-            file = open(name, "rb", buffering=0)
+            file = open(name, "rb", buffering=0)  # noqa: SIM115  closed by `close`
             self.size = os.fstat(file.fileno()).st_size or None
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             message = f"cannot read {name!r}: {reason}"
             raise UsageError(message, code="unreadable", parameter="rows") from None
-        return file  # type: ignore[return-value]
+        return file
 
     def close(self) -> None:
         """Close the file, but not standard input."""
@@ -80,16 +82,16 @@ class Source:
 
     def _next(self) -> bytes:
         """Some bytes: one read, and what more has already come, up to a block."""
-        data: bytes = self._read(BLOCK_BYTES)
-        if data and len(data) < BLOCK_BYTES and self._more():
+        data: bytes = self._read(self._block)
+        if data and len(data) < self._block and self._more():
             parts = [data]
-            length = len(data)
-            while length < BLOCK_BYTES and self._more():
-                part = self._read(BLOCK_BYTES - length)
+            missing = self._block - len(data)
+            while missing > 0 and self._more():
+                part = self._read(missing)
                 if not part:
                     break
                 parts.append(part)
-                length += len(part)
+                missing -= len(part)
             data = b"".join(parts)
         self.bytes_read += len(data)
         return data
@@ -111,9 +113,15 @@ class Source:
             data = data.removeprefix(BOM)
         if b"\r" in data:
             data = data.replace(b"\r\n", b"\n").removesuffix(b"\r")
-        if data[:1] in (b"", b"\n", b" ", b"\t", b"\r") or any(
-            mark in data for mark in (b"\n\n", b"\n ", b"\n\t", b"\n\r")
-        ):
-            return [line for line in data.split(b"\n") if line and not line.isspace()]
-        # A block ends before its last line's end, so only that line can be empty here.
-        return data.removesuffix(b"\n").split(b"\n")  # type: ignore[return-value]
+        if not data:
+            return []
+        lines = data.split(b"\n")
+        if b"" in lines:
+            lines = [line for line in lines if line]
+        self._fit(len(data), len(lines))
+        return lines  # type: ignore[return-value]
+
+    def _fit(self, length: int, count: int) -> None:
+        """Choose how much to read next: about `BLOCK_ROWS` rows."""
+        wanted = length * BLOCK_ROWS // (count + 1)
+        self._block = max(LEAST_BYTES, min(wanted, MOST_BYTES))

@@ -111,7 +111,7 @@ class Constant(Bound):
 
 
 class Fields(Bound):
-    """A record (or, without a class, the parameters of a task), with its key and tag when it is one of a tagged union."""
+    """A record (or, without a class, the parameters of a task), with key and tag when it is one of a tagged union."""
 
     def __init__(
         self,

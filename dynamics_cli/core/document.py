@@ -66,7 +66,7 @@ class _Walk:
         if isinstance(value, Measured):
             self.names.append(address)
             self.conditions.setdefault(address, {})
-            return {"value": list(value.value) if isinstance(value.value, tuple) else value.value, "unit": value.unit}
+            return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         if node.choice is not None or node.kind.form in ("text", "flag", "unit"):
             return value
         self.names.append(address)
@@ -105,7 +105,10 @@ class _Walk:
         _finite(number, address)
         out = _quantity(shown.value(number), shown.text)
         error = getattr(value, "error", None)
-        if error is not None:
+        if error is not None and not math.isfinite(error):
+            message = f"no bound can be stated for the rounding of {address}: the formula leaves the range of a double"
+            self.advice.append(Advice("no-bound", message, "caution"))
+        elif error is not None:
             self._bound(address, number, error, shown)
             if not table:
                 self._condition(address, number, value.slopes)

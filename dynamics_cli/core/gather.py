@@ -2,7 +2,7 @@
 
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.reading import Reader
-from dynamics_cli.core.specification import Field, Leaf, Many, Record, Tagged
+from dynamics_cli.core.specification import Field, Leaf, Many, OneOf, Record, Tagged
 from dynamics_cli.core.task import Task
 from dynamics_cli.errors import UsageError
 
@@ -55,26 +55,28 @@ def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal
 
 
 def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
-    """Options over the file's parameters; a lone item's fields on the command line replace the file's list of items."""
+    """Options over the file's parameters, with what they exclude in the file left out."""
     merged = dict(below)
     for field in task.specification.fields:
-        keys = keys_of(field)
-        if field.spreads and not keys.isdisjoint(above):
-            exclusive = isinstance(field.node, Many) or not _compatible(field, merged, above, keys)
-            for key in keys if exclusive else ():
-                if not (isinstance(field.node, Many) and key != field.key and field.key not in above):
-                    merged.pop(key, None)
-    for key, value in above.items():
-        old = merged.get(key)
-        merged[key] = _deep(old, value) if isinstance(old, dict) and isinstance(value, dict) else value
-    return merged
+        for key in _excluded(field, below, above):
+            merged.pop(key, None)
+    return _deep(merged, above)
 
 
-def _compatible(field: Field, below: "dict[str, Any]", above: "dict[str, Any]", keys: "set[str]") -> bool:
-    """Whether some alternative knows every name given in either place."""
-    given = {key for key in keys if key in below or key in above}
-    members = getattr(field.node, "members", ())
-    return not isinstance(members, tuple) or any(member.names >= given for member in members)
+def _excluded(field: Field, below: "dict[str, Any]", above: "dict[str, Any]") -> "set[str]":
+    """The file's keys that cannot stand beside what the command line gives for the same parameter."""
+    keys = keys_of(field)
+    given = keys.intersection(above)
+    if not given:
+        return set()
+    if isinstance(field.node, Many) and field.node.single:
+        # A list replaces a lone item's fields, and a lone item's fields replace a list.
+        return keys - {field.key} if field.key in given else {field.key}
+    if isinstance(field.node, OneOf):
+        together = given.union(keys.intersection(below))
+        fits = any(member.names >= together for member in field.node.members)
+        return set() if fits else keys
+    return set()
 
 
 def _deep(below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
@@ -119,17 +121,16 @@ def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -
             continue
         else:
             raw[field.key] = rest.pop(0)
-            is_number = isinstance(node, Leaf) and node.kind.form in ("exact", "scalar")
-            if is_number and rest and _is_bare(raw[field.key]) and _wants_unit(node, rest, fields):
+            if rest and _is_bare(raw[field.key]) and _takes_unit(node) and not _has_number(rest[0]):
                 raw[field.key] += " " + rest.pop(0)
     if rest:
         raise UsageError(f"unexpected word {rest[0]!r}", code="unexpected", hint="quote a value that has spaces")
     return raw, scene
 
 
-def _wants_unit(node: object, rest: "list[str]", fields: "tuple[Field, ...]") -> bool:
-    """Whether the next word can only be this number's unit."""
-    return isinstance(node, Leaf) and (node.kind.form == "exact" or bool(node.kind.unit)) and not _has_number(rest[0])
+def _takes_unit(node: object) -> bool:
+    """Whether the word after a bare number can only be its unit."""
+    return isinstance(node, Leaf) and (node.kind.form == "exact" or bool(node.kind.unit))
 
 
 def _has_number(word: str) -> bool:

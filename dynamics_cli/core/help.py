@@ -40,15 +40,15 @@ def described(docstring: "str | None") -> "dict[str, str]":
     return found
 
 
-def option_help(option: Option) -> str:
-    """One option's line: what it is, its default, an example."""
+def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
+    """One option's line: what it is (by the docstrings' `texts`), its default, an example."""
     if option.leaf is None:
         return "One of several, with its own values (repeatable)."
     leaf = option.leaf
     text = leaf.kind.about
     if leaf.choice is not None:
         text = "one of " + ", ".join(leaf.choice.names)
-    text = (_DESCRIBED.get(option.path) or text).replace(" [-]", "").rstrip(".")
+    text = (texts.get(option.path) or text).replace(" [-]", "").rstrip(".")
     if option.required:
         text += " [required]"
     elif option.default is not REQUIRED and option.default is not None and option.default is not False:
@@ -66,10 +66,6 @@ def _default(option: Option) -> str:
         return str(option.default)
     unit = leaf.kind.unit if leaf is not None else ""
     return f"{option.default:g} {unit}".strip()
-
-
-# Filled for the command whose help is wanted: an option's path and what the docstrings say of it.
-_DESCRIBED: "dict[tuple[str, ...], str]" = {}
 
 
 def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
@@ -106,8 +102,6 @@ def _describe(
 
 def command_help(task: Task) -> str:
     """A task's long help: its claim, its formula, its sources and examples that run."""
-    _DESCRIBED.clear()
-    _DESCRIBED.update(describe_options(task))
     blocks = [task.summary]
     for model in task.models:
         lines = [f"{model.name}:"] if len(task.models) > 1 else []

@@ -8,7 +8,6 @@ from dynamics_cli.core.bound import Bound, Fields, Several
 from dynamics_cli.core.leaves import Token, read_leaf, split_items
 from dynamics_cli.core.specification import Field, Leaf, Many, OneOf, Record, Tagged, kebab
 from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
-from dynamics_cli.quantities import Kind
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.specification import Node
+    from dynamics_cli.quantities import Kind
 
     Raw = Mapping[str, Any]
 

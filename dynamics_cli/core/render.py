@@ -1,18 +1,21 @@
 """Documents as JSON, NDJSON, CSV, Markdown or a table for people; plain text built here costs no import.
 
-Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables as many digits as asked.
+Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables the digits asked for.
 """
 
 try:
-    from _json import encode_basestring as quote
+    from _json import encode_basestring
 except ImportError:  # another Python than CPython
-    from json.encoder import encode_basestring as quote  # type: ignore[no-redef]
+    from json.encoder import encode_basestring
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
     Document = dict[str, Any]
+
+
+quote = encode_basestring
 
 
 def to_json(value: "Any") -> str:
@@ -148,7 +151,7 @@ def to_table(document: "Document", digits: int) -> str:
     if inputs or tables:
         lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
     bounds = document["numerics"].get("error_bound", {})
-    tails = {name: f"error ≤ {_bound(entry)}" for name, entry in bounds.items()}
+    tails = {name: f"(error ≤ {_bound(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     lines += ["", *_aligned(flatten(document["results"]), digits, tails)]
     lines += _tables({name: node for name, node in document["results"].items() if is_table(node)}, digits)
     lines.append("")
@@ -182,9 +185,9 @@ def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
 
 def _bound(entry: "dict[str, Any]") -> str:
     if entry.get("relative", entry.get("absolute")) == 0.0:
-        return "0 (exact)"
+        return "exact"
     if "relative" in entry:
-        return f"{entry['relative']:.1e} of it"
+        return f"{entry['relative']:.1e} relative"
     return f"{entry['absolute']:.1e} {entry.get('unit', '')}".rstrip()
 
 
@@ -227,10 +230,8 @@ def to_csv(document: "Document", table: str) -> str:
     """The task's main table, or else its results on one line."""
     results = document["results"]
     node = results.get(table) if table else None
-    if node:
-        made = columns(node)
-    else:
-        made = [(name, unit, [value]) for name, value, unit in _split_lists(flatten(results))]
+    plain = [] if node else _split_lists(flatten(results))
+    made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]
     lines = [",".join(header(name, unit) for name, unit, _ in made)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
     return "\n".join(lines) + "\n"

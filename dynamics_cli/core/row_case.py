@@ -4,7 +4,6 @@ from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.gather import gather, keys_of, merge, put, read_words
-from dynamics_cli.core.reading import Reader
 from dynamics_cli.core.row_layout import Layout
 from dynamics_cli.core.shown import Display
 from dynamics_cli.core.specification import Field, Leaf, Many
@@ -15,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.reading import Reader
     from dynamics_cli.core.terminal import Terminal
 
     Raw = dict[str, Any]
@@ -40,7 +40,7 @@ class Case:
         )
 
     def check(self) -> None:
-        """Refuse now what would fail in every row: a model that does not exist, a fixed parameter that cannot be read."""
+        """Refuse now what would fail in every row: an unknown model, a fixed parameter that cannot be read."""
         if self.asked:
             choose(self.task, Fields(None, {}), self.asked)
         try:
@@ -58,7 +58,7 @@ class Case:
         return "", ""
 
     def take_default_unit(self) -> None:
-        """Read the first of several fixed units as that of bare numbers: `dynamics convert mph ft/s --rows -`."""
+        """Read the first of several fixed units as that of bare numbers."""
         name = self.measure[1]
         targets = self.fixed.get(name, [])
         if len(targets) > 1 and self.measure[0] not in self.fixed:
@@ -81,11 +81,19 @@ class Case:
         merged = merge(self.task, self.base, row)
         return merge(self.task, merged, self.fixed) if self.fixed else merged
 
-    def _with_unit(self, row: "Raw") -> "Raw":
+    def is_bare(self, row: "Raw") -> bool:
+        """Whether a row gives the exact quantity as a number without a unit."""
         value = row.get(self.measure[0])
-        if isinstance(value, str) and value.strip()[-1:] in tuple("0123456789."):
-            return {**row, self.measure[0]: f"{value} {self.default_unit}"}
-        return row
+        if isinstance(value, dict):
+            value = value.get("value") if not value.get("unit") else None
+        return isinstance(value, str) and value.strip()[-1:] in tuple("0123456789.")
+
+    def _with_unit(self, row: "Raw") -> "Raw":
+        if not self.is_bare(row):
+            return row
+        value = row[self.measure[0]]
+        number = value["value"] if isinstance(value, dict) else value
+        return {**row, self.measure[0]: f"{number} {self.default_unit}"}
 
     def bind(self, row: "Raw") -> Fields:
         """The row's inputs as read."""
@@ -112,4 +120,3 @@ def _form(field: Field) -> str:
     node = field.node
     leaf = node.item if isinstance(node, Many) else node
     return leaf.kind.form if isinstance(leaf, Leaf) and leaf.choice is None else ""
-

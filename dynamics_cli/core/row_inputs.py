@@ -3,7 +3,8 @@
 A line that cannot be split as its header says is given back as one quoted cell, so that what follows stays aligned.
 """
 
-from dynamics_cli.core.gather import put
+from itertools import pairwise
+
 from dynamics_cli.core.loading import parse_json
 from dynamics_cli.core.references import split_address
 from dynamics_cli.core.render import csv_cell, flatten, header, quote
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     Raw = dict[str, Any]
 
 ENVELOPE = ("schema", "command", "version", "inputs", "model", "numerics", "checks", "warnings", "files", "timing")
+# A list in one row; an index of a billion must not fill the memory.
+LONGEST_LIST = 1000
 FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
 
 
@@ -100,23 +103,26 @@ def split_header(text: str) -> "tuple[str, str]":
 
 def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
     """Put a value where its path of keys and indices says, making lists long enough."""
-    if not any(isinstance(step, int) for step in path):
-        put(raw, path, value)  # type: ignore[arg-type]
-        return
     node: Any = raw
-    for step, after in zip(path, path[1:], strict=False):
+    for step, after in pairwise(path):
         empty: Any = [] if isinstance(after, int) else {}
-        if isinstance(step, int):
-            node.extend({} for _ in range(step + 1 - len(node)))
-            if not node[step]:
-                node[step] = empty
-            node = node[step]
-        else:
-            node = node.setdefault(step, empty)
-    last = path[-1]
-    if isinstance(last, int):
-        node.extend("" for _ in range(last + 1 - len(node)))
-    node[last] = value
+        _extend(node, step, {}, path)
+        if isinstance(step, int) and not node[step]:
+            node[step] = empty
+        node = node[step] if isinstance(step, int) else node.setdefault(step, empty)
+    _extend(node, path[-1], "", path)
+    node[path[-1]] = value
+
+
+def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | int, ...]") -> None:
+    """Make a list long enough for an index; refuses a place within what is given as a whole."""
+    if not isinstance(node, list if isinstance(step, int) else dict):
+        raise UsageError(f"{path[0]} is given as a whole and in parts", parameter=str(path[0]), code="exclusive")
+    if isinstance(step, int):
+        if step >= LONGEST_LIST:
+            raise UsageError(f"{path[0]} has an index of {step}, at most {LONGEST_LIST - 1} is possible", code="index")
+        assert isinstance(node, list)
+        node.extend(filler if filler == "" else {} for _ in range(step + 1 - len(node)))
 
 
 class Input:

@@ -1,4 +1,4 @@
-"""Which results a row carries: the numbers, flags and choices of the result record; tables, checks and advice stay out."""
+"""Which results a row carries: the record's numbers, flags and choices; tables, checks and advice stay out."""
 
 from dynamics_cli.core.render import quote
 from dynamics_cli.core.shown import Display, Shown, plain
@@ -33,7 +33,7 @@ class Part:
     `how` is "number", "whole", "flag", "word" or "measured" (a number or several, each with a unit of its own).
     """
 
-    __slots__ = ("address", "how", "keys", "shown", "steps", "unit")
+    __slots__ = ("address", "how", "keys", "several", "shown", "steps", "unit")
 
     def __init__(
         self, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]", how: str, shown: Shown | None = None
@@ -43,6 +43,7 @@ class Part:
         self.how = how
         self.shown = shown
         self.unit = shown.text if shown is not None else ""
+        self.several = False
         self.address = ""
         for step in steps:
             self.address += f"[{step}]" if isinstance(step, int) else f".{step.rstrip('_')}"
@@ -173,11 +174,11 @@ class Layout:
             self._known.append(".".join(keys))
             self.display.of(".".join(keys), item.kind)
 
-    def _measured(
-        self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool
-    ) -> "Iterator[Part]":
+    def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
         if self.targets is None:
-            yield Part(keys, steps, "measured")
+            part = Part(keys, steps, "measured")
+            part.several = several
+            yield part
         elif several == (len(self.targets) > 1):
             for index, target in enumerate(self.targets):
                 path = (*steps, index) if several else steps

@@ -5,6 +5,7 @@ from dynamics_cli.core.render import csv_cell, header
 from dynamics_cli.core.row_inputs import Input
 from dynamics_cli.core.row_layout import Layout, Part, compact
 from dynamics_cli.errors import DynamicsError
+from dynamics_cli.records import Measured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,9 +82,7 @@ class CsvOutput(Output):
     def __init__(self, source: Input, layout: Layout) -> None:
         super().__init__(source, layout)
         taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads}
-        self.columns = [
-            header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names
-        ]
+        self.columns = [header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names]
         self.error_column = _free("error", taken)
 
     def head(self) -> bytes:
@@ -115,10 +114,19 @@ class CsvOutput(Output):
         for part, how, value in results:
             if how == "each":
                 pieces.append(value)
+            elif how == "measured":
+                pieces += _measured_cells(part, *value)
             else:
                 pieces.append(",".join(map(csv_cell, part.cells(value))).encode())
             pieces.append(b",")
         return [*pieces, b"\n"]
+
+
+def _measured_cells(part: Part, columns: "list[list[bytes]]", units: "list[str]") -> "list[Piece]":
+    pieces: list[Piece] = []
+    for column in columns:
+        pieces += [b";", column]
+    return pieces[1:] if part.unit else [*pieces[1:], b"," + csv_cell(";".join(units)).encode()]
 
 
 def _free(name: str, taken: "set[str]") -> str:
@@ -152,13 +160,26 @@ class JsonOutput(Output):
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """The results as a template with a place for each number."""
         slot = Slot()
-        entries = self.layout.entries([slot if how == "each" else value for _, how, value in results])
+        entries = self.layout.entries([_template(slot, how, value) for _, how, value in results])
         texts = (',"results":' + compact(entries) + "}\n").encode().split(b"\0")
         pieces: list[Piece] = [echoes, texts[0]]
-        each = (value for _, how, value in results if how == "each")
+        each = [column for _, how, value in results for column in _columns(how, value)]
         for column, text in zip(each, texts[1:], strict=True):
             pieces += [column, text]
         return pieces
+
+
+def _template(slot: Slot, how: str, value: "Any") -> "Any":
+    if how == "measured":
+        places = tuple([Measured(slot, unit) for unit in value[1]])  # type: ignore[arg-type]
+        return places if len(places) > 1 else places[0]
+    return slot if how == "each" else value
+
+
+def _columns(how: str, value: "Any") -> "list[list[bytes]]":
+    if how == "measured":
+        return value[0]  # type: ignore[no-any-return]
+    return [value] if how == "each" else []
 
 
 class TextOutput(Output):
@@ -184,9 +205,10 @@ class TextOutput(Output):
         """Numbers between tabs."""
         pieces: list[Piece] = [echoes]
         for part, how, value in results:
-            if how == "each" and part.how not in ("flag", "word"):
-                pieces += [b"\t", value]
-            elif how == "all":
+            if part.how not in ("flag", "word"):
+                for column in _columns(how, value):
+                    pieces += [b"\t", column]
+            if how == "all":
                 pieces += [f"\t{number}".encode() for number in part.numbers(value)]
         return [*pieces, b"\n"]
 

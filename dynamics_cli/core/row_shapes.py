@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-NUMBER = rb"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]{1,3})?"
+# Short enough that every match is a double.
+NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
 # Numbers of whatever length that only pass through; strings without escapes.
 _OTHER_NUMBER = rb"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
 _OTHER_STRING = rb'"[^"\\\x00-\x1f]*"'
@@ -89,20 +90,29 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
 
 
 def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
-    """The object without some members and without its closing brace."""
-    kept = [line[start:end].rstrip() for name, (start, end) in members(line).items() if name not in names]
-    return b"{" + b",".join(kept)
+    """The object without some members and without its closing brace; what stands before the first of them as it is."""
+    found = members(line)
+    kept = list(found)
+    while kept and kept[-1] in names:
+        kept.pop()
+    head = line[: found[kept[-1]][1]].rstrip() if kept else b"{"
+    if names and any(name in names for name in kept):
+        parts = [line[start:end].rstrip() for name, (start, end) in found.items() if name not in names]
+        return b"{" + b",".join(parts)
+    return head
 
 
 class Shape:
     """One shape of objects: its pattern, and the addresses of the numbers that it finds."""
 
-    __slots__ = ("addresses", "cut", "line", "plan", "search", "whole")
+    __slots__ = ("_search", "addresses", "cut", "line", "plan", "units", "whole")
 
     def __init__(self, line: bytes, names: "set[str]", numeric: "set[str] | None" = None) -> None:
         self.line = line
         self.plan: Any = None
         self.addresses: list[str] = []
+        # The units of numbers in strings; None for bare numbers.
+        self.units: list[str | None] = []
         results = members(line).get("results")
         # Where the row ends and an earlier step's results begin, at the comma between them.
         self.cut = _comma_before(line, results) if results else 0
@@ -115,11 +125,23 @@ class Shape:
             at = token.end
             if address:
                 self.addresses.append(address)
+                self.units.append(_unit_in(token.text))
         pattern += re.escape(line[at:])
         if self.cut:
             pattern = b"(" + pattern
         self.whole = re.compile(pattern)
-        self.search = re.compile(b"^" + pattern + b"$", re.MULTILINE)
+        # The numbers found are read by a JSON parser afterwards, so a looser, faster pattern does for whole blocks.
+        self._search = re.compile(pattern.replace(b"(" + NUMBER + b")", b"([-+.0-9eE]+)"))
+
+    def find(self, data: bytes, count: int) -> "list[list[bytes]] | None":
+        """What each group finds in each of so many lines, or None when some line is of another shape."""
+        stride = self._search.groups + 1
+        parts = self._search.split(data)
+        # Between matches, and only there, stands the end of a line.
+        ends = parts[stride:-1:stride]
+        if len(parts) != count * stride + 1 or parts[0] or parts[-1] or ends.count(b"\n") != count - 1:
+            return None
+        return [parts[group::stride] for group in range(1, stride)]
 
     def _between(self, start: int, end: int) -> bytes:
         if start <= self.cut < end and self.cut:
@@ -136,7 +158,9 @@ def _comma_before(line: bytes, results: "tuple[int, int]") -> int:
 
 def _pairs(line: bytes) -> "set[Path]":
     """The paths of objects that are a value with its unit."""
-    return {token.path[:-1] for token in tokens(line) if token.key and token.path[-1] == "value" and len(token.path) > 1}
+    return {
+        token.path[:-1] for token in tokens(line) if token.key and token.path[-1] == "value" and len(token.path) > 1
+    }
 
 
 def _piece(
@@ -164,6 +188,11 @@ def _piece(
     return b'"(' + NUMBER + b")" + re.escape(quantity[2]) + b'"', address
 
 
+def _unit_in(text: bytes) -> "str | None":
+    quantity = _QUANTITY.fullmatch(text)
+    return quantity[2].decode().strip() if quantity else None
+
+
 def _is_number(text: bytes) -> bool:
     return _NUMBER.fullmatch(text) is not None
 
@@ -180,6 +209,8 @@ def _address(path: Path, pairs: "set[Path]", skipped: int, whole: Path) -> str:
 
 def shape_of(line: bytes, names: "set[str]", numeric: "set[str] | None" = None) -> "Shape | None":
     """The shape of a line, or None when it has none that is safe."""
+    if line != line.strip() or line[-2:-1].isspace():
+        return None
     try:
         shape = Shape(line, names, numeric)
     except (UsageError, ValueError, IndexError):

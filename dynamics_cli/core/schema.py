@@ -153,14 +153,10 @@ def _result(node: object) -> "dict[str, Any]":
         return {"type": "boolean"}
     value = {"type": "number"} if node.kind.form in _NUMBER_FORMS else {}
     properties: dict[str, Any] = {"value": value}
-    if node.kind.unit or node.kind.form in ("slope", "measured"):
+    if node.kind.si or node.kind.form == "measured":
         properties["unit"] = {"type": "string"}
-    return {
-        "type": ["object", "null"],
-        "properties": properties,
-        "required": list(properties),
-        "x-kind": node.kind.name,
-    }
+    required = ["value", "unit"] if node.kind.unit else ["value"]
+    return {"type": ["object", "null"], "properties": properties, "required": required, "x-kind": node.kind.name}
 
 
 def _listed(schema: "dict[str, Any]") -> "dict[str, Any]":

@@ -1,8 +1,8 @@
 """A function's signature, read as the specification of a calculation.
 
-`specification(function)` gives the parameters as a small tree of nodes; `options(...)` flattens it to the command line's
-names. Reading `__annotations__`, `__defaults__` and `__code__` directly takes microseconds; inspect and typing would cost
-a shell user more than the calculation.
+`specification(function)` gives the parameters as a small tree of nodes; `options(...)` flattens it to the names of the
+command line. Reading `__annotations__`, `__defaults__` and `__code__` directly takes microseconds; inspect and typing
+would cost a shell user more than the calculation.
 """
 
 import sys
@@ -57,7 +57,7 @@ class Leaf:
 
 
 class Record:
-    """A record of named fields; its fields are read from the class when first asked for, so records may be recursive."""
+    """A record of named fields, read from the class when first asked for, so that records may be recursive."""
 
     __slots__ = ("_fields", "cls")
 

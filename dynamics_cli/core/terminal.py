@@ -56,10 +56,11 @@ class Terminal:
 
         if self._stdout is None:
             return contextlib.nullcontext()
+        target = self._stdout
 
         class Text(io.StringIO):
-            def write(text, words: str) -> int:
-                return self.stdout.write(words.encode())
+            def write(self, words: str) -> int:
+                return target.write(words.encode())
 
         return contextlib.redirect_stdout(Text())
 

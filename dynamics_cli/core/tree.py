@@ -12,7 +12,7 @@ from typer.exceptions import Abort
 
 from dynamics_cli import __version__
 from dynamics_cli.core.call import FORMATS, SYSTEMS, UNIVERSAL_OPTIONS, Call
-from dynamics_cli.core.help import command_help, option_help, placeholder
+from dynamics_cli.core.help import command_help, describe_options, option_help, placeholder
 from dynamics_cli.core.specification import Leaf, Option, Tagged
 from dynamics_cli.core.task import Family, Task
 from dynamics_cli.errors import UsageError
@@ -126,7 +126,9 @@ class _TaskCommand(TyperCommand):
             # Where words may be negative numbers, an unknown short option is a word: `convert -40 degC degF`.
             self.context_settings = {"ignore_unknown_options": bool(self.task.specification.words)}
             self.help = command_help(self.task)
-            self.params = [*_arguments(self.task), *map(_option, self.task.options.values()), *_universal_options()]
+            texts = describe_options(self.task)
+            own = [_option(option, texts) for option in self.task.options.values()]
+            self.params = [*_arguments(self.task), *own, *_universal_options()]
             self.callback = self._carry_out
 
     def make_context(self, *args: "Any", **kwargs: "Any") -> "Any":
@@ -220,9 +222,9 @@ def _complete_words(task: Task, incomplete: str) -> "list[str]":
     return []
 
 
-def _option(option: Option) -> TyperOption:
+def _option(option: Option, texts: "Mapping[tuple[str, ...], str]") -> TyperOption:
     decls = [_variable("option", option.name), f"--{option.name}"]
-    text = option_help(option)
+    text = option_help(option, texts)
     choice = option.leaf.choice if option.leaf is not None else None
     if option.flag:
         return TyperOption(param_decls=decls, is_flag=True, default=False, help=text)
@@ -321,7 +323,9 @@ def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str
     from dynamics_cli.core.words import nearest_words
 
     if not words:
-        raise UsageError("a family and its task are missing", code="missing", hint="for example: dynamics schema skid speed")
+        raise UsageError(
+            "a family and its task are missing", code="missing", hint="for example: dynamics schema skid speed"
+        )
     name = words[0]
     if name not in families:
         near = nearest_words(name, families)

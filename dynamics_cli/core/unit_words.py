@@ -124,7 +124,7 @@ def all_units() -> "Iterator[tuple[str, tuple[str, ...], Unit, str]]":
 
 def names_like(name: str, count: int = 5) -> list[str]:
     """Find the names nearest to a misspelt one, nearest first; a difference of case alone is the nearest."""
-    if len(name) > 40:
+    if not 0 < len(name) <= 40:
         return []
     lower = name.lower()
     limit = 0 if len(name) == 1 else 1 if len(name) <= 4 else 2

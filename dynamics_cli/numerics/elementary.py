@@ -113,11 +113,15 @@ def where(condition: bool, yes: float, no: float) -> float:
 
 def maximum(x: float, y: float) -> float:
     """The larger of the two."""
+    if hasattr(x, "apply") or hasattr(y, "apply"):
+        return _apply("maximum", max, x, y)  # type: ignore[no-any-return]
     return where(x >= y, x, y)
 
 
 def minimum(x: float, y: float) -> float:
     """The smaller of the two."""
+    if hasattr(x, "apply") or hasattr(y, "apply"):
+        return _apply("minimum", min, x, y)  # type: ignore[no-any-return]
     return where(x <= y, x, y)
 
 
@@ -128,7 +132,7 @@ _SPLIT_LIMIT = 6e299
 
 
 def product_error(a: float, b: float, product: float) -> float:
-    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971); exact unless a part under- or overflows."""
+    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971), unless a part leaves the range."""
     big_a = _SPLITTER * a
     high_a = big_a - (big_a - a)
     low_a = a - high_a
@@ -138,18 +142,29 @@ def product_error(a: float, b: float, product: float) -> float:
     return low_a * low_b - (((product - high_a * high_b) - low_a * high_b) - high_a * low_b)
 
 
-def _multiply_add(a: float, b: float, c: float) -> float:
-    product = a * b
-    if max(abs(a), abs(b), abs(product)) > _SPLIT_LIMIT:
-        return product + c
+def _compensated(a: float, b: float, c: float, product: float) -> float:
     total = product + c
     back = total - product
     lost = (product - (total - back)) + (c - back)
     return total + (lost + product_error(a, b, product))
 
 
+def _multiply_add(a: float, b: float, c: float) -> float:
+    product = a * b
+    if max(abs(a), abs(b), abs(product)) > _SPLIT_LIMIT:
+        return product + c
+    return _compensated(a, b, c, product)
+
+
 def multiply_add(a: float, b: float, c: float) -> float:
-    """a·b + c as if computed in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
+    """a·b + c as if in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
     if type(a) is float and type(b) is float and type(c) is float:
         return _multiply_add(a, b, c)
-    return _apply("multiply_add", _multiply_add, a, b, c)  # type: ignore[no-any-return]
+    if any(hasattr(x, "apply") for x in (a, b, c)) or not any(hasattr(x, "dtype") for x in (a, b, c)):
+        return _apply("multiply_add", _multiply_add, a, b, c)  # type: ignore[no-any-return]
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        product = a * b
+        large = np.maximum(np.maximum(abs(a), abs(b)), abs(product)) > _SPLIT_LIMIT
+        return np.where(large, product + c, _compensated(a, b, c, product))  # type: ignore[return-value]

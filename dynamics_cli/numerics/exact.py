@@ -84,7 +84,7 @@ def scale(values: "Array", factor: Factor, one: "Callable[[float], float]", *, w
         where = np.flatnonzero(doubtful)
         result[where] = [one(value) for value in values[where].tolist()]
     # No result is a negative zero: exact arithmetic knows one zero.
-    return result + 0.0  # type: ignore[no-any-return]
+    return result + 0.0
 
 
 def _scaled(x: "Array", factor: Factor, whole: bool) -> "tuple[Array, Mask | None]":
@@ -134,7 +134,7 @@ def _product_error(x: "Array", factor: float, product: "Array") -> "Array":
     factor_high = big_factor - (big_factor - factor)
     factor_low = factor - factor_high
     rest = ((product - high * factor_high) - low * factor_high) - high * factor_low
-    return low * factor_low - rest  # type: ignore[no-any-return]
+    return low * factor_low - rest
 
 
 def _with_pi(numerator: int, denominator: int, pi: int) -> "tuple[int, int]":

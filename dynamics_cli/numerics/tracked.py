@@ -4,7 +4,7 @@ Sent through a physics function in place of floats, it does the same floating-po
 its `value` is the answer to the bit; `error` bounds what rounding did to it (given the doubles that went in), and
 `slopes` are its derivatives by the inputs.
 
-Running error analysis: an operation with unit roundoff u = 2⁻⁵³ turns input bounds into |f'|·e + second order + u·|result|
+Running error analysis: with unit roundoff u = 2⁻⁵³ an operation turns bounds into |f'|·e + second order + u·|result|
 (Higham, Accuracy and Stability of Numerical Algorithms, 3.3). Functions of the C library count as one ulp (2u).
 """
 
@@ -18,6 +18,8 @@ UNIT_ROUNDOFF = 2.0**-53
 # What gradual underflow can add to any result.
 TINY = 5e-324
 _UNDERFLOWS = 1e-290
+# A product with one of these is exact.
+_EXACT_FACTORS = (1.0, -1.0, 2.0, -2.0, 0.5, -0.5)
 # Covers the rounding of the bound's own arithmetic.
 _SLACK = 1.0 + 2.0**-30
 
@@ -43,7 +45,7 @@ class Tracked:
 
     def _result(self, value: float, spread: float, slopes: "tuple[float, ...]", roundings: float = 1.0) -> "Tracked":
         error = (spread + roundings * UNIT_ROUNDOFF * abs(value)) * _SLACK
-        if abs(value) < _UNDERFLOWS:
+        if 0.0 < abs(value) < _UNDERFLOWS:
             error += TINY
         return Tracked(value, error, slopes)
 
@@ -86,8 +88,9 @@ class Tracked:
         b = self._of(other)
         spread = abs(self.value) * b.error + abs(b.value) * self.error + self.error * b.error
         slopes = tuple(b.value * i + self.value * j for i, j in zip(self.slopes, b.slopes, strict=True))
-        exact = not isinstance(other, Tracked) and other in (1.0, 2.0, 0.5, -1.0)
-        return self._result(self.value * b.value, spread, slopes, 0.0 if exact else 1.0)
+        value = self.value * b.value
+        exact = self.value in _EXACT_FACTORS or b.value in _EXACT_FACTORS
+        return self._result(value, spread + _lost(value, self.value, b.value), slopes, 0.0 if exact else 1.0)
 
     __rmul__ = __mul__
 
@@ -97,7 +100,7 @@ class Tracked:
         room = abs(b.value) - b.error
         spread = (self.error + abs(value) * b.error) / room if room > 0.0 else math.inf
         slopes = tuple((i - value * j) / b.value for i, j in zip(self.slopes, b.slopes, strict=True))
-        return self._result(value, spread, slopes)
+        return self._result(value, spread + _lost(value, self.value), slopes)
 
     def __rtruediv__(self, other: float) -> "Tracked":
         return self._of(other) / self
@@ -137,10 +140,15 @@ class Tracked:
         tracked = [self._of(argument) for argument in arguments]
         value, spread, partials, roundings = _RULES[name](*tracked)
         slopes = tuple(
-            math.fsum(partial * slope for partial, slope in zip(partials, column, strict=True))
+            sum(partial * slope for partial, slope in zip(partials, column, strict=True))
             for column in zip(*(argument.slopes for argument in tracked), strict=True)
         )
         return self._result(value, spread, slopes, roundings)
+
+
+def _lost(value: float, *factors: float) -> float:
+    """What a product or quotient that underflowed to zero may really be."""
+    return TINY if value == 0.0 and all(factors) else 0.0
 
 
 def _plain(x: "Tracked | float") -> float:
@@ -167,11 +175,16 @@ def _monotone(
         steepest = 0.0
         if x.error:
             left, right = x.value - x.error, x.value + x.error
-            inside = low < left and right < high
+            inside = low < left and right < high and not (function is math.tan and _pole_between(left, right))
             steepest = max(abs(slope(left)), abs(slope(right))) if inside else math.inf
         return function(x.value), steepest * x.error if x.error else 0.0, (slope(x.value),), 2.0
 
     return rule
+
+
+def _pole_between(left: float, right: float) -> bool:
+    """Whether a tangent passes a pole between the two."""
+    return right - left >= math.pi or math.cos(left) * math.cos(right) <= 0.0
 
 
 def _sin(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
@@ -206,13 +219,32 @@ def _atan2(y: Tracked, x: Tracked) -> "tuple[float, float, tuple[float, ...], fl
     if disc == 0.0:
         spread = 0.0
     elif disc < radius:
-        # the angle a disc of that radius subtends, and no more than π/2
-        spread = min((abs(x.value / radius) * y.error + abs(y.value / radius) * x.error + disc * (disc / radius)), disc)
-        spread *= math.pi / 2 / (radius - disc) if disc > 1e-8 * radius else (1.0 + 2e-8) / radius
+        # the sine of the angle between the two points is their cross product over both radii, to all orders
+        sine = (abs(x.value / radius) * y.error + abs(y.value / radius) * x.error) / (radius - disc)
+        spread = sine * (1.0 + sine * sine) if sine < 0.5 else math.pi / 2 * min(sine, 1.0)
     else:
         spread = math.inf
+    spread += _lost(value, y.value)
     partials = (x.value / radius / radius, -y.value / radius / radius) if radius > 0.0 else (0.0, 0.0)
     return value, spread, partials, 2.0
+
+
+def _exp(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    value = math.exp(x.value)
+    grown = math.exp(x.value + x.error) if x.error else value
+    return value, grown * x.error + (TINY if value == 0.0 else 0.0), (value,), 2.0
+
+
+def _larger(x: Tracked, y: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    winner, loser = (x, y) if x.value >= y.value else (y, x)
+    apart = winner.value - winner.error > loser.value + loser.error
+    spread = winner.error if apart else max(x.error, y.error)
+    return winner.value, spread, (1.0, 0.0) if winner is x else (0.0, 1.0), 0.0
+
+
+def _smaller(x: Tracked, y: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    value, spread, partials, roundings = _larger(-x, -y)
+    return -value, spread, partials, roundings
 
 
 def _multiply_add(a: Tracked, b: Tracked, c: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
@@ -237,7 +269,9 @@ _RULES: "dict[str, Rule]" = {
     "hypot": _hypot,
     "atan2": _atan2,
     "multiply_add": _multiply_add,
-    "exp": _monotone(math.exp, math.exp, -math.inf, math.inf),
+    "exp": _exp,
+    "maximum": _larger,
+    "minimum": _smaller,
     "log": _monotone(math.log, lambda x: 1.0 / x, 0.0, math.inf),
     "tan": _monotone(math.tan, lambda x: 1.0 + math.tan(x) ** 2, -math.inf, math.inf),
     "asin": _monotone(math.asin, lambda x: 1.0 / math.sqrt((1.0 - x) * (1.0 + x)), -1.0, 1.0),

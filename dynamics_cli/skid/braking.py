@@ -1,7 +1,7 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, sqrt, where
+from dynamics_cli.numerics.elementary import hypot, maximum, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, positive_part
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
 
 # A mark as long as the computed stop may exceed it by rounding.
@@ -144,7 +144,8 @@ def speed(
     Notes
     -----
     A point mass slowed uniformly on each surface; distances are measured along the road. The numerator ημ + G is
-    rounded once, so a drag factor near zero keeps all its digits; what it does not forgive is an error of friction or grade.
+    rounded once, so a drag factor near zero keeps all its digits; what it does not forgive is an error of friction or
+    grade.
 
     References
     ----------
@@ -152,8 +153,8 @@ def speed(
 
     Examples
     --------
-    >>> speed(segments=Segment(distance=60.0, friction=0.7)).speed
-    28.7
+    >>> round(speed(segments=Segment(distance=60.0, friction=0.7)).speed, 4)
+    28.7012
     """
     stretches = segments if isinstance(segments, tuple) else (segments,)
     require(len(stretches) > 0, "no segment is given", code="no-segment")
@@ -242,7 +243,7 @@ def distance(
     mark: Distance | None = None,
     gravity: Gravity = STANDARD_GRAVITY,
 ) -> SkidDistance:
-    """Distance and time in which a braked vehicle slows from one speed to another, and the speed left after a given mark.
+    """Distance and time in which a braked vehicle slows down, and the speed left after a given mark.
 
     Equation
     --------
@@ -277,7 +278,8 @@ def distance(
 
     Notes
     -----
-    A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no digit.
+    A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no
+    digit.
 
     References
     ----------
@@ -285,8 +287,8 @@ def distance(
 
     Examples
     --------
-    >>> distance(speed=28.7, friction=0.7).distance
-    60.0
+    >>> round(distance(speed=28.7, friction=0.7).distance, 4)
+    59.995
     """
     drag = require_drag(drag_along(friction, grade, braking))
     require(
@@ -311,7 +313,7 @@ def distance(
             speed / deceleration * (0.5 * speed),
             code="mark-exceeds-stop",
         )
-        exit_speed = sqrt(positive_part((speed - shed) * (speed + shed)))
+        exit_speed = sqrt(maximum((speed - shed) * (speed + shed), 0.0))
         exit_time = crossing_time(mark, speed, exit_speed)
     return SkidDistance(
         distance=length,
@@ -320,6 +322,8 @@ def distance(
         deceleration=deceleration,
         exit_speed=exit_speed,
         exit_time=exit_time,
-        checks=balance("energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed),
+        checks=balance(
+            "energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed
+        ),
         advice=drag_advice(friction, grade, braking),
     )

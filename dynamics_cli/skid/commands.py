@@ -2,27 +2,206 @@
 
 from dynamics_cli.core.task import Family, Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, section 10.10"
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10"
+SLIDES = "every braked wheel slides the whole way"
+POINT = "the vehicle is a point mass; air drag and wheel inertia are neglected"
+HERE = "dynamics_cli.skid."
+
+SPEED = Task(
+    "speed",
+    "Speed at the start of a skid over one or several surfaces.",
+    Model(
+        "work–energy",
+        HERE + "braking:speed",
+        source=BOOK,
+        formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·Σ {surfaces.drag_factor|f}·{surfaces.distance|d}), "
+        "f = (η·μ + G)/√(1 + G²)",
+        assumptions=(SLIDES, "friction is constant on each surface", POINT),
+    ),
+    examples=(
+        'dynamics skid speed --distance "60 ft" --friction 0.7',
+        'dynamics skid speed --segment "distance=60 ft, friction=0.7, grade=-3 %, braking=80 %" '
+        '--segment "distance=20 ft, friction=0.35" --end-speed "10 mph" --units us',
+    ),
+)
+
+DISTANCE = Task(
+    "distance",
+    "Distance and time in which a braked vehicle slows from one speed to another.",
+    Model(
+        "work–energy",
+        HERE + "braking:distance",
+        source=BOOK,
+        formula="{distance|d} = ({speed|v} − {end_speed|vₑ})·({speed|v} + {end_speed|vₑ})"
+        "/(2·{gravity|g}·{drag_factor|f})",
+        assumptions=(SLIDES, POINT),
+    ),
+    examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
+)
+
+FRICTION = Task(
+    "friction",
+    "Coefficient of friction from one or several test skids.",
+    Model(
+        "work–energy",
+        HERE + "friction:friction",
+        source=BOOK,
+        formula="{friction|μ} = ({tests.drag_factor|f}·√(1 + G²) − G)/η, f = v²/(2·{gravity|g}·d)",
+        assumptions=("each test skid ends at rest", POINT),
+    ),
+    examples=(
+        'dynamics skid friction --speed "30 mph" --distance "43 ft"',
+        'dynamics skid friction --test-skid "speed=30 mph, distance=43 ft" '
+        '--test-skid "speed=30 mph, distance=41.5 ft" '
+        '--test-skid "speed=30 mph, distance=44 ft"',
+    ),
+)
+
+DRAG_FACTOR = Task(
+    "drag-factor",
+    "Drag factor from a surface, from unequally braked axles or from a drag sled.",
+    Model(
+        "statics of the braking vehicle",
+        HERE + "drag:drag_factor",
+        source="statics, with the weight transfer of the deceleration itself; work–energy form: " + BOOK,
+        formula="{drag_factor|f} = ({effective_friction|η·μ} + G)/√(1 + G²); "
+        "axles: η·μ = (μf·b + μr·a)/(b + h·μr + a − h·μf); sled: f = P·(cosα − G·sinα)/(W − P·sinα·√(1 + G²))",
+        assumptions=("the deceleration is steady", "both axles stay on the road"),
+    ),
+    examples=(
+        'dynamics skid drag-factor --friction 0.7 --grade "-4 %" --braking "85 %"',
+        "dynamics skid drag-factor --front-friction 0.75 --rear-friction 0.75 --rear-braking 0.4 "
+        '--wheelbase "2.7 m" --cm-position "1.2 m" --cm-height "0.55 m"',
+        'dynamics skid drag-factor --pull "28 lbf" --weight "40 lbf"',
+    ),
+)
+
+STOP = Task(
+    "stop",
+    "Reaction, brake build-up and braking of a whole stop, as a time–distance table.",
+    Model(
+        "uniform deceleration after a linear build-up",
+        HERE + "stop:stop",
+        source=BOOK,
+        formula="{stopping_distance|s} = {reaction_distance|v·tr} + {build_up_distance|s_b} + {braking_distance|s_a}",
+        assumptions=("constant speed during the reaction", "deceleration rises linearly during the build-up", POINT),
+    ),
+    examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
+    table="timeline",
+)
+
+YAW = Task(
+    "yaw",
+    "Critical speed of a curved path, from a yaw mark.",
+    Model(
+        "circular motion at the limit of side friction",
+        HERE + "yaw:yaw",
+        source="Newton's second law on a banked curve; as commonly published for yaw marks",
+        formula="{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})/(1 − f·e))",
+        assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
+    ),
+    examples=(
+        'dynamics skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72 --superelevation "2 %" '
+        '--track-width "5 ft" --units us',
+        'dynamics skid yaw --radius "110 m" --friction 0.7',
+    ),
+)
+
+VAULT = Task(
+    "vault",
+    "Take-off speed of an airborne vehicle, its angle known or the least over all angles.",
+    Model(
+        "least speed over all angles",
+        HERE + "vault:vault_least_speed",
+        source="projectile motion; Josephs & Huston, chapter 8",
+        formula="{speed|v} = √({gravity|g}·({rise|y} + √({distance|x}² + {rise|y}²)))",
+        assumptions=("a point mass without air drag", "any take-off angle is possible: the speed is a lower bound"),
+        suffices=HERE + "vault:least_speed_suffices",
+    ),
+    Model(
+        "known take-off angle",
+        HERE + "vault:vault_known_angle",
+        source="projectile motion; Josephs & Huston, chapter 8",
+        formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cosα·({distance|x}·sinα − {rise|y}·cosα))), "
+        "α = {take_off|α}",
+        assumptions=("a point mass without air drag",),
+    ),
+    examples=(
+        'dynamics skid vault --distance "18 m" --rise "-3 m" --take-off "6 deg"',
+        'dynamics skid vault --distance "18 m" --rise "-3 m"',
+    ),
+)
+
+PEDESTRIAN = Task(
+    "pedestrian",
+    "Projection speed of a pedestrian from the throw distance: bounds, or the speed at a known launch angle.",
+    Model(
+        "Searle's throw",
+        HERE + "pedestrian:pedestrian",
+        source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
+        formula="√(2·{friction|μ}·{gravity|g}·({throw_distance|s} − μ·{launch_height|H})/(1 + μ²)) ≤ v ≤ "
+        "√(2·μ·g·(s − μ·H)); with the angle α: v = √(2·μ·g·(s − μ·H))/(cosα + μ·sinα)",
+        assumptions=(
+            "level ground",
+            "friction acts on the landing as on the slide",
+            "the upper bound holds to 2·atan μ",
+        ),
+    ),
+    examples=(
+        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
+        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
+        '--launch-angle "12 deg" --launch-height "1 m"',
+    ),
+)
+
+AVOID = Task(
+    "avoid",
+    "Could the driver have stopped, at the speed travelled and at the limit, and what speed would have sufficed.",
+    Model(
+        "reaction at constant speed, then uniform braking",
+        HERE + "avoid:avoid",
+        source=BOOK,
+        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + √(t² + 2·S/a)), "
+        "a = {gravity|g}·{drag_factor|f}",
+        assumptions=("the hazard stays where it is", "uniform braking after the reaction", POINT),
+    ),
+    examples=(
+        'dynamics skid avoid --speed "62 km/h" --speed-limit "50 km/h" --sight-distance "32 m" --reaction-time "1.2 s" '
+        "--friction 0.75",
+    ),
+    table="approaches",
+)
+
+SPIN = Task(
+    "spin",
+    "Speed lost by a vehicle that rotates after an impact, by the partial drag of its tyres.",
+    Model(
+        "mean sine of the slip angle",
+        HERE + "spin:spin",
+        source="work–energy, section 10.10 of the book; the partial drag of a rotating vehicle as commonly used",
+        formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), "
+        "f = ({mean_share|k}·{friction|μ} + G)/√(1 + G²)",
+        assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
+    ),
+    examples=(
+        'dynamics skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
+        'dynamics skid spin --drag-share "60 %" --distance "18 m" --friction 0.65 --end-speed "5 km/h"',
+    ),
+)
 
 FAMILIES = {
     "skid": Family(
         "skid",
         "Speeds and distances from skids, yaw marks, vaults and braking.",
-        Task(
-            "speed",
-            "Speed at the start of a skid over one or several surfaces.",
-            Model(
-                "work–energy",
-                "dynamics_cli.skid.braking:speed",
-                source=BOOK,
-                formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·Σ {surfaces.drag_factor|f}·{distance|d})",
-                assumptions=(
-                    "every braked wheel slides the whole way",
-                    "friction is constant on each surface",
-                    "air drag is neglected",
-                ),
-            ),
-            examples=('dynamics skid speed --distance "60 ft" --friction 0.7',),
-        ),
+        SPEED,
+        DISTANCE,
+        FRICTION,
+        DRAG_FACTOR,
+        STOP,
+        YAW,
+        VAULT,
+        PEDESTRIAN,
+        AVOID,
+        SPIN,
     )
 }

@@ -1,6 +1,5 @@
 """What every skid calculation says about its own answer: residual checks, and the plain numbers that advice quotes."""
 
-from dynamics_cli.numerics.elementary import maximum
 from dynamics_cli.records import Check
 
 # A residual check that fails is a fault of the program, so it leaves room for long sums of roundings.
@@ -18,16 +17,8 @@ def single(*values: object) -> bool:
     return not any(getattr(value, "ndim", 0) for value in values)
 
 
-def positive_part(x: float) -> float:
-    """`x`, or zero where it is negative; a tracked number that may be of either sign keeps its bound."""
-    error = getattr(x, "error", 0.0)
-    if error and plain(x) < 0.0 < plain(x) + error:
-        return 0.5 * (x + abs(x))
-    return maximum(x, 0.0)
-
-
 def balance(name: str, left: float, right: float, scale: float) -> tuple[Check, ...]:
-    """Check that two sides agree relative to `scale`; nothing for arrays, nor where squares leave the range of doubles."""
+    """Check that two sides agree relative to `scale`; nothing for arrays, nor where squares overflow."""
     if not single(left, right, scale):
         return ()
     size = abs(plain(scale))

@@ -1,4 +1,4 @@
-"""Drag factor: deceleration along the road over gravity, from a surface, from unequally braked axles or from a drag sled."""
+"""Drag factor: deceleration over gravity, from a surface, from unequally braked axles or from a drag sled."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, cos, multiply_add, sin, sqrt
@@ -233,7 +233,8 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
     Equation
     --------
     f = (ημ + G)/√(1 + G²). Axles: ημ becomes (μ_f b + μ_r a)/(b + hμ_r + a − hμ_f), with the mass centre a behind the
-    front axle, b = wheelbase − a ahead of the rear one and h above the road. Sled: f = P(cos α − G sin α)/(W − P sin α √(1 + G²)).
+    front axle, b = wheelbase − a ahead of the rear one and h above the road.
+    Sled: f = P(cos α − G sin α)/(W − P sin α √(1 + G²)).
 
     Parameters
     ----------
@@ -250,23 +251,25 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
     Raises
     ------
     InadmissibleError
-        When drag is not above zero, when the mass centre is not between the axles, when braking lifts the rear axle, or when
-        the pull lifts the sled or is less than the grade's share of its weight.
+        When drag is not above zero, when the mass centre is not between the axles, when braking lifts the rear axle,
+        or when the pull lifts the sled or is less than the grade's share of its weight.
 
     Notes
     -----
     Axles by statics in the braking vehicle's frame: N_f + N_r = W cos θ across the road, and about the mass centre
-    a N_f − b N_r = h(μ_f N_f + μ_r N_r). Suspension travel, air drag and the wheels' rotary inertia are left out. Every
-    denominator is a sum of terms that are positive wherever both axles press on the road, so nothing cancels but ημ + G itself.
+    a N_f − b N_r = h(μ_f N_f + μ_r N_r). Suspension travel, air drag and the wheels' rotary inertia are left out.
+    Every denominator is a sum of terms that are positive wherever both axles press on the road, so nothing cancels
+    but ημ + G itself.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding), 6.3 (equilibrium).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (skidding) and
+    chapter 6 (force systems).
 
     Examples
     --------
-    >>> drag_factor(measurement=Surface(friction=0.7, grade=-0.03)).drag_factor
-    0.6696987
+    >>> round(drag_factor(measurement=Surface(friction=0.7, grade=-0.03)).drag_factor, 4)
+    0.6697
     """
     if isinstance(measurement, Axles):
         _require_standing(measurement)
@@ -322,8 +325,8 @@ def _require_standing(axles: Axles) -> None:
     )
     require(
         axles.loads[1] >= 0.0,
-        "braking lifts the rear axle: friction {0:.6g} at the front times the height {1:.6g} m of the mass centre exceeds "
-        "its distance {2:.6g} m behind the front axle",
+        "braking lifts the rear axle: friction {0:.6g} at the front times the height {1:.6g} m of the mass centre "
+        "exceeds its distance {2:.6g} m behind the front axle",
         axles.front_braking * axles.front_friction,
         axles.cm_height,
         axles.cm_position,

@@ -1,7 +1,7 @@
 """Coefficient of friction from test skids: each one's value, their mean and how far they scatter."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt
+from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Distance,
@@ -49,13 +49,10 @@ class SkidTested:
         Coefficient of friction [-].
     drag_factor : DragFactor
         Deceleration along the road over gravity [-].
-    deviation : Ratio
-        Friction of this skid less the mean of all [-].
     """
 
     friction: Friction
     drag_factor: DragFactor
-    deviation: float
 
 
 @record
@@ -110,12 +107,13 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
     Raises
     ------
     InadmissibleError
-        When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle shorter.
+        When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle
+        shorter.
 
     Notes
     -----
-    Each skid is that of a point mass slowed uniformly to rest. The mean is found from differences to the first skid, so equal
-    skids scatter by exactly zero. The scatter describes the test skids, not the error of the instruments.
+    Each skid is that of a point mass slowed uniformly to rest. Equal skids scatter by exactly
+    zero. The scatter describes the test skids, not the error of the instruments.
 
     References
     ----------
@@ -123,8 +121,8 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
 
     Examples
     --------
-    >>> friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction
-    0.6990
+    >>> round(friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction, 4)
+    0.699
     """
     made = skids if isinstance(skids, tuple) else (skids,)
     require(len(made) > 0, "no test skid is given", code="no-skid")
@@ -133,28 +131,27 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
         _friction(one, drag, f"skids[{index}]: " if len(made) > 1 else "")
         for index, (one, drag) in enumerate(zip(made, drags, strict=True))
     ]
-    first = found[0]
-    steps = [one - first for one in found[1:]]
-    shift = _sum(steps) / float(len(found)) if steps else 0.0
-    deviations = [-shift, *(step - shift for step in steps)]
-    spread: float | None = None
-    error: float | None = None
-    if steps:
-        variance = _sum([one * one for one in deviations]) / float(len(steps))
-        spread = sqrt(variance)
-        error = spread / sqrt(float(len(found)))
-    lowest = highest = first
+    lowest = highest = mean = found[0]
     for one in found[1:]:
         lowest, highest = minimum(lowest, one), maximum(highest, one)
+    spread: float | None = None
+    error: float | None = None
+    if len(found) > 1:
+        mean = _sum(found) / float(len(found))
+        # the mean of equal numbers is that number, to the bit
+        mean = where(lowest == highest, mean + (lowest - mean), mean)
+        variance = _sum([(one - mean) * (one - mean) for one in found]) / float(len(found) - 1)
+        spread = sqrt(variance)
+        error = spread / sqrt(float(len(found)))
     return FrictionFound(
-        friction=first + shift,
+        friction=mean,
         standard_deviation=spread,
         standard_error=error,
         lowest=lowest,
         highest=highest,
-        tests=tuple(SkidTested(*row) for row in zip(found, drags, deviations, strict=True)),
+        tests=tuple(SkidTested(*row) for row in zip(found, drags, strict=True)),
         checks=_check(made, found, drags),
-        advice=_advice(found, spread, first + shift),
+        advice=_advice(spread, mean),
     )
 
 
@@ -173,7 +170,9 @@ def _drag(skid: TestSkid, gravity: float, name: str) -> float:
 
 def _friction(skid: TestSkid, drag: float, name: str) -> float:
     require(skid.braking > 0.0, name + "braking of {0:.6g} tells nothing of friction", skid.braking, code="no-braking")
-    grip = drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
+    grip = (
+        drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
+    )
     require(
         grip >= 0.0,
         name + "the grade alone would have stopped the vehicle shorter: friction would be {0:.6g}",
@@ -194,7 +193,7 @@ def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -
     return () if worst is None else (worst,)
 
 
-def _advice(found: list[float], spread: float | None, mean: float) -> tuple[Advice, ...]:
+def _advice(spread: float | None, mean: float) -> tuple[Advice, ...]:
     if spread is None:
         return (
             Advice(

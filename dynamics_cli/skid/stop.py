@@ -1,7 +1,7 @@
 """A whole stop: reaction, rise of the deceleration, steady braking, and where the vehicle is at any time of it."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -16,7 +16,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, positive_part
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 MOST_STEPS = 10000
@@ -59,7 +59,8 @@ class Stop:
     build_up_distance : Distance
         Distance travelled while the deceleration rises; needs the build-up time [m].
     build_up_duration : Time
-        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time [s].
+        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time
+        [s].
     braking_speed : RoadSpeed
         Speed where the full deceleration is reached [m/s].
     braking_distance : Distance
@@ -138,44 +139,47 @@ def stop(
 
     Notes
     -----
-    A point mass. The driver holds the speed on the grade until the brakes act; the rise of the deceleration includes the
-    grade's share. Without a build-up time the full deceleration acts at once and the phase is left out of the table.
+    A point mass. The driver holds the speed on the grade until the brakes act; the rise of the deceleration includes
+    the grade's share. Without a build-up time the full deceleration acts at once and the phase is left out of the
+    table.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), 3.2 (straight-line motion).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking), chapter 3 (straight-line
+    motion).
 
     Examples
     --------
-    >>> stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance
-    59.1
+    >>> round(stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance, 4)
+    59.1347
     """
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {0} rows a phase", steps, code="steps")
     drag = require_drag(drag_along(friction, grade, braking))
     deceleration = gravity * drag
-    reaction_distance = speed * reaction_time
-    rows = [Moment("reaction", 0.0, 0.0, speed)]
-    _coast(rows, speed, reaction_time, steps)
-    start, way = reaction_time, reaction_distance
+    way = reaction_distance = speed * reaction_time
+    now = reaction_time
+    rows = [Moment("reaction", 0.0, 0.0, speed), *_coast(speed, reaction_time, steps)]
+    rows.append(Moment("reaction", now, way, speed))
     braking_speed = speed
+    by_means = reaction_distance
     rise: float | None = None
     rise_way: float | None = None
     if build_up_time is not None:
-        full = deceleration * build_up_time <= 2.0 * speed
-        rise = where(full, build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
-        drop = where(full, 0.5 * deceleration * build_up_time, speed)
+        rise, drop, braking_speed = _build_up(speed, deceleration, build_up_time)
         rise_way = rise * (speed - drop / 3.0)
-        rest = positive_part(multiply_add(-0.5 * deceleration, build_up_time, speed))
-        braking_speed = where(full, rest, 0.0 * speed)
-        _rise(rows, (start, way, speed), rise, drop, steps)
-        start, way = start + rise, way + rise_way
+        rows.extend(_rise((now, way, speed), rise, (drop, braking_speed), steps))
+        now, way = now + rise, way + rise_way
+        rows.append(Moment("build-up", now, way, braking_speed))
+        by_means = by_means + rise * (2.0 * speed + braking_speed) / 3.0
     braking_time = braking_speed / deceleration
     braking_way = braking_time * (0.5 * braking_speed)
-    _brake(rows, (start, way, braking_speed), braking_time, steps)
-    total, total_time = way + braking_way, start + braking_time
+    rows.extend(_brake((now, way, braking_speed), braking_time, steps))
+    now, way = now + braking_time, way + braking_way
+    rows.append(Moment("braking", now, way, 0.0 * braking_speed))
+    by_means = by_means + braking_way
     return Stop(
-        stopping_distance=total,
-        stopping_time=total_time,
+        stopping_distance=way,
+        stopping_time=now,
         reaction_distance=reaction_distance,
         build_up_distance=rise_way,
         build_up_duration=rise,
@@ -185,30 +189,44 @@ def stop(
         drag_factor=drag,
         deceleration=deceleration,
         timeline=tuple(rows),
-        checks=balance("table ends at the stop", rows[-1].distance, total, total),
+        checks=balance("distance from mean speeds", by_means, way, way),
         advice=drag_advice(friction, grade, braking),
     )
 
 
-def _coast(rows: list[Moment], speed: float, duration: float, steps: int) -> None:
-    for step in range(1, steps + 1):
-        time = duration * step / steps
-        rows.append(Moment("reaction", time, speed * time, speed))
+def _build_up(speed: float, deceleration: float, build_up_time: float) -> tuple[float, float, float]:
+    """Duration of the rise, the speed it takes and the speed it leaves; it ends early when the vehicle stops."""
+    full = deceleration * build_up_time <= 2.0 * speed
+    rise = where(full, build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
+    drop = where(full, 0.5 * deceleration * build_up_time, speed)
+    rest = maximum(multiply_add(-0.5 * deceleration, build_up_time, speed), 0.0)
+    return rise, drop, where(full, rest, 0.0 * speed)
 
 
-def _rise(rows: list[Moment], begin: tuple[float, float, float], duration: float, drop: float, steps: int) -> None:
+# Rows between the ends of each phase; the ends are the results themselves.
+def _coast(speed: float, duration: float, steps: int) -> list[Moment]:
+    times = [duration * step / steps for step in range(1, steps)]
+    return [Moment("reaction", time, speed * time, speed) for time in times]
+
+
+def _rise(begin: tuple[float, float, float], duration: float, end: tuple[float, float], steps: int) -> list[Moment]:
     """Speed lost grows with the square of the time, and the way lost with its cube."""
     start, way, speed = begin
-    for step in range(1, steps + 1):
+    drop, rest = end
+    rows = []
+    for step in range(1, steps):
         time = duration * step / steps
         lost = drop * (step * step) / (steps * steps)
-        distance = way + time * (speed - lost / 3.0)
-        rows.append(Moment("build-up", start + time, distance, positive_part(speed - lost)))
+        left = rest + drop * (steps * steps - step * step) / (steps * steps)
+        rows.append(Moment("build-up", start + time, way + time * (speed - lost / 3.0), left))
+    return rows
 
 
-def _brake(rows: list[Moment], begin: tuple[float, float, float], duration: float, steps: int) -> None:
+def _brake(begin: tuple[float, float, float], duration: float, steps: int) -> list[Moment]:
     start, way, speed = begin
-    for step in range(1, steps + 1):
+    rows = []
+    for step in range(1, steps):
         time = duration * step / steps
         left = speed * (steps - step) / steps
         rows.append(Moment("braking", start + time, way + time * (0.5 * (speed + left)), left))
+    return rows

@@ -74,18 +74,18 @@ def vault_least_speed(
 
     Notes
     -----
-    A point mass in flight without air drag. The least speed is a lower bound for every take-off angle; there the path at
-    take-off is perpendicular to the path at landing.
+    A point mass in flight without air drag. The least speed is a lower bound for every take-off angle; there the path
+    at take-off is perpendicular to the path at landing.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion); the least speed as
-    commonly published in accident reconstruction.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 8 (projectile motion); the least speed
+    as commonly published in accident reconstruction.
 
     Examples
     --------
-    >>> vault_least_speed(distance=20.0, rise=-2.0).speed
-    13.3
+    >>> round(vault_least_speed(distance=20.0, rise=-2.0).speed, 4)
+    13.3228
     """
     _require_way(distance)
     slant = hypot(distance, rise)
@@ -143,24 +143,24 @@ def vault_known_angle(
     Raises
     ------
     InadmissibleError
-        When the distance is zero, the take-off angle is not within ±90 degrees, or the take-off does not point above the
-        landing point.
+        When the distance is zero, the take-off angle is not within ±90 degrees, or the take-off does not point above
+        the landing point.
     UsageError
         When no take-off angle is given.
 
     Notes
     -----
-    A point mass in flight without air drag. The speed grows without limit as the take-off nears the line of sight to the
-    landing point, or the vertical.
+    A point mass in flight without air drag. The speed grows without limit as the take-off nears the line of sight to
+    the landing point, or the vertical.
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 8.7 (projectile motion).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 8 (projectile motion).
 
     Examples
     --------
-    >>> vault_known_angle(distance=20.0, rise=-2.0, take_off=0.1).speed
-    22.4
+    >>> round(vault_known_angle(distance=20.0, rise=-2.0, take_off=0.1).speed, 4)
+    22.236
     """
     if take_off is None:
         raise UsageError(
@@ -184,16 +184,16 @@ def vault_known_angle(
         atan2(rise, distance) * DEGREES,
         code="cannot-land",
     )
-    speed = distance * sqrt(gravity / (2.0 * cosine * over))
-    forward = speed * cosine
-    fall = speed * ((over - rise * cosine) / distance)
-    landing = hypot(forward, fall)
+    speed = sqrt(gravity * distance * (distance / (2.0 * cosine * over)))
+    # the landing's direction, times the take-off's speed
+    fall = (over - rise * cosine) / distance
+    landing = speed * hypot(cosine, fall)
     return Vault(
         speed=speed,
         launch_angle=take_off,
-        flight_time=distance / forward,
+        flight_time=distance / (speed * cosine),
         landing_speed=landing,
-        landing_angle=atan2(fall, forward),
+        landing_angle=atan2(fall, cosine),
         checks=_energy_check(speed, landing, rise, gravity),
         advice=(),
     )
@@ -206,5 +206,8 @@ def _require_way(distance: float) -> None:
 def _energy_check(speed: float, landing: float, rise: float, gravity: float) -> tuple[Check, ...]:
     gained = 2.0 * gravity * rise
     return balance(
-        "energy balance", speed * speed - landing * landing, gained, speed * speed + landing * landing + absolute(gained)
+        "energy balance",
+        speed * speed - landing * landing,
+        gained,
+        speed * speed + landing * landing + absolute(gained),
     )

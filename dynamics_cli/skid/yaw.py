@@ -109,8 +109,8 @@ def yaw(
     Raises
     ------
     InadmissibleError
-        When the chord or the middle ordinate is zero, half the track exceeds the radius, friction does not hold against an
-        adverse bank (f + e ≤ 0), or the bank holds the vehicle at any speed (1 − f e ≤ 0).
+        When the chord or the middle ordinate is zero, half the track exceeds the radius, friction does not hold
+        against an adverse bank (f + e ≤ 0), or the bank holds the vehicle at any speed (1 − f e ≤ 0).
 
     Notes
     -----
@@ -119,13 +119,13 @@ def yaw(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 3.4 (motion on a circle); the critical speed
-    formula as commonly published in accident reconstruction.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3 (motion on a circle); the critical
+    speed formula as commonly published in accident reconstruction.
 
     Examples
     --------
-    >>> yaw(path=Chord(chord=30.0, middle_ordinate=1.0), friction=0.75).speed
-    28.8
+    >>> round(yaw(path=Chord(chord=30.0, middle_ordinate=1.0), friction=0.75).speed, 4)
+    28.829
     """
     if isinstance(path, Chord):
         _require_arc(path)
@@ -194,7 +194,7 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
         return (
             Advice(
                 code="beyond-half-circle",
-                message=f"the middle ordinate {ordinate:.4g} m exceeds half the chord {chord:.4g} m: more than half a circle",
+                message=f"the middle ordinate {ordinate:.4g} m exceeds half the chord {chord:.4g} m: past half a turn",
                 mend="check that chord and middle ordinate are not exchanged",
             ),
         )
@@ -217,7 +217,7 @@ def _bank_advice(lean: float) -> tuple[Advice, ...]:
     return (
         Advice(
             code="near-self-holding-bank",
-            message=f"1 - friction × superelevation is only {plain(lean):.3g}: the speed grows without limit as it vanishes",
+            message=f"1 - friction × superelevation is only {plain(lean):.3g}: as it vanishes the speed has no limit",
             severity="serious",
         ),
     )

@@ -55,6 +55,7 @@ WRONG = [
     ("convert|" + "9" * 500 + " m|ft", 2, "more than 400 characters"),
     ("convert|1..5|m|ft", 2, "an uncertain value"),
     ("convert||m", 2, "nothing is written"),
+    ("convert|0 Ba|", 2, "the unit to convert to is missing"),
     ("convert|0.7 ± 0.1 m|ft", 2, "uncertain"),
     ("convert|5 m|ft|--gravity|9 m", 2, "m is a length, m/s^2 is an acceleration"),
     (f"{SKID}|--distance|60|--friction|0.7", 2, "the unit is missing"),

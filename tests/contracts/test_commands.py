@@ -77,7 +77,7 @@ class TestExamples:
         if "--format" in example or "--sweep" in example or "--limit" in example:
             return
         document = json.loads(run(*words(example), env={"DYNAMICS_FORMAT": "json"}).out)
-        shown = [word for word in _shown_options(words(example))]
+        shown = _shown_options(words(example))
         again = run(*path.split(), "--input", "-", "--json", *shown, stdin=json.dumps(document["inputs"]))
         assert again.status == 0, again.err
         assert again.document["results"] == document["results"]

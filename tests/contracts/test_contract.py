@@ -141,7 +141,7 @@ class TestOutput:
 
     def test_explain(self) -> None:
         explanation = answer(*OK, "--explain")["explanation"]
-        assert explanation["formula"] == "v = √(vₑ² + 2·g·Σ f·d)"
+        assert explanation["formula"] == "v = √(vₑ² + 2·g·Σ f·d), f = (η·μ + G)/√(1 + G²)"
         assert explanation["with_numbers"].startswith("(57.044 km/h) = √((0 m/s)² + 2·(9.80665 m/s²)")
         assert "Josephs & Huston" in explanation["source"]
         assert explanation["assumptions"]
@@ -179,7 +179,9 @@ class TestInput:
             assert answer("skid", "speed", "--input", "-", stdin=text)["results"] == plain
 
     def test_options_win(self) -> None:
-        document = answer("skid", "speed", "--input", "-", "--friction", "0.7", stdin='{"distance":"60 ft","friction":1}')
+        document = answer(
+            "skid", "speed", "--input", "-", "--friction", "0.7", stdin='{"distance":"60 ft","friction":1}'
+        )
         assert document["inputs"]["friction"] == {"value": 0.7}
 
     def test_a_lone_segment_on_the_command_line_replaces_the_file_s_list(self) -> None:
@@ -191,7 +193,7 @@ class TestInput:
     def test_the_results_of_an_earlier_document_are_read_as_parameters(self) -> None:
         first = run(*OK, "--json").out
         document = answer("skid", "distance", "--friction", "0.7", "--input", "-", stdin=first)
-        assert document["results"]["length"]["value"] == pytest.approx(18.288, rel=1e-14)
+        assert document["results"]["distance"]["value"] == pytest.approx(18.288, rel=1e-14)
 
     def test_bare_numbers_are_read_exactly_from_their_text(self) -> None:
         text = '{"distance": "60 ft", "friction": 0.70000000000000000000000001}'
@@ -214,7 +216,9 @@ class TestPython:
             dynamics_cli.run("skid speed", friction=0.7)
 
     def test_module_run(self) -> None:
-        done = subprocess.run([sys.executable, "-m", "dynamics_cli", *OK], capture_output=True, text=True, cwd=ROOT, check=False)
+        done = subprocess.run(
+            [sys.executable, "-m", "dynamics_cli", *OK], capture_output=True, text=True, cwd=ROOT, check=False
+        )
         assert done.stdout == run(*OK).out
 
 
@@ -233,7 +237,9 @@ class TestCompletion:
     def test_names_complete(self, words: str, count: int, expected: str) -> None:
         env = {**os.environ, "COMP_WORDS": words, "COMP_CWORD": str(count), "_DYNAMICS_COMPLETE": "complete_bash"}
         code = "import sys; sys.argv = ['dynamics']; from dynamics_cli.cli import main; main()"
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=env, cwd=ROOT, check=False)
+        done = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, env=env, cwd=ROOT, check=False
+        )
         assert expected in done.stdout.split()
 
     @pytest.mark.parametrize("name", ["bash", "zsh", "fish"])

@@ -1,5 +1,6 @@
 """What a plain call may load, and generous bounds on what it may cost."""
 
+import shlex
 import subprocess
 import sys
 import time
@@ -7,19 +8,21 @@ from pathlib import Path
 
 import pytest
 
+from dynamics_cli import cli
+
 ROOT = Path(__file__).parents[2]
-HEAVY = (
+HEAVY = (  # noqa: SIM905
     "typing re json dataclasses inspect fractions decimal enum numpy pint typer click rich msgspec scipy pydantic "
     "argparse difflib tomllib hashlib contextlib"
 ).split()
+CONVERT = ["convert", "60", "mph", "ft/s"]
+SKID = ["skid", "speed", "--distance", "60 ft", "--friction", "0.7"]
+# Every documented example of a task that needs no array.
 PLAIN = [
-    ["convert", "60", "mph", "ft/s"],
-    ["convert", "-40", "degC", "degF", "--json"],
-    ["convert", "1.8796 m", "ft;in"],
-    ["skid", "speed", "--distance", "60 ft", "--friction", "0.7"],
-    ["skid", "speed", "--segment", "distance=60 ft, friction=0.7, grade=-3 %, braking=80 %", "--format", "csv"],
-    ["skid", "yaw", "--chord", "100 ft", "--ordinate", "4 ft", "--friction", "0.7", "--units", "us"],
-    ["skid", "stop", "--speed", "50 mph", "--friction", "0.7"],
+    shlex.split(example)[1:]
+    for name in ("convert", "coords", "skid")
+    for task in cli.family(name).tasks.values()
+    for example in task.examples
 ]
 CODE = """
 import sys
@@ -63,7 +66,7 @@ def test_importing_the_package_is_nearly_free() -> None:
     assert min(times) < 0.005
 
 
-@pytest.mark.parametrize(("argv", "limit"), [(PLAIN[0], 3.0), (PLAIN[3], 3.5)], ids=["convert", "skid speed"])
+@pytest.mark.parametrize(("argv", "limit"), [(CONVERT, 3.0), (SKID, 3.5)], ids=["convert", "skid speed"])
 def test_a_plain_call_costs_little_more_than_the_interpreter(argv: list[str], limit: float) -> None:
     """Generous: `tests/benchmarks/startup.py` measures the real ratios."""
     code = f"import sys; sys.argv = ['dynamics', *{argv!r}]; from dynamics_cli.cli import main; main()"

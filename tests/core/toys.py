@@ -402,7 +402,9 @@ class Words:
     said: Text
 
 
-def say(*, law: Law, note: Text = "", teeth: ExactRatio | None = None, loud: bool = False, file: InputFile = "") -> Words:
+def say(
+    *, law: Law, note: Text = "", teeth: ExactRatio | None = None, loud: bool = False, file: InputFile = ""
+) -> Words:
     """Say it.
 
     Parameters

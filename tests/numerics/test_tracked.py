@@ -35,7 +35,7 @@ BINARY: list[tuple[Callable, Callable, Callable[[float, float], bool]]] = [
 
 
 def grow(generator: random.Random, inputs: list[float], depth: int) -> tuple[Tracked, mpmath.mpf]:
-    """A random formula of random inputs, tracked and in 60 digits; partial results outside a function's domain stop it."""
+    """A random formula of random inputs, tracked and in 60 digits, within every function's domain."""
     numbers = Tracked.inputs(inputs)
     pool: list[tuple[Tracked, mpmath.mpf]] = [(n, mpmath.mpf(x)) for n, x in zip(numbers, inputs, strict=True)]
     for _ in range(depth):

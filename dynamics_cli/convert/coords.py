@@ -1,0 +1,353 @@
+"""Cartesian, cylindrical and spherical coordinates, stable near the axes and from the smallest to the largest double.
+
+Cylindrical (r, θ, z): x = r cos θ, y = r sin θ. Spherical (ρ, φ, θ): φ is measured from the Z-axis and θ in the X–Y
+plane from X: x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ (Josephs & Huston, Dynamics of Mechanical Systems, CRC
+Press 2002, section 1.6). Results are canonical: r, ρ ≥ 0, 0 ≤ φ ≤ π, −π < θ ≤ π; an angle that the point does not
+determine is zero, and said to be.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, maximum, sin, where
+from dynamics_cli.quantities import Angle
+from dynamics_cli.records import Advice, record
+
+PI = 3.141592653589793
+LARGEST = 1.7976931348623157e308
+# Powers of two that bring components whose squares or sums would leave the range of doubles back into it, exactly.
+_SMALL, _LARGE, _UP, _DOWN = 2.0**-500, 2.0**500, 2.0**520, 2.0**-520
+
+
+@record
+class Cartesian:
+    """A point by its Cartesian coordinates.
+
+    Parameters
+    ----------
+    x : float
+        Along the X-axis.
+    y : float
+        Along the Y-axis.
+    z : float
+        Along the Z-axis.
+    """
+
+    x: float
+    y: float
+    z: float
+    advice: tuple[Advice, ...] = ()
+
+
+@record
+class Cylindrical:
+    """A point by its cylindrical coordinates.
+
+    Parameters
+    ----------
+    r : float
+        Distance from the Z-axis.
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+    z : float
+        Along the Z-axis.
+    """
+
+    r: float
+    theta: Angle
+    z: float
+    advice: tuple[Advice, ...] = ()
+
+
+@record
+class Spherical:
+    """A point by its spherical coordinates.
+
+    Parameters
+    ----------
+    rho : float
+        Distance ρ from the origin.
+    phi : Angle
+        Angle φ from the Z-axis [rad].
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+    """
+
+    rho: float
+    phi: Angle
+    theta: Angle
+    advice: tuple[Advice, ...] = ()
+
+
+def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
+    """Cylindrical coordinates of a Cartesian point.
+
+    Equation
+    --------
+    r = √(x² + y²), θ = atan2(y, x).
+
+    Parameters
+    ----------
+    x : float
+        Along the X-axis.
+    y : float
+        Along the Y-axis.
+    z : float
+        Along the Z-axis.
+
+    Returns
+    -------
+    Cylindrical
+        r ≥ 0, −π < θ ≤ π and z.
+
+    Raises
+    ------
+    InadmissibleError
+        When r exceeds the largest double.
+
+    Examples
+    --------
+    >>> round(cartesian_to_cylindrical(3.0, 1.0, 4.0).r, 4)
+    3.1623
+    """
+    r = _representable(hypot(x, y))
+    return Cylindrical(r, atan2(y + 0.0, x + 0.0), z, _undetermined(r, None))
+
+
+def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
+    """Spherical coordinates of a Cartesian point.
+
+    Equation
+    --------
+    ρ = √(x² + y² + z²), φ = atan2(√(x² + y²), z), θ = atan2(y, x).
+
+    Parameters
+    ----------
+    x : float
+        Along the X-axis.
+    y : float
+        Along the Y-axis.
+    z : float
+        Along the Z-axis.
+
+    Returns
+    -------
+    Spherical
+        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
+
+    Raises
+    ------
+    InadmissibleError
+        When ρ exceeds the largest double.
+
+    Examples
+    --------
+    >>> round(cartesian_to_spherical(3.0, 1.0, 4.0).rho, 4)
+    5.099
+    """
+    largest = maximum(maximum(absolute(x), absolute(y)), absolute(z))
+    scale = where(largest < _SMALL, _UP, where(largest > _LARGE, _DOWN, 1.0))
+    axial = z * scale
+    across = hypot(x * scale, y * scale)
+    rho = _representable(hypot(across, axial) / scale)
+    off_axis = where(x == 0.0, y, x)
+    phi = where(largest == 0.0, 0.0, atan2(across, axial + 0.0))
+    return Spherical(rho, phi, atan2(y + 0.0, x + 0.0), _undetermined(absolute(off_axis), rho))
+
+
+def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
+    """Cartesian coordinates of a cylindrical point.
+
+    Equation
+    --------
+    x = r cos θ, y = r sin θ.
+
+    Parameters
+    ----------
+    r : float
+        Distance from the Z-axis, not negative.
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+    z : float
+        Along the Z-axis.
+
+    Returns
+    -------
+    Cartesian
+        x, y and z.
+
+    Raises
+    ------
+    InadmissibleError
+        When r is negative.
+
+    Examples
+    --------
+    >>> round(cylindrical_to_cartesian(4.0, 0.5235987755982988, 2.0).x, 4)
+    3.4641
+    """
+    _require_distance("r", r)
+    return Cartesian(r * cos(theta), r * sin(theta), z)
+
+
+def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
+    """Spherical coordinates of a cylindrical point.
+
+    Equation
+    --------
+    ρ = √(r² + z²), φ = atan2(r, z).
+
+    Parameters
+    ----------
+    r : float
+        Distance from the Z-axis, not negative.
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+    z : float
+        Along the Z-axis.
+
+    Returns
+    -------
+    Spherical
+        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
+
+    Raises
+    ------
+    InadmissibleError
+        When r is negative or ρ exceeds the largest double.
+
+    Examples
+    --------
+    >>> round(cylindrical_to_spherical(4.0, 0.5235987755982988, 2.0).rho, 4)
+    4.4721
+    """
+    _require_distance("r", r)
+    rho = _representable(hypot(r, z))
+    return Spherical(rho, atan2(r + 0.0, z + 0.0), _canonical(theta, r), _undetermined(r, rho))
+
+
+def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
+    """Cartesian coordinates of a spherical point.
+
+    Equation
+    --------
+    x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ.
+
+    Parameters
+    ----------
+    rho : float
+        Distance ρ from the origin, not negative.
+    phi : Angle
+        Angle φ from the Z-axis, from 0 to π [rad].
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+
+    Returns
+    -------
+    Cartesian
+        x, y and z.
+
+    Raises
+    ------
+    InadmissibleError
+        When ρ is negative or φ is not within 0 to π.
+
+    Examples
+    --------
+    >>> round(spherical_to_cartesian(7.0, 0.7853981633974483, 1.0471975511965976).y, 4)
+    4.2866
+    """
+    _require_distance("rho", rho)
+    _require_polar(phi)
+    across = rho * sin(phi)
+    return Cartesian(across * cos(theta), across * sin(theta), rho * cos(phi))
+
+
+def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrical:
+    """Cylindrical coordinates of a spherical point.
+
+    Equation
+    --------
+    r = ρ sin φ, z = ρ cos φ.
+
+    Parameters
+    ----------
+    rho : float
+        Distance ρ from the origin, not negative.
+    phi : Angle
+        Angle φ from the Z-axis, from 0 to π [rad].
+    theta : Angle
+        Angle θ in the X–Y plane, from X towards Y [rad].
+
+    Returns
+    -------
+    Cylindrical
+        r ≥ 0, −π < θ ≤ π and z.
+
+    Raises
+    ------
+    InadmissibleError
+        When ρ is negative or φ is not within 0 to π.
+
+    Examples
+    --------
+    >>> round(spherical_to_cylindrical(7.0, 0.7853981633974483, 1.0471975511965976).r, 4)
+    4.9497
+    """
+    _require_distance("rho", rho)
+    _require_polar(phi)
+    r = rho * sin(phi)
+    return Cylindrical(r, _canonical(theta, r), rho * cos(phi), _undetermined(r, None))
+
+
+def _representable(distance: float) -> float:
+    require(
+        distance <= LARGEST,
+        "the distance exceeds the largest double, {0:.6g}",
+        LARGEST,
+        code="overflow",
+        hint="use a larger unit",
+    )
+    return distance
+
+
+def _require_distance(name: str, value: float) -> None:
+    require(
+        value >= 0.0,
+        name + " is a distance and cannot be {0:.6g}: the point opposite has the angle turned by 180 degrees",
+        value,
+        code="negative-distance",
+    )
+
+
+def _require_polar(phi: float) -> None:
+    require(
+        (phi >= 0.0) & (phi <= PI),
+        "φ is measured from the Z-axis, from 0 to 180 degrees; it cannot be {0:.6g} degrees",
+        phi * (180.0 / PI),
+        code="polar-angle",
+    )
+
+
+def _canonical(theta: float, off_axis: float) -> float:
+    """The same direction within (−π, π], and zero on the axis, where none is determined."""
+    within = where(theta <= -PI, theta + 2.0 * PI, theta)
+    turned = where(absolute(theta) <= PI, within, atan2(sin(theta), cos(theta)))
+    return where(off_axis == 0.0, 0.0, turned)
+
+
+def _undetermined(off_axis: float, distance: float | None) -> tuple[Advice, ...]:
+    """Name the angles that the point leaves open; nothing for arrays."""
+    if getattr(off_axis, "ndim", 0) or getattr(distance, "ndim", 0):
+        return ()
+    if off_axis != 0.0:
+        return ()
+    if distance is not None and distance == 0.0:
+        return (
+            Advice(
+                code="angles-undetermined",
+                message="at the origin φ and θ are not determined: 0 is shown",
+                severity="note",
+            ),
+        )
+    return (
+        Advice(code="angle-undetermined", message="on the Z-axis θ is not determined: 0 is shown", severity="note"),
+    )

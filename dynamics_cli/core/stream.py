@@ -1,0 +1,274 @@
+"""`--rows`: a stream of cases, one row out for each row in, in order and in constant memory.
+
+Each row is answered as one command would answer it (`row_case`). Blocks of many rows go by arrays (`row_plan`) or by
+exact factors (`exact_rows`), which give the same bits; whatever these cannot take goes back to the single call.
+"""
+
+from dynamics_cli.core.blocks import Source
+from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.row_case import Case
+from dynamics_cli.core.row_inputs import CsvInput, Input, JsonInput, TextInput, decode_line, split_csv, split_header
+from dynamics_cli.core.row_outputs import OUTPUTS, Output
+from dynamics_cli.core.task import Task
+from dynamics_cli.core.writing import output
+from dynamics_cli.errors import DynamicsError, ExitStatus, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.row_group import Group, Groups
+    from dynamics_cli.core.terminal import Terminal
+
+# Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
+FIRST_ARRAY_ROWS = 1000
+ARRAY_ROWS = 64
+# Rows in which bare numbers are looked for.
+LOOKED_AT = 50
+TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
+
+
+def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
+    """Answer every row of a stream; whether all, or not all, could be answered."""
+    form = _format_asked(settings)
+    for name in ("explain", "timing", "limit"):
+        if getattr(settings, name):
+            raise UsageError(f"--{name} is for one case and --rows for many", parameter=name, code="exclusive")
+    case = Case(task, call, settings, terminal)
+    source = Source(settings.rows, terminal)
+    try:
+        with output(settings.output, terminal) as sink:
+            stream: _Stream | None = None
+            from dynamics_cli.core.row_progress import Progress
+
+            with Progress(source, terminal) as progress:
+                for lines in source.blocks():
+                    if stream is None:
+                        lines = [line for line in lines if line is None or not line.isspace()]
+                        if not lines:
+                            continue
+                        stream, lines = _begin(case, lines, form, terminal)
+                        sink.write(stream.output.head())
+                    sink.write(stream.block(lines))
+                    if not settings.output:
+                        terminal.stdout.flush()
+                    progress.advance(stream.rows)
+    finally:
+        source.close()
+    if stream is None:
+        return ExitStatus.DONE
+    _tell_passing(stream.source, terminal)
+    return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
+
+
+def _format_asked(settings: Settings) -> str:
+    if not settings.format_given:
+        return ""
+    if settings.format in ("table", "markdown"):
+        hint = "rows go out as they came in, or as csv or ndjson"
+        raise UsageError(
+            f"rows cannot be written as {settings.format}", parameter="format", code="exclusive", hint=hint
+        )
+    return "ndjson" if settings.format == "json" else settings.format
+
+
+def _begin(
+    case: Case, lines: "list[bytes | None]", form: str, terminal: "Terminal"
+) -> "tuple[_Stream, list[bytes | None]]":
+    """The stream that the first line shows, and the rows of the first block."""
+    source: Input
+    first = lines[0]
+    if first is None:
+        raise UsageError("the first row is longer than 16 MB", parameter="rows", code="too-long")
+    start = first.lstrip()[:1]
+    if start == b"[":
+        hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
+        raise UsageError("rows begin with '[': a JSON list is no stream", parameter="rows", code="json", hint=hint)
+    if start == b"{":
+        source = JsonInput(case, first)
+    elif case.task.specification.words and not _is_header(case, first):
+        source = TextInput(case)
+    else:
+        lines = lines[1:]
+        source = _csv_input(case, first, terminal)
+    _settle_unit(case, source, lines[:LOOKED_AT])
+    case.check()
+    return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
+
+
+def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None:
+    """Of several units, take the first as that of bare numbers if the rows hold such: `convert mph ft/s --rows -`."""
+    for line in lines:
+        try:
+            if line is not None and case.is_bare(source.read(line)):
+                case.take_default_unit()
+                return
+        except UsageError:
+            continue  # what is wrong with this row is told in its place
+
+
+def _is_header(case: Case, line: bytes) -> bool:
+    """Whether some cell of a line is the name of a parameter (or of an earlier step's result): words never are."""
+    try:
+        names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
+    except UsageError:
+        return False
+    return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
+
+
+def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
+    try:
+        source = CsvInput(case, first)
+    except UsageError as error:
+        error.parameter = "rows"
+        raise
+    if not source.parameters:
+        raise UsageError(
+            f"no column of the header {decode_line(first)[:80]!r} is a parameter of {case.task.path}",
+            parameter="rows",
+            code="header",
+            hint=f"cells are separated by commas; parameters are {', '.join(sorted(case.names))}",
+        )
+    _warn(case, [column.name for column in source.columns if not column.path], terminal)
+    return source
+
+
+def _tell_passing(source: Input, terminal: "Terminal") -> None:
+    if isinstance(source, JsonInput):
+        _warn(source.case, list(source.passing), terminal)
+
+
+def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
+    """Say which names that pass through look like a parameter: an optional one misspelt would go unnoticed."""
+    from dynamics_cli.core.words import nearest_words
+
+    for name in names[:20]:
+        near = [] if name in ("error", "results", "id") else nearest_words(name, case.names, 1)
+        if near:
+            terminal.tell(
+                f"dynamics: {name!r} is no parameter of {case.task.path} and passes through (not {near[0]}?)\n"
+            )
+
+
+class _Stream:
+    """A stream under way."""
+
+    def __init__(self, case: Case, source: Input, output: Output, first: bytes) -> None:
+        self.case = case
+        self.source = source
+        self.output = output
+        self.rows = 0
+        self.failed = 0
+        self._first = first
+        self._groups: Groups | None = None
+        # None: not yet looked at; False: these rows are answered one by one.
+        self._by_arrays: bool | None = None if case.task.arrays or case.measure[0] else False
+
+    def block(self, lines: "list[bytes | None]") -> bytes:
+        """The rows of one block, answered."""
+        self.rows += len(lines)
+        if None in lines:
+            self.failed += len(lines)
+            return b"".join([self.output.bad(b"", TOO_LONG) for _ in lines])
+        whole: list[bytes] = lines  # type: ignore[assignment]
+        if self._wants_arrays(len(whole)):
+            import gc
+
+            # Thousands of small lists come and go, none of them in a cycle; looking for cycles doubles their cost.
+            gc.disable()
+            try:
+                return self._together(whole)
+            finally:
+                gc.enable()
+        return b"".join(map(self._single, whole))
+
+    def _wants_arrays(self, count: int) -> bool:
+        if self._by_arrays is None and count >= FIRST_ARRAY_ROWS:
+            import os
+
+            # Rows need no matrix products, and a pool of threads takes memory and time to start.
+            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+            from dynamics_cli.core.row_groups import groups_of
+
+            self._groups = groups_of(self.source, self.case, self._first)
+            self._by_arrays = self._groups is not None
+        return bool(self._by_arrays) and count >= ARRAY_ROWS
+
+    def _single(self, line: bytes) -> bytes:
+        if line.isspace():
+            return b""
+        try:
+            values = self.case.values(self.source.read(line))
+        except DynamicsError as error:
+            self.failed += 1
+            return self.output.bad(line, error)
+        return self.output.good(line, values)
+
+    def _together(self, lines: "list[bytes]") -> bytes:
+        assert self._groups is not None
+        groups = self._groups.uniform(lines)
+        if groups is None:
+            groups = self._groups.sorted(lines)
+        if len(groups) == 1 and groups[0].rows is None:
+            done, good = self._group(lines, groups[0])
+            if good is None:
+                return done
+        made: list[bytes | None] = [None] * len(lines)
+        for group in groups:
+            rows = range(len(lines)) if group.rows is None else group.rows
+            done, good = self._group([lines[row] for row in rows], group)
+            kept: Any = rows if good is None else [row for row, fine in zip(rows, good, strict=True) if fine]
+            for row, text in zip(kept, done.split(b"\n"), strict=False):
+                made[row] = text + b"\n"
+        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, made, strict=True)])
+
+    def _group(self, lines: "list[bytes]", group: "Group") -> "tuple[bytes, list[bool] | None]":
+        """The rows of a group that could be answered together, and which these are (None: all)."""
+        from dynamics_cli.core.row_columns import Unsuited, weave
+        from dynamics_cli.core.row_plan import written
+
+        plan = group.plan
+        nothing = b"", [False] * len(lines)
+        if plan.failures > MOST_FAILURES:
+            return nothing
+        try:
+            results, good = plan.run(group.columns)
+        except Unsuited:
+            plan.failures = MOST_FAILURES + 1
+            return nothing
+        fine = None if good is None else good.tolist()
+        if fine is not None:
+            lines = [line for line, kept in zip(lines, fine, strict=True) if kept]
+            plan.failures += len(lines) * 4 < len(fine)
+        echoes = self._echoes(lines, group, fine)
+        made = weave(self.output.pieces(echoes, written(results, self.output.format)), len(lines))
+        if not plan.proved and lines:
+            plan.proved = self._agrees(lines, made)
+            if not plan.proved:
+                plan.failures = MOST_FAILURES + 1
+                return nothing
+        return made, fine
+
+    def _echoes(self, lines: "list[bytes]", group: "Group", fine: "list[bool] | None") -> "list[bytes]":
+        if self.output.format != self.source.format:
+            return list(map(self.output.echo, lines))
+        if group.echoes is None:
+            return lines
+        if fine is None:
+            return group.echoes
+        return [echo for echo, kept in zip(group.echoes, fine, strict=True) if kept]
+
+    def _agrees(self, lines: "list[bytes]", made: bytes) -> bool:
+        """Whether the first and the last row come out as a single call writes them."""
+        rows = made.split(b"\n")
+        return all(self._as_single(lines[place]) == rows[place] for place in (0, len(lines) - 1))
+
+    def _as_single(self, line: bytes) -> bytes:
+        try:
+            return self.output.good(line, self.case.values(self.source.read(line)))[:-1]
+        except DynamicsError:
+            return b""
+
+
+# A make of rows of which arrays could answer hardly any, so many times, is not tried again.
+MOST_FAILURES = 3

@@ -1,0 +1,230 @@
+"""Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, maximum, minimum, sqrt, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Distance,
+    DragFactor,
+    Fraction,
+    Friction,
+    Gravity,
+    Length,
+    RoadSpeed,
+    Slope,
+    Time,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
+
+
+@record
+class Approach:
+    """One way of approaching the hazard.
+
+    Parameters
+    ----------
+    case : str
+        Which speed this is: travelled, limit or sufficient.
+    approach_speed : RoadSpeed
+        Speed when the hazard became visible [m/s].
+    reaction_distance : Distance
+        Distance travelled before the brakes act [m].
+    braking_distance : Distance
+        Distance that braking to rest takes [m].
+    stopping_distance : Distance
+        Reaction and braking distance together [m].
+    margin : Length
+        Distance to spare before the hazard, negative when it is short of it [m].
+    impact_speed : RoadSpeed
+        Speed at the hazard, zero when the vehicle stops before [m/s].
+    time : Time
+        Time until the vehicle stops or reaches the hazard [s].
+    """
+
+    case: str
+    approach_speed: RoadSpeed
+    reaction_distance: Distance
+    braking_distance: Distance
+    stopping_distance: Distance
+    margin: Length
+    impact_speed: RoadSpeed
+    time: Time
+
+
+@record
+class Avoidance:
+    """Whether the hazard could have been avoided by stopping.
+
+    Parameters
+    ----------
+    avoidable : bool
+        Whether the vehicle stops before the hazard at the speed travelled [-].
+    margin : Length
+        Distance to spare at the speed travelled, negative when it is short [m].
+    impact_speed : RoadSpeed
+        Speed at the hazard at the speed travelled [m/s].
+    sufficient_speed : RoadSpeed
+        Greatest speed from which the vehicle stops before the hazard [m/s].
+    stopping_distance : Distance
+        Distance that the speed travelled needs to stop [m].
+    avoidable_at_limit : bool
+        Whether the vehicle stops before the hazard at the speed limit; needs the speed limit [-].
+    margin_at_limit : Length
+        Distance to spare at the speed limit, negative when it is short; needs the speed limit [m].
+    impact_speed_at_limit : RoadSpeed
+        Speed at the hazard at the speed limit; needs the speed limit [m/s].
+    drag_factor : DragFactor
+        Deceleration along the road over gravity [-].
+    approaches : tuple[Approach, ...]
+        Distances, speeds and times at the speed travelled, at the limit and at the sufficient speed.
+    """
+
+    avoidable: bool
+    margin: Length
+    impact_speed: RoadSpeed
+    sufficient_speed: RoadSpeed
+    stopping_distance: Distance
+    avoidable_at_limit: bool | None
+    margin_at_limit: Length | None
+    impact_speed_at_limit: RoadSpeed | None
+    drag_factor: DragFactor
+    approaches: tuple[Approach, ...]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def avoid(
+    *,
+    speed: RoadSpeed,
+    sight_distance: Distance,
+    reaction_time: Time,
+    friction: Friction,
+    speed_limit: RoadSpeed | None = None,
+    grade: Slope = 0.0,
+    braking: Fraction = 1.0,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> Avoidance:
+    """Whether the driver could have stopped before the hazard, travelled or at the limit, and what speed sufficed.
+
+    Equation
+    --------
+    s = v t + v²/(2a), a = g f; the speed that suffices for S is 2S/(t + √(t² + 2S/a)), the speed at the hazard
+    √(v² − 2a(S − v t)), or v when the hazard is reached within the reaction.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed travelled when the hazard became visible [m/s].
+    sight_distance : Distance
+        Distance along the road from there to the hazard [m].
+    reaction_time : Time
+        Time from the hazard becoming visible until the brakes act [s].
+    friction : Friction
+        Coefficient of friction between tyre and road [-].
+    speed_limit : RoadSpeed
+        Speed allowed or held to be prudent there [m/s].
+    grade : Slope
+        Rise over run of the road in the direction of travel, uphill positive [-].
+    braking : Fraction
+        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    Avoidance
+        The answer at both speeds, the speed that would have sufficed, and a table of distances and times.
+
+    Raises
+    ------
+    InadmissibleError
+        When the drag factor is not above zero, or the sight distance is zero.
+
+    Notes
+    -----
+    A point mass that keeps its speed during the reaction and is then slowed uniformly. The hazard stays where it is.
+    The sufficient speed has no cancellation. The margin and the speed at the hazard are differences: near zero they are
+    as good as the inputs allow.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (braking).
+
+    Examples
+    --------
+    >>> round(avoid(speed=25.0, sight_distance=50.0, reaction_time=1.5, friction=0.7).sufficient_speed, 4)
+    17.8543
+    """
+    drag = require_drag(drag_along(friction, grade, braking))
+    deceleration = gravity * drag
+    require(
+        sight_distance > 0.0,
+        "with {0:.6g} m between driver and hazard there is nothing to ask",
+        sight_distance,
+        code="no-sight-distance",
+    )
+    sufficient = (
+        2.0 * sight_distance / (reaction_time + hypot(reaction_time, sqrt(2.0 * sight_distance / deceleration)))
+    )
+    travelled = _approach("travelled", speed, sight_distance, reaction_time, deceleration)
+    limit: Approach | None = None
+    if speed_limit is not None:
+        limit = _approach("limit", speed_limit, sight_distance, reaction_time, deceleration)
+    enough = _sufficient(sufficient, sight_distance, reaction_time, deceleration)
+    return Avoidance(
+        avoidable=travelled.margin >= 0.0,
+        margin=travelled.margin,
+        impact_speed=travelled.impact_speed,
+        sufficient_speed=sufficient,
+        stopping_distance=travelled.stopping_distance,
+        avoidable_at_limit=None if limit is None else limit.margin >= 0.0,
+        margin_at_limit=None if limit is None else limit.margin,
+        impact_speed_at_limit=None if limit is None else limit.impact_speed,
+        drag_factor=drag,
+        approaches=(travelled, enough) if limit is None else (travelled, limit, enough),
+        checks=balance(
+            "sufficient speed stops in the sight distance", enough.stopping_distance, sight_distance, sight_distance
+        ),
+        advice=drag_advice(friction, grade, braking) + _close(travelled, sight_distance),
+    )
+
+
+def _approach(case: str, speed: float, sight: float, reaction_time: float, deceleration: float) -> Approach:
+    reaction = speed * reaction_time
+    braking = speed / deceleration * (0.5 * speed)
+    needed = reaction + braking
+    available = maximum(sight - reaction, 0.0)
+    impact = sqrt(maximum(speed * speed - 2.0 * deceleration * available, 0.0))
+    covered = minimum(reaction, sight)
+    braked = minimum(available, braking)
+    both = speed + impact
+    moving = both > 0.0
+    time = covered / _nonzero(speed, moving) + 2.0 * braked / _nonzero(both, moving)
+    return Approach(case, speed, reaction, braking, needed, sight - needed, impact, time)
+
+
+def _nonzero(x: float, moving: bool) -> float:
+    return where(moving, x, 1.0)
+
+
+def _sufficient(speed: float, sight: float, reaction_time: float, deceleration: float) -> Approach:
+    """The approach that stops exactly at the hazard: its margin and speed there are zero by definition."""
+    reaction = speed * reaction_time
+    braking = speed / deceleration * (0.5 * speed)
+    time = reaction_time + speed / deceleration
+    return Approach("sufficient", speed, reaction, braking, reaction + braking, 0.0, 0.0, time)
+
+
+def _close(travelled: Approach, sight: float) -> tuple[Advice, ...]:
+    if not single(travelled.margin, sight) or abs(plain(travelled.margin)) > 0.05 * plain(travelled.stopping_distance):
+        return ()
+    return (
+        Advice(
+            code="close-call",
+            message=f"the margin {plain(travelled.margin):.3g} m is within 5 % of the stopping distance "
+            f"{plain(travelled.stopping_distance):.4g} m: a small error of any input turns the answer",
+            mend="state the inputs with their uncertainty",
+        ),
+    )

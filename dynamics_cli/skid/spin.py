@@ -1,0 +1,221 @@
+"""Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    AngularSpeed,
+    Distance,
+    DragFactor,
+    Fraction,
+    Friction,
+    Gravity,
+    RoadSpeed,
+    Slope,
+    Time,
+)
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.skid.braking import crossing_time
+from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
+from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
+
+# π as the sum of two doubles, so that whole half-turns are taken off without loss.
+HALF_TURN = 3.141592653589793
+HALF_TURN_REST = 1.2246467991473532e-16
+
+
+@record
+class Rotation:
+    """Drag found from how far the vehicle turned while it travelled.
+
+    Parameters
+    ----------
+    rotation : Angle
+        Angle the vehicle turned through, whole turns included [rad].
+    start_angle : Angle
+        Angle between heading and path at the start, in the sense of the rotation [rad].
+    rolling_drag : Fraction
+        Share of the full friction when the vehicle points along its path: near 0 when they roll, 1 when locked [-].
+    """
+
+    rotation: Angle
+    start_angle: Angle = 0.0
+    rolling_drag: Fraction = 0.0
+
+    @property
+    def share(self) -> float:
+        """Mean share of the full friction over the rotation."""
+        return self.rolling_drag + (1.0 - self.rolling_drag) * mean_across(self.start_angle, self.rotation)
+
+
+@record
+class Share:
+    """Drag given as a share of the full friction.
+
+    Parameters
+    ----------
+    drag_share : Fraction
+        Mean share of the full friction over the distance [-].
+    """
+
+    drag_share: Fraction
+
+    @property
+    def share(self) -> float:
+        """Mean share of the full friction."""
+        return self.drag_share
+
+
+@record
+class SpinLoss:
+    """Speed at the start of a spin, and what it lost.
+
+    Parameters
+    ----------
+    speed : RoadSpeed
+        Speed of the mass centre where the spin begins [m/s].
+    speed_lost : RoadSpeed
+        Speed lost over the distance [m/s].
+    mean_share : Fraction
+        Mean share of the full friction that dragged [-].
+    drag_factor : DragFactor
+        Mean deceleration along the path over gravity [-].
+    time : Time
+        Time of the spin [s].
+    mean_yaw_rate : AngularSpeed
+        Rotation over time; needs the rotation [rad/s].
+    """
+
+    speed: RoadSpeed
+    speed_lost: RoadSpeed
+    mean_share: Fraction
+    drag_factor: DragFactor
+    time: Time
+    mean_yaw_rate: AngularSpeed | None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def mean_across(start: float, rotation: float) -> float:
+    """Mean of |sin ψ| for ψ from `start` through `rotation`, by whole half-turns and a rest without cancellation."""
+    turns = plain(rotation) // HALF_TURN
+    rest = _beyond(rotation, turns)
+    before = plain(start) // HALF_TURN
+    # the start lies `begun` beyond a zero of the sine and `left` before the next one
+    begun, left = _beyond(start, before), -_beyond(start, before + 1.0)
+    left = where(begun < 0.0, -begun, left)
+    begun = where(begun < 0.0, begun + HALF_TURN, begun)
+    middle = where(begun <= 0.5 * HALF_TURN, begun + 0.5 * rest, left - 0.5 * rest)
+    inside = 2.0 * sin(middle) * sin(0.5 * rest)
+    falling, rising = sin(0.5 * left), sin(0.5 * (rest - left))
+    across = 2.0 * (falling * falling + rising * rising)
+    return (2.0 * turns + where(rest <= left, inside, across)) / rotation
+
+
+def _beyond(angle: float, turns: float) -> float:
+    """What an angle exceeds a whole number of half-turns by."""
+    return multiply_add(-turns, HALF_TURN, angle) - turns * HALF_TURN_REST
+
+
+def spin(
+    *,
+    drag: Rotation | Share,
+    distance: Distance,
+    friction: Friction,
+    end_speed: RoadSpeed = 0.0,
+    grade: Slope = 0.0,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> SpinLoss:
+    """Speed that a vehicle spinning after an impact had, from its distance and the partial drag of its turning tyres.
+
+    Equation
+    --------
+    v² = v_e² + 2 g f d, f = (kμ + G)/√(1 + G²); k = r + (1 − r)·mean |sin ψ| over the rotation, r the rolling drag.
+
+    Parameters
+    ----------
+    drag : Rotation | Share
+        The rotation from which the mean share of friction follows, or that share itself.
+    distance : Distance
+        Length of the path of the mass centre during the spin [m].
+    friction : Friction
+        Coefficient of friction of a tyre sliding sideways [-].
+    end_speed : RoadSpeed
+        Speed where the spin ends [m/s].
+    grade : Slope
+        Rise over run of the road in the direction of the path, uphill positive [-].
+    gravity : Gravity
+        Acceleration of gravity [m/s^2].
+
+    Returns
+    -------
+    SpinLoss
+        The speed at the start, the speed lost, the mean share and drag factor, time and mean yaw rate.
+
+    Raises
+    ------
+    InadmissibleError
+        When the rotation or its distance is zero, or the drag factor is not above zero.
+
+    Notes
+    -----
+    Model "mean sine of the slip angle": a tyre at slip angle ψ drags with the share r + (1 − r)|sin ψ| of the full
+    friction, and the vehicle turns uniformly along its path. Tyres are taken as sliding at once, so for rotations of
+    a few degrees from straight ahead, where a tyre still grips, the model does not hold; it is meant for spins of a
+    quarter turn and more. The energy of the rotation is not counted: it is small beside that of the path.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10 (work and energy); the partial
+    drag of a rotating vehicle as commonly used in accident reconstruction.
+
+    Examples
+    --------
+    >>> round(spin(drag=Rotation(rotation=3.141592653589793), distance=20.0, friction=0.7).speed, 4)
+    13.2215
+    """
+    rate: float | None = None
+    if isinstance(drag, Rotation):
+        require(
+            drag.rotation > 0.0,
+            "a rotation of {0:.6g} degrees is no spin: the angle counts in the sense it went on",
+            drag.rotation * DEGREES,
+            code="no-rotation",
+            hint="give drag-share instead when the vehicle did not turn",
+        )
+        require(distance > 0.0, "a spin over {0:.6g} m takes no time", distance, code="no-way")
+    share = drag.share
+    factor = require_drag(drag_along(friction, grade, share))
+    shed = 2.0 * gravity * (factor * distance)
+    speed = hypot(end_speed, sqrt(shed))
+    time = crossing_time(distance, speed, end_speed)
+    if isinstance(drag, Rotation):
+        rate = drag.rotation / time
+    both = speed + end_speed
+    lost = shed / where(both > 0.0, both, 1.0)
+    return SpinLoss(
+        speed=speed,
+        speed_lost=lost,
+        mean_share=share,
+        drag_factor=factor,
+        time=time,
+        mean_yaw_rate=rate,
+        checks=balance("energy balance", lost * (2.0 * end_speed + lost), shed, speed * speed),
+        advice=drag_advice(friction, grade, share) + _turn_advice(drag),
+    )
+
+
+def _turn_advice(drag: Rotation | Share) -> tuple[Advice, ...]:
+    if not isinstance(drag, Rotation) or not single(drag.rotation, drag.start_angle):
+        return ()
+    turned = plain(drag.rotation) * DEGREES
+    if turned >= 45.0:
+        return ()
+    return (
+        Advice(
+            code="short-rotation",
+            message=f"a rotation of {turned:.3g} degrees is short for a mean: near straight ahead tyres still grip",
+            mend="give drag-share, or take the rotation over the whole spin",
+        ),
+    )

@@ -1,0 +1,204 @@
+"""Sweeps: every point is the single call with the number shown, whichever route answered it."""
+
+import io
+import json
+
+import pytest
+import row_helpers
+from harness import answer, run
+from row_helpers import PROBE
+
+from dynamics_cli.core import sweep as sweeping
+from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.gather import gather
+from dynamics_cli.core.terminal import Terminal
+from dynamics_cli.errors import UsageError
+
+
+def sweep(task, sweep, *, arrays=True, environ=None, **options):
+    """The document and whether some point failed."""
+    call = Call()
+    for name, value in options.items():
+        (call.options if name in task.options else call.settings)[name] = value
+    call.settings["sweep"] = sweep
+    terminal = Terminal(io.BytesIO(), io.BytesIO(), io.BytesIO(), environ or {})
+    settings = Settings(call.settings, terminal.environ)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sweeping, "ARRAY_POINTS", 1 if arrays else 10**9)
+        return sweeping.sweep(task, gather(task, call, settings, terminal), settings)
+
+
+def table(document):
+    return document["results"]["sweep"]
+
+
+@pytest.mark.parametrize(
+    "axes",
+    [
+        ["friction=0.3:0.9:301"],
+        ["distance=20:60 ft:40", "friction=0:5.5:12"],
+        ["friction=-0.2:6:63"],
+        ["temperature=-470 degF:80 degF:111"],
+        ["angle=0 deg:90 deg:91"],
+        ["grade=-10 %:10 %:21"],
+        ["at[0]=0 m:1 m:7"],
+        ["count=0:6:7"],
+        ["count=1:3:4"],
+        ["invert=-1:1:21"],
+        ["friction=0.9:0.3:4"],
+        ["friction=0.5:0.5:2"],
+    ],
+)
+def test_routes_agree(axes) -> None:
+    options = {"distance": "60 ft", "at": "1, 2, 3 m"}
+    if axes[0].startswith("distance"):
+        del options["distance"]
+    assert sweep(PROBE, axes, **options) == sweep(PROBE, axes, arrays=False, **options)
+
+
+@pytest.mark.parametrize("arrays", [True, False])
+def test_points_are_single_calls(arrays: bool) -> None:
+    document, failed = sweep(PROBE, ["distance=10 ft:11 ft:31"], arrays=arrays, friction="0.7")
+    assert not failed
+    columns = table(document)
+    for place in (0, 1, 7, 30):
+        single = row_helpers.run(PROBE, b"distance[ft],friction\n%r,0.7\n" % columns["distance"]["value"][place])[1]
+        assert single.split(b"\n")[1].split(b",")[2] == repr(columns["speed"]["value"][place]).encode()
+
+
+def test_points_are_rounded_once_and_ends_exact() -> None:
+    columns = table(sweep(PROBE, ["friction=0.1:0.7:7"], distance="60 ft")[0])
+    assert columns["friction"]["value"] == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
+    columns = table(sweep(PROBE, ["distance=0.1 in:0.2 ft:4"])[0])
+    assert columns["distance"] == {"value": [0.1, 0.8666666666666667, 1.6333333333333333, 2.4], "unit": "in"}
+
+
+def test_document() -> None:
+    document, failed = sweep(PROBE, ["friction=0.3:0.9:3"], distance="60 ft")
+    assert not failed
+    assert list(document) == [
+        "schema", "command", "version", "inputs", "results", "model", "numerics", "checks", "warnings",
+    ]  # fmt: skip
+    assert document["inputs"]["distance"] == {"value": 60, "unit": "ft"}
+    assert "friction" not in document["inputs"]
+    assert document["inputs"]["sweep"] == [
+        {"parameter": "friction", "from": {"value": 0.3}, "to": {"value": 0.9}, "count": 3}
+    ]
+    assert set(table(document)) == {
+        "friction",
+        "speed",
+        "warm",
+        "turn",
+        "slope",
+        "inner.mean",
+        "fast",
+        "surface",
+        "total",
+    }
+    assert table(document)["speed"]["unit"] == "km/h"
+
+
+def test_first_parameter_varies_slowest() -> None:
+    columns = table(sweep(PROBE, ["distance=1 m:2 m:2", "friction=0.1:0.3:3"])[0])
+    assert columns["distance"]["value"] == [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]
+    assert columns["friction"]["value"] == [0.1, 0.2, 0.3] * 2
+
+
+@pytest.mark.parametrize("arrays", [True, False])
+def test_points_without_an_answer(arrays: bool) -> None:
+    document, failed = sweep(PROBE, ["friction=-1:7:9"], arrays=arrays, distance="60 ft")
+    assert failed
+    columns = table(document)
+    assert [value is None for value in columns["speed"]["value"]] == [True] + [False] * 5 + [True] * 3
+    warnings = {warning["code"]: warning for warning in document["warnings"]}
+    assert warnings["glue"]["count"] == 3
+    assert warnings["glue"]["first"] == 6
+    assert "friction = 5.0" in warnings["glue"]["message"]
+    assert warnings["bounds"]["count"] == 1
+    json.dumps(document, allow_nan=False)
+
+
+def test_every_point_without_an_answer() -> None:
+    document, failed = sweep(PROBE, ["friction=6:7:3"], distance="60 ft")
+    assert failed
+    assert list(table(document)) == ["friction"]
+    document, failed = sweep(PROBE, ["friction=-6:-5:3"], distance="60 ft")
+    assert failed
+    assert document["warnings"][0]["count"] == 3
+
+
+def test_addresses() -> None:
+    marks = ["distance=10 m, friction=0.5", "distance=10 m, friction=0.4"]
+    by_address, _ = sweep(PROBE, ["marks[1].friction=0.1:0.3:3"], mark=marks)
+    assert next(iter(table(by_address))) == "marks[1].friction"
+    assert "friction" not in by_address["inputs"]["marks"][1]
+    assert by_address["inputs"]["marks"][0]["friction"] == {"value": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("axis", "code"),
+    [
+        ("friction=0.3:0.9", "syntax"),
+        ("friction=0.3:0.9:1", "count"),
+        ("friction=0.3:0.9:x", "count"),
+        ("friction=0.3:0.9:9999999", "count"),
+        ("friction=a:0.9:3", "number"),
+        ("friction=0.3 kg:0.9:3", "kind"),
+        ("distance=1 ft:3 kg:3", "kind"),
+        ("distance=1:3:3", "missing-unit"),
+        ("frction=0.3:0.9:3", "unknown-parameter"),
+        ("surface=1:3:3", "unknown-choice"),
+        ("friction=1e400:2:3", None),
+    ],
+)
+def test_wrong_sweeps(axis: str, code: str | None) -> None:
+    options = {} if axis.startswith("distance") else {"distance": "60 ft"}
+    with pytest.raises(UsageError) as caught:
+        sweep(PROBE, [axis], **options)
+    assert code is None or caught.value.code == code
+
+
+def test_too_many_points() -> None:
+    with pytest.raises(UsageError, match="too many"):
+        sweep(PROBE, ["friction=0:1:2000", "distance=1 m:2 m:2000"])
+
+
+def test_what_is_missing_is_told_as_in_a_single_call() -> None:
+    with pytest.raises(UsageError, match="distance is missing"):
+        sweep(PROBE, ["friction=0:1:3"])
+
+
+@pytest.mark.parametrize("option", ["explain", "limit"])
+def test_options_for_one_case(option: str) -> None:
+    with pytest.raises(UsageError):
+        sweep(PROBE, ["friction=0:1:3"], distance="1 m", **{option: ["1"] if option == "limit" else True})
+
+
+def test_files_and_timing(tmp_path) -> None:
+    (tmp_path / "case.json").write_text('{"distance": "60 ft", "friction": 0.2}')
+    document, _ = sweep(PROBE, ["friction=0:1:3"], input=str(tmp_path / "case.json"), timing=True)
+    assert len(document["files"]) == 1
+    assert document["timing"]["unit"] == "s"
+
+
+def test_models_chosen_by_value() -> None:
+    document, _ = sweep(row_helpers.MODELS, ["a=0:1:11"], arrays=True)
+    assert document == sweep(row_helpers.MODELS, ["a=0:1:11"], arrays=False)[0]
+    assert document["warnings"][-1]["code"] == "several-models"
+
+
+def test_whole_program() -> None:
+    document = answer("skid", "speed", "--distance", "60 ft", "--sweep", "friction=0.3:0.9:1500")
+    single = answer(
+        "skid",
+        "speed",
+        "--distance",
+        "60 ft",
+        "--friction",
+        repr(document["results"]["sweep"]["friction"]["value"][777]),
+    )
+    assert document["results"]["sweep"]["speed"]["value"][777] == single["results"]["speed"]["value"]
+    for form in ("table", "csv", "markdown", "ndjson"):
+        outcome = run("skid", "speed", "--distance", "60 ft", "--sweep", "friction=-0.3:0.9:5", "--format", form)
+        assert outcome.status == 4
+        assert outcome.out

@@ -1,0 +1,85 @@
+"""Pedestrian throws: the flight and slide make the throw, the bounds hold for every angle they name, refusals."""
+
+import math
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.skid.pedestrian import pedestrian
+
+G = 9.80665
+FRICTION = st.floats(0.2, 1.2)
+HEIGHT = st.floats(0.0, 1.5)
+
+
+def throw(speed: float, angle: float, height: float, friction: float) -> float:
+    """Where a body thrown so comes to rest, or NaN when the landing stops it."""
+    down = math.sqrt((speed * math.sin(angle)) ** 2 + 2.0 * G * height)
+    time = (speed * math.sin(angle) + down) / G
+    left = speed * math.cos(angle) - friction * down
+    return speed * math.cos(angle) * time + left**2 / (2.0 * friction * G) if left >= 0.0 else math.nan
+
+
+@given(st.floats(3.0, 30.0), st.floats(-0.3, 0.9), HEIGHT, FRICTION)
+def test_it_finds_the_speed_of_a_simulated_throw(speed: float, angle: float, height: float, friction: float) -> None:
+    reached = throw(speed, angle, height, friction)
+    assume(reached > 1.01 * friction * height)
+    answer = pedestrian(throw_distance=reached, friction=friction, launch_angle=angle, launch_height=height)
+    assert answer.speed == pytest.approx(speed, rel=1e-12)
+    assert answer.flight_distance is not None
+    assert answer.slide_distance is not None
+    assert answer.flight_distance + answer.slide_distance == pytest.approx(reached, rel=1e-11)
+    assert answer.least_speed <= speed * (1.0 + 1e-12)
+    if 0.0 <= angle <= answer.greatest_angle:
+        assert speed <= answer.greatest_speed * (1.0 + 1e-12)
+        assert not answer.advice
+    else:
+        assert [one.code for one in answer.advice] == ["beyond-greatest-angle"]
+    assert all(check.passed for check in answer.checks)
+
+
+@given(st.floats(5.0, 60.0), FRICTION)
+def test_bounds_are_reached(distance: float, friction: float) -> None:
+    bounds = pedestrian(throw_distance=distance, friction=friction)
+    least = pedestrian(throw_distance=distance, friction=friction, launch_angle=0.0)
+    assert least.speed == pytest.approx(bounds.greatest_speed, rel=1e-15)
+    assert bounds.speed is None
+    assert bounds.least_speed * math.hypot(1.0, friction) == pytest.approx(bounds.greatest_speed, rel=1e-14)
+    best = math.atan(friction)
+    if math.cos(best) > friction * math.sin(best):
+        answer = pedestrian(throw_distance=distance, friction=friction, launch_angle=best)
+        assert answer.speed == pytest.approx(bounds.least_speed, rel=1e-14)
+
+
+@given(st.floats(5.0, 60.0), FRICTION, HEIGHT, st.floats(1.01, 3.0))
+def test_farther_is_faster_and_higher_is_slower(distance: float, friction: float, height: float, factor: float) -> None:
+    base = pedestrian(throw_distance=distance, friction=friction, launch_height=height).least_speed
+    farther = pedestrian(throw_distance=distance * factor, friction=friction, launch_height=height).least_speed
+    assert farther > base
+    assert pedestrian(throw_distance=distance, friction=friction, launch_height=height + 0.1).least_speed < base
+
+
+def test_launch_height_zero_and_level_launch_are_limits() -> None:
+    level = pedestrian(throw_distance=25.0, friction=0.66, launch_angle=0.0)
+    assert (level.flight_time, level.flight_distance) == (0.0, 0.0)
+    assert level.slide_distance == pytest.approx(25.0, rel=1e-15)
+    for step in (1e-9, -1e-9):
+        near = pedestrian(throw_distance=25.0, friction=0.66, launch_angle=step, launch_height=1e-18)
+        assert near.speed == pytest.approx(level.speed, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("inputs", "message"),
+    [
+        ({"friction": 0.0}, "friction 0 cannot stop"),
+        ({"throw_distance": 0.6, "launch_height": 1.0}, "throw distance 0.6 m must exceed .* 0.66 m"),
+        ({"launch_angle": math.pi / 2}, "at 90 degrees goes nowhere"),
+        ({"launch_angle": 1.2}, "landing stops the body at once: its horizontal speed 6.6.* less than .* 11"),
+        ({"launch_angle": -1.2}, "is -0.252.* at the launch angle -68.7549 degrees: landing stops"),
+    ],
+)
+def test_refusals_give_the_deciding_number(inputs: dict[str, float], message: str) -> None:
+    with pytest.raises(InadmissibleError, match=message):
+        pedestrian(**{"throw_distance": 25.0, "friction": 0.66, **inputs})
