@@ -8,7 +8,7 @@ problems so that the true error stays below them; plain differences of levels or
 
 import numpy as np
 
-from dynamics_cli.core.propagate_lines import Lines, Roots, carry, moments, order_moments, solve
+from dynamics_cli.core.propagate_lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
 from dynamics_cli.core.propagate_scan import Scan
 from dynamics_cli.core.propagate_space import Space, complement
 from dynamics_cli.numerics import smolyak
@@ -82,11 +82,36 @@ def direction_of(space: Space, probe: "Array", result: int) -> "Array":
     gradient = np.nan_to_num(ahead - behind)
     bend = np.nan_to_num(ahead + behind - 2.0 * centre)
     made = np.zeros(count)
+    if space.heavy:
+        # Along the axis of the heaviest tail, so that the lines beside it differ little.
+        heaviest = [made_.std == np.inf for made_ in space.distributions]
+        made[int(np.argmax(np.where(heaviest, np.abs(gradient) + 1e-300, 0.0)))] = 1.0
+        return made
     size = float(np.sqrt(gradient @ gradient))
     if size > 1e-9 * float(np.abs(bend).max(initial=0.0)) and size > 0.0:
         return gradient / size  # type: ignore[no-any-return]
+    overall = _overall(space, result)
+    if overall is not None:
+        return overall
     made[int(np.argmax(np.abs(bend)))] = 1.0
     return made
+
+
+def _overall(space: Space, result: int) -> "Array | None":
+    """The direction of a plane laid through many points: where the centre is flat, the result may rise elsewhere."""
+    if space.size > MOST_DIMENSIONS:
+        return None
+    z = quantile(lattice(space.size, 128, SHIFTS))
+    values = space.evaluate(z)[result]
+    good = ~np.isnan(values)
+    if good.sum() < 4 * space.size:
+        return None
+    terms = np.column_stack([np.ones(int(good.sum())), z[:, good].T])
+    plane, _, _, _ = np.linalg.lstsq(terms, values[good], rcond=None)
+    slope = plane[1:]
+    size = float(np.sqrt(slope @ slope))
+    # Of an even function only the scatter is left.
+    return slope / size if size > 0.1 * float(values[good].std()) else None
 
 
 def tail_direction(space: Space, result: int, direction: "Array", score: float) -> "Array":
@@ -166,8 +191,9 @@ def _grids(space: Space, result: int, direction: "Array", across: "Array", goal:
         roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None and guess is not None:
             roots = solve(lines, goal.p, goal.scores, goal.tolerance)
-        if roots is None:
-            return _not_rising(best)
+        if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
+            # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start anew.
+            return None
         made = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
         made.roots = roots
         if last is not None:
@@ -199,11 +225,6 @@ def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) 
     if rest <= 2 or space.smooth or not differences:
         return False
     return CONVERGING * differences[-1] > goal.accuracy and smolyak.size(rest, level + 1) > MANY_LINES
-
-
-def _not_rising(best: Outcome | None) -> None:
-    """Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start anew."""
-    return None
 
 
 def _width(quantiles: "Array", goal: Goal) -> float:
@@ -305,6 +326,8 @@ def _lattices(space: Space, result: int, direction: "Array", across: "Array", go
             last[0].rest = turn.T @ last[0].rest
             lines = _lattice_lines(space, result, direction, across, count, goal.seed)
             guess = carry(_thinned(last[0]), _thin_roots(*last), lines)
+        if last is None and not order_moments(lines, ORDERS[1]).rising:
+            return None
         roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None:
             return None
@@ -378,6 +401,10 @@ def _thinned(lines: Lines) -> Lines:
 
 def _scanned(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """Growing lattices of scanned lines: for models that turn, jump, stay flat or are partly inadmissible."""
+    if space.size <= 3 and not space.stepped:
+        made = _scanned_grids(space, result, direction, across, goal)
+        if made is not None:
+            return made
     count = 16
     while True:
         lines = _lattice_lines(space, result, direction, across, count, goal.seed)
@@ -386,6 +413,34 @@ def _scanned(space: Space, result: int, direction: "Array", across: "Array", goa
         if best.estimate <= goal.accuracy or larger == count or space.points + 60 * SHIFTS * larger > goal.points:
             return best
         count = larger
+
+
+def _scanned_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+    """Tensor grids of scanned lines: good where probabilities are smooth across the lines; None where they are not."""
+    last: Outcome | None = None
+    before = np.inf
+    for level in range(2, 7):
+        lines = Lines(space, result, direction, across, *rule(space.size - 1, level, goal.accuracy))
+        made = _scan_outcome(Scan(lines), goal, 1, f"tensor Gauss–Hermite, {lines.weights.size} scanned lines")
+        if last is not None:
+            now = _apart(made, last, goal)
+            made.estimate = max(now, 0.3 * before, FLOOR)
+            if made.estimate <= goal.accuracy:
+                return made
+            if level >= 4 and now > 0.5 * before:
+                return None
+            before = now
+        last = made
+    return None
+
+
+def _apart(one: Outcome, other: Outcome, goal: Goal) -> float:
+    """The distance of two outcomes in standard deviations."""
+    width = one.std if one.std > 0.0 else _width(one.quantiles, goal)
+    if not width > 0.0:
+        return 0.0
+    parts = [*np.abs(one.quantiles - other.quantiles), abs(one.mean - other.mean), abs(one.std - other.std)]
+    return float(np.nanmax(parts)) / width
 
 
 def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
@@ -403,10 +458,15 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
     weights = scan.lines.weights
     made.mean = float(weights @ first) / scan.admissible
     made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - made.mean**2, 0.0)))
+    heavy = scan.lines.space.heavy
+    if heavy:
+        made.std = _width(quantiles, goal)
     if groups > 1 and made.std > 0.0:
         made.estimate = _scan_estimate(scan, made, goal, share, slope, first, second)
     elif made.std == 0.0:
         made.estimate = FLOOR
+    if heavy:
+        made.mean = made.std = float("nan")
     return made
 
 
@@ -421,7 +481,7 @@ def _scan_estimate(
     means = first.reshape(SHIFTS, -1).mean(axis=1) / mass
     squares = second.reshape(SHIFTS, -1).mean(axis=1) / mass
     deviations = np.sqrt(np.maximum(squares - 2.0 * made.mean * means + made.mean**2, 0.0))
-    errors = [means.std(ddof=1) / made.std, deviations.std(ddof=1) / made.std]
+    errors = [] if scan.lines.space.heavy else [means.std(ddof=1) / made.std, deviations.std(ddof=1) / made.std]
     scatter = shares.std(axis=0, ddof=1)
     dense = slope * made.std / scan.admissible
     # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.

@@ -118,6 +118,11 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
     The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
     """
     trial = trial or lines
+    if lines.space.heavy:
+        made = order_moments(lines, ORDERS[1])
+        made.mean = made.std = np.nan
+        made.error = 0.0
+        return made
     last = order_moments(trial, ORDERS[0])
     if not last.rising:
         return last

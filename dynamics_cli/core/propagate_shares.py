@@ -25,6 +25,10 @@ SHIFTS = 8
 # A projection that misses more than this share of the variance is not used.
 _MISSED = 2e-3
 _MOST_TERMS = 500
+# Points an axis, of the grid used and of the one it is compared with, by the number of inputs.
+GRIDS = {1: (30, 20), 2: (12, 9), 3: (8, 6)}
+FINE_GRIDS = {1: (60, 40), 2: (40, 27), 3: (15, 11)}
+_LARGEST_ERROR = 5e-3
 
 
 class Shares:
@@ -57,10 +61,10 @@ class Shares:
 
 def variance_shares(space: Space, variances: "Array", seed: int) -> Shares:
     """The shares of all results by the cheapest method that holds."""
-    if space.factor is not None:
+    if space.factor is not None or space.heavy:
         return _covariances(space, seed)
     if space.size <= 3 and not space.stepped:
-        made = _tensor(space)
+        made = _tensors(space)
         if made is not None:
             return made
     elif space.smooth and chaos_terms(space.size, 3) <= _MOST_TERMS:
@@ -70,10 +74,19 @@ def variance_shares(space: Space, variances: "Array", seed: int) -> Shares:
     return _jansen(space, seed)
 
 
-def _tensor(space: Space) -> Shares | None:
+def _tensors(space: Space) -> Shares | None:
+    """Two grids, whose difference is the error; None when kinks keep them apart."""
+    fine, coarse = (GRIDS if space.smooth else FINE_GRIDS)[space.size]
+    made, other = _tensor(space, fine), _tensor(space, coarse)
+    if made is None or other is None:
+        return None
+    made.error = float(np.abs(made.total - other.total).max())
+    return made if made.error <= _LARGEST_ERROR else None
+
+
+def _tensor(space: Space, count: int) -> Shares | None:
     """Conditional means on the grid are sums over its axes."""
     n = space.size
-    count = {1: 40, 2: 20, 3: 9}[n] if space.smooth else {1: 60, 2: 40, 3: 15}[n]
     nodes, own = gauss_hermite(count)
     points, weights = tensor(nodes, own, n)
     heavy = weights > 1e-18
@@ -98,7 +111,7 @@ def _tensor(space: Space) -> Shares | None:
         rest = tensor(nodes, own, n - 1)[1].reshape((count,) * (n - 1))
         total[:, axis] = variance - (without * without * rest).reshape(len(found), -1).sum(axis=1)
     scale = np.where(variance > 0.0, variance, 1.0)[:, None]
-    return Shares(f"analysis of variance on {count}^{n} points", first / scale, total / scale, 1e-6, found, weights[heavy])
+    return Shares(f"analysis of variance on {count}^{n} points", first / scale, total / scale, 0.0, found, weights[heavy])
 
 
 _bases: "dict[int, tuple[Array, Array]]" = {}
@@ -175,9 +188,8 @@ def _jansen(space: Space, seed: int) -> Shares:
 
 def _covariances(space: Space, seed: int) -> Shares:
     """Correlated inputs: slopes by each input's own score, times the covariance of that score with the rest."""
-    assert space.factor is not None
     n = space.size
-    correlation = space.factor @ space.factor.T
+    correlation = np.eye(n) if space.factor is None else space.factor @ space.factor.T
     step = 0.5 * np.eye(n)
     cases = np.concatenate([step, -step], axis=1)
     values = space.evaluate_inputs(space.inputs_of(cases), cases.shape[1])

@@ -39,6 +39,8 @@ class Space:
         self.factor = factor(self.names, correlation, set(distributions))
         self.smooth = all(made.smooth for made in self.distributions)
         self.stepped = any(made.name == "empirical" for made in self.distributions)
+        # Without a finite variance (Student's t of two or three readings) neither has, as a rule, the result.
+        self.heavy = any(made.std == np.inf for made in self.distributions)
         self.results: list[str] = []
         self.points = 0
 

@@ -225,7 +225,7 @@ def _add_shares(space: Space, made: Propagation, seed: int) -> None:
     variances = np.array([made.spreads[name].std ** 2 for name in space.results])
     found: Shares = variance_shares(space, np.nan_to_num(variances, posinf=0.0), seed)
     for row, name in enumerate(space.results):
-        if made.spreads[name].std > 0.0:
+        if made.spreads[name].interval[0] < made.spreads[name].interval[1]:
             made.spreads[name].first = found.first[row].tolist()
             made.spreads[name].total = found.total[row].tolist()
     made.shares_method, made.shares_error = found.method, found.error
@@ -249,7 +249,7 @@ def _add_corners(space: Space, made: Propagation, probe: "Array") -> None:
     values = space.evaluate_inputs({**space.fixed, **dict(zip(space.names, cases, strict=True))}, cases.shape[1])
     for row, name in enumerate(space.results):
         spread = made.spreads[name]
-        if not spread.std > 0.0:
+        if spread.interval[0] == spread.interval[1]:
             continue
         alone = values[row, : 2 * n].reshape(n, 2)
         spread.tornado = [(float(a), float(b)) for a, b in alone]
