@@ -121,7 +121,7 @@ class Triangular(Distribution):
 
 
 class Lognormal(Distribution):
-    """`lognormal(0.72 ± 0.04)`: a positive number whose logarithm is normal; mean and deviation are the number's own."""
+    """`lognormal(0.72 ± 0.04)`: a number whose logarithm is normal; mean and deviation are the number's own."""
 
     name = "lognormal"
     smooth = True
@@ -180,7 +180,7 @@ class Truncated(Distribution):
 
 
 class StudentT(Distribution):
-    """`[0.71, 0.74, 0.70]`: the mean of repeated readings, known to within a scaled Student t (GUM Supplement 1, 6.4.9)."""
+    """`[0.71, 0.74, 0.70]`: the mean of repeated readings, with a scaled Student t (GUM Supplement 1, 6.4.9)."""
 
     name = "readings"
 

@@ -29,7 +29,9 @@ _NEGLIGIBLE = 1e-9
 class Lines:
     """Parallel lines through the space: z = direction·s + base_j, with weights that sum to one."""
 
-    def __init__(self, space: "Space", result: int, direction: "Array", across: "Array", rest: "Array", w: "Array") -> None:
+    def __init__(
+        self, space: "Space", result: int, direction: "Array", across: "Array", rest: "Array", w: "Array"
+    ) -> None:
         self.space = space
         self.result = result
         self.direction = direction
@@ -187,4 +189,3 @@ def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | No
     room = 1.0 + roots.s.max(axis=0) - roots.s.min(axis=0)
     s = np.clip(s, roots.s.min(axis=0) - room, roots.s.max(axis=0) + room)
     return s, np.maximum(slope, 0.1 * roots.slopes.min(axis=0))
-

@@ -111,7 +111,9 @@ def _tensor(space: Space, count: int) -> Shares | None:
         rest = tensor(nodes, own, n - 1)[1].reshape((count,) * (n - 1))
         total[:, axis] = variance - (without * without * rest).reshape(len(found), -1).sum(axis=1)
     scale = np.where(variance > 0.0, variance, 1.0)[:, None]
-    return Shares(f"analysis of variance on {count}^{n} points", first / scale, total / scale, 0.0, found, weights[heavy])
+    return Shares(
+        f"analysis of variance on {count}^{n} points", first / scale, total / scale, 0.0, found, weights[heavy]
+    )
 
 
 _bases: "dict[int, tuple[Array, Array]]" = {}
@@ -122,11 +124,8 @@ def _basis(n: int) -> "tuple[Array, Array]":
     if n not in _bases:
         points, weights = smolyak(n, 3)
         tables = polynomials(points, 3)
-        exponents = []
-        for degree in range(1, 4):
-            for axes in combinations_with_replacement(range(n), degree):
-                exponents.append(np.bincount(axes, minlength=n))
-        made = np.array(exponents)
+        choices = [axes for degree in range(1, 4) for axes in combinations_with_replacement(range(n), degree)]
+        made = np.array([np.bincount(axes, minlength=n) for axes in choices])
         terms = np.ones((len(made), weights.size))
         for axis in range(n):
             terms *= tables[made[:, axis], axis]

@@ -5,7 +5,7 @@ The first three state what they cannot see themselves, their truncation, against
 
 import numpy as np
 
-from dynamics_cli.core.propagate_direction import FLOOR, Goal
+from dynamics_cli.core.propagate_goal import FLOOR, Goal
 from dynamics_cli.core.propagate_space import Space
 
 TYPE_CHECKING = False
@@ -32,7 +32,7 @@ class Plain:
 
 
 def linear(space: Space, result: int, goal: Goal, slopes: "Mapping[str, float] | None") -> Plain:
-    """First order at the means: derivatives as tracked through the formula, or by differences where they are not known."""
+    """First order at the means: derivatives as tracked through the formula, or by differences where not known."""
     count = space.size
     centre = np.array([made.mean for made in space.distributions])
     deviations = np.array([made.std for made in space.distributions])
@@ -98,9 +98,10 @@ class Sample:
         count = samples or DEFAULT_SAMPLES
         generator = np.random.default_rng(seed)
         block = 1 << 14
-        rows = []
-        for start in range(0, count, block):
-            rows.append(space.evaluate(generator.standard_normal((space.size, min(block, count - start)))))
+        rows = [
+            space.evaluate(generator.standard_normal((space.size, min(block, count - start))))
+            for start in range(0, count, block)
+        ]
         self.values = np.concatenate(rows, axis=1)
 
     def plain(self, result: int, goal: Goal) -> tuple[Plain, float, "Array"]:

@@ -1,4 +1,4 @@
-"""The space an uncertain calculation is integrated in: independent standard normals z, and the model as a function of them.
+"""The space an uncertain calculation is integrated in: independent standard normals z, and the model on them.
 
 Everything that propagates uncertainty sees only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
 NaN where the model is inadmissible. NaN stays inside the engine; what leaves it is a fraction of inadmissible cases.
@@ -142,7 +142,7 @@ def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
         low, high = _admissible(matrix, i, j)
         hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
     raise UsageError(
-        f"the correlations cannot all hold at once; {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
+        f"the correlations cannot all hold: {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
         parameter="correlate",
         code="not-positive-definite",
         hint=hint,

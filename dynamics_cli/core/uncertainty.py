@@ -1,13 +1,15 @@
 """Uncertain inputs through any model: distributions in, distributions out, and what drives them.
 
 `propagate` takes a model on arrays and the inputs' distributions and gives, for every result, mean, median, standard
-deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits; and,
-labelled apart, the range over the corners of all the inputs' intervals.
+deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits;
+and, labelled apart, the range over the corners of all the inputs' intervals.
 """
 
 import numpy as np
 
-from dynamics_cli.core.propagate_direction import Goal, Outcome, direction_of, exceedance, integrate
+from dynamics_cli.core.propagate_direction import integrate
+from dynamics_cli.core.propagate_goal import Goal, Outcome, direction_of
+from dynamics_cli.core.propagate_scanned import exceedance
 from dynamics_cli.core.propagate_shares import Shares, variance_shares
 from dynamics_cli.core.propagate_simple import Plain, Sample, linear, second_order, unscented
 from dynamics_cli.core.propagate_space import Space
@@ -55,7 +57,7 @@ class Spread:
 
 
 class Propagation:
-    """All results: `spreads` by name in the model's order, `inputs` the order of shares, `correlation` of the results."""
+    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results."""
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
         self.inputs = space.names
@@ -89,8 +91,8 @@ def propagate(
 ) -> Propagation:
     """Propagate uncertainty through `model`.
 
-    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the model
-    evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose exceedance is
+    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
+    model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose exceedance is
     asked; `slopes` the derivatives of each result at the inputs' means, where they are known.
     """
     if method not in METHODS:
@@ -122,7 +124,7 @@ def _certain(space: Space, made: Propagation) -> None:
 
 
 def _probe(space: Space, seed: int) -> "Array":
-    """All results at the centre, half a standard deviation to both sides of it on every axis, and at a few points beyond."""
+    """All results at the centre, half a deviation to both sides of it on every axis, and at a few points beyond."""
     n = space.size
     step = 0.5 * np.eye(n)
     few = quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed))
@@ -201,14 +203,18 @@ def _integrated(
         found = exceedance(outcome, np.array(limits, dtype=float), goal)
         spread.beyond = list(zip(limits, found.tolist(), strict=True))
     if method in ("linear", "second-order", "unscented"):
-        plain = {"linear": lambda: linear(space, row, goal, slopes), "second-order": lambda: second_order(space, row, goal),
-                 "unscented": lambda: unscented(space, row, goal)}[method]()  # fmt: skip
-        spread = _beside(spread, plain, outcome, goal)
+        spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome)
     return spread
 
 
-def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Spread:
-    """A classical method's numbers, with their distance from the quadrature's as its error; probabilities as if normal."""
+def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping[str, float] | None") -> Plain:
+    if method == "linear":
+        return linear(space, row, goal, slopes)
+    return second_order(space, row, goal) if method == "second-order" else unscented(space, row, goal)
+
+
+def _beside(spread: Spread, plain: Plain, outcome: Outcome) -> Spread:
+    """A classical method's numbers; its error is the distance from the quadrature's; probabilities as if normal."""
     made = _of_plain(spread.name, plain)
     apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
     scale = outcome.std if outcome.std > 0.0 else 1.0
@@ -234,7 +240,7 @@ def _add_shares(space: Space, made: Propagation, seed: int) -> None:
 
 
 def _add_corners(space: Space, made: Propagation, probe: "Array") -> None:
-    """Results at the ends of every input's own interval, one at a time (the tornado) and all at once (the worst case)."""
+    """Results at the ends of the inputs' own intervals, one at a time (the tornado) and all at once (the worst case)."""
     n = space.size
     ends = np.array([distribution.interval(made.coverage) for distribution in space.distributions])
     middle = space.inputs_of(np.zeros((n, 1)))
@@ -253,10 +259,7 @@ def _add_corners(space: Space, made: Propagation, probe: "Array") -> None:
             continue
         alone = values[row, : 2 * n].reshape(n, 2)
         spread.tornado = [(float(a), float(b)) for a, b in alone]
-        if n <= MOST_CORNERS:
-            corners = values[row, 2 * n :]
-        else:
-            corners = _steepest_corners(space, row, ends, alone)
+        corners = values[row, 2 * n :] if n <= MOST_CORNERS else _steepest_corners(space, row, ends, alone)
         if not np.isnan(corners).all():
             spread.corners = (float(np.nanmin(corners)), float(np.nanmax(corners)))
 

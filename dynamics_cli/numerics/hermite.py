@@ -1,4 +1,4 @@
-"""Quadrature for the standard normal density: Gauss–Hermite of any order, and the embedded rules of Genz and Keister."""
+"""Quadrature for the standard normal density: Gauss–Hermite of any order, and Genz and Keister's embedded rules."""
 
 import math
 
@@ -28,8 +28,8 @@ GENZ_KEISTER_WEIGHTS: "dict[int, tuple[float, ...]]" = {
     ),
     35: (
         0.0005148945080687843, 0.045273685465150516, 0.148070831155216, 0.00231134524035221, 3.57293481989751e-05,
-        0.09236472671698631, 0.003155446269187564, 0.0008189539275022649, 2.4676421345798077e-07, 4.6011760348656186e-10,
-        0.19176011588804442, 0.01567347375185115, 0.0002752421411678516, 2.734220680118783e-06, 2.1394194479561105e-08,
+        0.09236472671698631, 0.003155446269187564, 0.0008189539275022649, 2.4676421345798077e-07,
+        4.6011760348656186e-10, 0.19176011588804442, 0.01567347375185115, 0.0002752421411678516, 2.734220680118783e-06, 2.1394194479561105e-08,
         3.097222357606316e-12, 5.45004126506369e-15, 1.0541326582333341e-18,
     ),
 }  # fmt: skip
@@ -78,7 +78,7 @@ def _gauss_hermite(count: int) -> "tuple[Array, Array]":
 
 
 def _orthonormal(x: "Array", count: int) -> "tuple[Array, Array, Array]":
-    """h_count, h_{count−1} and the sum of the squares of h_0 … h_{count−1}; h' of the first is √count times the second."""
+    """h_count, h_{count−1} and the sum of the squares of h_0 … h_{count−1}; h' of the first is √count · the second."""
     before, now = np.zeros_like(x), np.ones_like(x)
     squares = np.ones_like(x)
     for k in range(1, count + 1):

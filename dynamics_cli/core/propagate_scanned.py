@@ -1,0 +1,183 @@
+"""Quantiles on scanned lines: for models that turn, jump, stay flat or are partly inadmissible; and one input alone."""
+
+import numpy as np
+
+from dynamics_cli.core.propagate_goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, width_of
+from dynamics_cli.core.propagate_grids import rule
+from dynamics_cli.core.propagate_lattices import larger
+from dynamics_cli.core.propagate_lines import Lines
+from dynamics_cli.core.propagate_scan import Scan
+from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.lattice import lattice
+from dynamics_cli.numerics.normal_arrays import quantile
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+# Points along the only line when one input is uncertain.
+FINE_SCAN = 1025
+
+
+def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
+    """One uncertain input: its own quantiles through the model, exact; by monotone pieces where it turns."""
+    lines = Lines(space, result, direction, np.zeros((1, 0)), np.zeros((0, 1)), np.ones(1))
+    if space.stepped:
+        return _atoms(space, result, lines, goal)
+    scan = Scan(lines, points=FINE_SCAN)
+    fine = Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
+    made = _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
+    if not np.isnan(scan.values).any() and bool((np.diff(scan.values[0]) >= 0.0).all()):
+        made.quantiles = lines.values(goal.scores[None, :])[0]
+        made.method = "the input's own quantiles through the model"
+        made.estimate = _coarser(scan, made) if made.std > 0.0 else FLOOR
+    return made
+
+
+def _atoms(space: Space, result: int, lines: Lines, goal: Goal) -> Outcome:
+    """A listed input alone: the model at every listed value."""
+    values = space.distributions[0].values  # type: ignore[attr-defined]
+    with np.errstate(all="ignore"):
+        results, refused = space.model({**space.fixed, space.names[0]: values})
+    found = np.array(np.broadcast_to(results[space.results[result]], values.shape), dtype=float)
+    if refused is not None:
+        found[refused] = np.nan
+    good = np.sort(found[np.isfinite(found)])
+    place = np.ceil(goal.p * good.size - 1e-12).astype(int) - 1
+    made = Outcome("the model at every listed value", good[np.clip(place, 0, good.size - 1)], lines)
+    made.estimate, made.admissible = FLOOR, good.size / values.size
+    made.mean, made.std = float(good.mean()), float(good.std())
+    made.scan = _Listed(good)  # type: ignore[assignment]
+    return made
+
+
+class _Listed:
+    """Stands in for a scan where the distribution is a list."""
+
+    def __init__(self, values: "Array") -> None:
+        self.values = values
+        self.admissible = 1.0
+
+    def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
+        """The share of values up to v."""
+        share = np.searchsorted(self.values, v, side="right") / self.values.size
+        return share[None, :], np.zeros(v.size)
+
+
+def scanned(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
+    """Growing lattices of scanned lines: for models that turn, jump, stay flat or are partly inadmissible."""
+    if space.size <= 3 and not space.stepped:
+        made = _scanned_grids(space, result, direction, across, goal)
+        if made is not None:
+            return made
+    count = 16
+    while True:
+        uniform = lattice(space.size, count, SHIFTS, goal.seed)
+        rest = quantile(uniform[:-1])
+        lines = Lines(space, result, direction, across, rest, np.full(rest.shape[1], 1.0 / rest.shape[1]))
+        best = _scan_outcome(
+            Scan(lines, uniform[-1] - 0.5), goal, SHIFTS, f"{SHIFTS} shifted lattices of {count} scanned lines"
+        )
+        grown = larger(count, best.estimate / goal.accuracy)
+        if best.estimate <= goal.accuracy or grown == count or space.points + 60 * SHIFTS * grown > goal.points:
+            return best
+        count = grown
+
+
+def _scanned_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+    """Tensor grids of scanned lines: good where probabilities are smooth across the lines; None where they are not."""
+    last: Outcome | None = None
+    before = np.inf
+    for level in range(2, 7):
+        lines = Lines(space, result, direction, across, *rule(space.size - 1, level, goal.accuracy))
+        made = _scan_outcome(Scan(lines), goal, 1, f"tensor Gauss–Hermite, {lines.weights.size} scanned lines")
+        if last is not None:
+            now = _apart(made, last, goal)
+            made.estimate = max(now, 0.3 * before, made.estimate)
+            if made.estimate <= goal.accuracy:
+                return made
+            if level >= 4 and now > 0.5 * before:
+                return None
+            before = now
+        last = made
+    return None
+
+
+def _apart(one: Outcome, other: Outcome, goal: Goal) -> float:
+    """The distance of two outcomes in standard deviations."""
+    width = one.std if one.std > 0.0 else width_of(one.quantiles, goal)
+    if not width > 0.0:
+        return 0.0
+    parts = [*np.abs(one.quantiles - other.quantiles), abs(one.mean - other.mean), abs(one.std - other.std)]
+    return float(np.nanmax(parts)) / width
+
+
+def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
+    if not scan.admissible > 1e-12:
+        raise InadmissibleError(
+            "no case within the inputs' uncertainty is admissible", code="inadmissible", hint="check the inputs"
+        )
+    tolerance = min(max(0.02 * goal.accuracy, 1e-11), 1e-4)
+    quantiles, share, slope = scan.quantiles(goal.p, tolerance)
+    made = Outcome(method, quantiles, scan.lines, groups=groups)
+    made.scan, made.admissible = scan, scan.admissible
+    first, second = scan.moments()
+    weights = scan.lines.weights
+    made.mean = float(weights @ first) / scan.admissible
+    made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - made.mean**2, 0.0)))
+    heavy = scan.lines.space.heavy
+    if heavy:
+        made.std = width_of(quantiles, goal)
+    if groups > 1 and made.std > 0.0:
+        made.estimate = _scan_estimate(scan, made, goal, share, slope, first, second)
+    elif made.std == 0.0:
+        made.estimate = FLOOR
+    else:
+        made.estimate = _coarser(scan, made)
+    made.estimate = max(made.estimate, tolerance)
+    if heavy:
+        made.mean = made.std = float("nan")
+    return made
+
+
+def _coarser(scan: Scan, made: Outcome) -> float:
+    """How far mean and deviation move without every second point of the scan: nothing, where lines are smooth."""
+    first, second = (float(scan.lines.weights @ part) / scan.admissible for part in scan.moments(2))
+    std = np.sqrt(max(second - first * first, 0.0))
+    return max(0.3 * max(abs(first - made.mean), abs(float(std) - made.std)) / made.std, FLOOR)
+
+
+def _scan_estimate(
+    scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", first: "Array", second: "Array"
+) -> float:
+    """The scatter of replicates: of probabilities over the density (not at atoms and gaps), and of the moments."""
+    weights = scan.lines.weights
+    pieces = scan.pieces
+    mass = np.bincount(pieces.line, scan.measures, minlength=weights.size).reshape(SHIFTS, -1).mean(axis=1)
+    shares = share.reshape(SHIFTS, -1, share.shape[1]).mean(axis=1) / mass[:, None]
+    means = first.reshape(SHIFTS, -1).mean(axis=1) / mass
+    squares = second.reshape(SHIFTS, -1).mean(axis=1) / mass
+    deviations = np.sqrt(np.maximum(squares - 2.0 * made.mean * means + made.mean**2, 0.0))
+    errors = [] if scan.lines.space.heavy else [means.std(ddof=1) / made.std, deviations.std(ddof=1) / made.std]
+    scatter = shares.std(axis=0, ddof=1)
+    dense = slope * made.std / scan.admissible
+    # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.
+    sure = REPLICATE_FACTOR * scatter
+    before = scan.below(made.quantiles - 1e-7 * made.std, 1e-9)[0]
+    under, over = (weights @ part / scan.admissible for part in (before, share))
+    for e, d, low, high, p in zip(scatter, dense, under + sure, over - sure, goal.p, strict=True):
+        # Well within an atom the quantile is the atom, whatever the scatter.
+        errors.append(0.0 if low < p < high else float(e / d) if d > 1e-3 else float(e))
+    return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)
+
+
+def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
+    """P(result > limit), given admissibility, for each limit."""
+    scan = outcome.scan or Scan(outcome.lines)
+    outcome.scan = scan
+    share, _ = scan.below(limits, min(max(0.01 * goal.accuracy, 1e-11), 1e-4))
+    weights = outcome.lines.weights if share.shape[0] == outcome.lines.weights.size else np.ones(1)
+    return np.clip(1.0 - (weights @ share) / scan.admissible, 0.0, 1.0)  # type: ignore[no-any-return]
