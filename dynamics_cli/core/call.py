@@ -17,6 +17,11 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "input": ("value", "FILE", "Parameters from JSON or TOML (- for standard input); options win."),
     "rows": ("value", "FILE", "A stream of cases, NDJSON or CSV (- for standard input); one row out per row in."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
+    "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
+    "samples": ("value", "N", "At most so many evaluations for uncertainty; the sample of Monte Carlo."),
+    "seed": ("value", "N", "Seed of lattices and samples (1)."),
+    "coverage": ("value", "P", "Probability of the intervals of uncertain results (95 %)."),
+    "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
     "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
     "model": ("value", "NAME", "Overrule the choice of model, where there are several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
@@ -52,6 +57,11 @@ class Settings:
         self.rows = self._text(given, "rows")
         self.sweep = _pairs("sweep", given)
         self.limit = self._limits(given)
+        self.method = self._text(given, "method")
+        self.samples = self._whole(given, "samples", 1_000_000_000)
+        self.seed = self._whole(given, "seed", 2**63)
+        self.coverage = self._text(given, "coverage")
+        self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.model = self._text(given, "model")
         self.explain = bool(given.get("explain"))
         self.timing = bool(given.get("timing"))
@@ -86,6 +96,14 @@ class Settings:
             return 0
         if not (text.isascii() and text.isdigit()) or not 1 <= int(text[:6]) <= 17:
             raise UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
+        return int(text)
+
+    def _whole(self, given: "Mapping[str, str | bool | list[str]]", name: str, most: int) -> "int | None":
+        text = self._text(given, name)
+        if not text:
+            return None
+        if not (text.isascii() and text.isdigit() and len(text) < 20) or not 1 <= int(text) <= most:
+            raise UsageError(f"read {text!r}, wanted a whole number of at least 1", parameter=name)
         return int(text)
 
     @staticmethod

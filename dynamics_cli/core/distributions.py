@@ -98,7 +98,7 @@ class Triangular(Distribution):
     def __init__(self, low: float, mode: float, high: float) -> None:
         _check(low <= mode <= high, f"the most likely value {mode:g} is not between {low:g} and {high:g}")
         self.low, self.mode, self.high = low, mode, high
-        self.mean = (low + mode + high) / 3.0
+        self.mean = math.fsum((low, mode, high)) / 3.0
         a, b = mode - low, high - mode
         self.std = math.sqrt((a * a + a * b + b * b) / 18.0)
 
@@ -229,6 +229,37 @@ class Empirical(Distribution):
         return {"values": self.values.tolist()}
 
 
+class Result(Distribution):
+    """An earlier result, known by its median and interval: a normal distribution, or one bent like a shifted lognormal."""
+
+    name = "result"
+    smooth = True
+
+    def __init__(self, median: float, low: float, high: float, coverage: float) -> None:
+        _check(low <= median <= high and 0.0 < coverage < 1.0, "an interval that does not hold its median")
+        self.median, self.ends, self.coverage = median, (low, high), coverage
+        score = -normal.quantile(0.5 * (1.0 - coverage))
+        below, above = median - low, high - median
+        self._bend = math.log(above / below) / score if below > 0.0 and above > 0.0 else 0.0
+        bend = self._bend
+        straight = abs(bend * score) < 1e-9
+        self._scale = (high - low) / (2.0 * score) if straight else bend * above / math.expm1(bend * score)
+        half = 0.5 * bend * bend
+        self.mean = median if straight else median + self._scale * math.expm1(half) / bend
+        self.std = self._scale if straight else self._scale * math.exp(half) * math.sqrt(math.expm1(2.0 * half)) / abs(bend)
+        self._straight = straight
+
+    def at(self, z: "Array") -> "Array":
+        """Through the median and both ends of the interval."""
+        if self._straight:
+            return self.median + self._scale * z
+        return self.median + self._scale * np.expm1(self._bend * z) / self._bend  # type: ignore[no-any-return]
+
+    def parameters(self) -> "dict[str, Any]":
+        """Median and interval."""
+        return {"median": self.median, "low": self.ends[0], "high": self.ends[1], "coverage": self.coverage}
+
+
 def _check(holds: bool, message: str) -> None:
     if not holds:
         raise UsageError(message, code="distribution")
@@ -256,5 +287,5 @@ def _truncated_moments(a: float, b: float) -> tuple[float, float]:
 
 
 KINDS: "dict[str, type[Distribution]]" = {
-    made.name: made for made in (Normal, Uniform, Triangular, Lognormal, Truncated, StudentT, Empirical)
+    made.name: made for made in (Normal, Uniform, Triangular, Lognormal, Truncated, StudentT, Empirical, Result)
 }

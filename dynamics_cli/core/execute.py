@@ -39,7 +39,9 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
 
 def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":
     """The result document of one case."""
-    bound = gathered.reader.read(task.specification.fields, gathered.raw)
+    reader = gathered.reader
+    reader.uncertain = {}
+    bound = reader.read(task.specification.fields, gathered.raw)
     start = _clock() if settings.timing else 0.0
     answered = answer(task, bound, settings.model)
     took = _clock() - start if settings.timing else 0.0
@@ -52,7 +54,13 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
                 code="check",
                 hint="this is a bug: please report it with the inputs",
             )
-    if settings.limit:
+    if reader.uncertain or settings.correlate:
+        from dynamics_cli.core.uncertain_document import add_uncertainty
+
+        start = _clock() if settings.timing else 0.0
+        add_uncertainty(document, task, bound, answered, reader.uncertain, settings, display)
+        took += _clock() - start if settings.timing else 0.0
+    elif settings.limit:
         from dynamics_cli.core.limits import add_limits
 
         add_limits(document, task, bound, answered, settings, display)

@@ -28,7 +28,7 @@ ARC_SIGNS = "°′″"
 OPENING = "([{"
 CLOSING = ")]}"
 UNCERTAIN_SIGNS = ("±", "+/-", "+-", "..")
-DISTRIBUTIONS = ("normal", "uniform", "lognormal", "triangular", "truncated")
+DISTRIBUTIONS = ("normal", "uniform", "lognormal", "triangular", "truncated", "empirical", "readings")
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 
 
@@ -134,7 +134,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
     except UsageError as error:
         if is_uncertain(text):
             raise UsageError(
-                f"{_show(text)} is an uncertain value; this version takes certain values only",
+                f"{_show(text)} is an uncertain value; a certain one is wanted here",
                 code="uncertain",
                 hint=f"write one number, for example {kind.example}",
             ) from None
@@ -146,8 +146,8 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
 
 
 def is_uncertain(text: str) -> bool:
-    """Whether a text is written as a distribution: `0.72 ± 0.04`, `0.65..0.75`, `lognormal(…)`."""
-    if any(sign in text for sign in UNCERTAIN_SIGNS):
+    """Whether a text is written as a distribution: `0.72 ± 0.04`, `0.65..0.75`, `lognormal(…)`, `[0.71, 0.74]`."""
+    if text.lstrip().startswith("[") or any(sign in text for sign in UNCERTAIN_SIGNS):
         return True
     name, opened, _ = text.partition("(")
     return opened == "(" and name.strip().lower() in DISTRIBUTIONS

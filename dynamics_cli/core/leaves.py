@@ -101,9 +101,34 @@ def _default_unit(kind: Kind, reader: "Reader") -> str:
 
 
 def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
-    reading = read_scalar(_text_of(kind, raw), kind, _default_unit(kind, reader))
+    if isinstance(raw, list | dict) and reader.uncertain is not None and _is_distribution(raw):
+        return _uncertain(kind, raw, address, reader)
+    text = _text_of(kind, raw)
+    try:
+        reading = read_scalar(text, kind, _default_unit(kind, reader))
+    except UsageError as error:
+        if error.code != "uncertain" or reader.uncertain is None:
+            raise
+        return _uncertain(kind, text, address, reader)
     reader.notes.extend(f"{address}: {note}" for note in reading.notes)
     return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
+
+
+def _is_distribution(raw: "Any") -> bool:
+    """Whether JSON is repeated readings, names a distribution, or is a value with a standard uncertainty or an interval."""
+    if isinstance(raw, list):
+        return len(raw) > 1
+    return any(raw.get(key) is not None for key in ("distribution", "std", "interval"))
+
+
+def _uncertain(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    from dynamics_cli.core.uncertain_text import read_uncertain
+
+    bound, notes = read_uncertain(kind, raw, address, _default_unit(kind, reader))
+    reader.notes.extend(f"{address}: {note}" for note in notes)
+    assert reader.uncertain is not None
+    reader.uncertain[address] = bound.distribution
+    return bound
 
 
 def _whole(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:

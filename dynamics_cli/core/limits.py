@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.grammar import Reading
     from dynamics_cli.core.shown import Display
     from dynamics_cli.core.task import Task
+    from dynamics_cli.quantities import Kind
 
 
 def add_limits(
@@ -26,6 +28,16 @@ def add_limits(
     display: "Display",
 ) -> None:
     """Put each limit beside its result: within it or not, and by how much."""
+    document["limits"] = [
+        limit_entry(key, value, reading, display.of(key, kind))
+        for key, kind, value, reading in read_limits(task, answered, settings)
+    ]
+
+
+def read_limits(
+    task: "Task", answered: "Answer", settings: "Settings"
+) -> "list[tuple[str, Kind, float, Reading]]":
+    """Each limit as read: the result's name and kind, its value, and the limit."""
     scalars = {
         field.key: field.node.kind
         for field in task.specification.result.fields
@@ -33,7 +45,7 @@ def add_limits(
     }
     if not scalars:
         raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
-    entries = []
+    found = []
     for name, text in settings.limit:
         key = name or next(iter(scalars))
         value = plain(getattr(answered.record, key, None)) if key in scalars else None
@@ -49,13 +61,13 @@ def add_limits(
         except DynamicsError as error:
             error.parameter = "limit"
             raise
-        shown = display.of(key, scalars[key])
-        entries.append(_entry(key, value, limit.si, shown))
-        entries[-1]["limit"] = {"value": limit.value, "unit": limit.unit} if limit.unit else {"value": limit.value}
-    document["limits"] = entries
+        found.append((key, scalars[key], value, limit))
+    return found
 
 
-def _entry(key: str, value: float, limit: float, shown: "Any") -> "dict[str, Any]":
+def limit_entry(key: str, value: float, reading: "Reading", shown: "Any") -> "dict[str, Any]":
+    """What the document says of one limit."""
+    limit = reading.si
     by = abs(shown.width(value - limit))
     unit = {"unit": shown.text} if shown.text else {}
     words = "at" if value == limit else "beyond" if value > limit else "within"
@@ -64,4 +76,5 @@ def _entry(key: str, value: float, limit: float, shown: "Any") -> "dict[str, Any
         "beyond": value > limit,
         "by": {"value": by, **unit},
         "message": f"{key} is {words} the limit" + (f" by {number(by, 6)} {shown.text}".rstrip() if by else ""),
+        "limit": {"value": reading.value, "unit": reading.unit} if reading.unit else {"value": reading.value},
     }

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from typing import Any
 
+    from dynamics_cli.core.distributions import Distribution
     from dynamics_cli.core.specification import Node
     from dynamics_cli.quantities import Kind
 
@@ -35,6 +36,8 @@ class Reader:
         self.errors: list[DynamicsError] = []
         self.notes: list[str] = []
         self.files: list[str] = []
+        # Distributions by address; None where only certain values are taken.
+        self.uncertain: dict[str, Distribution] | None = None
         self._defaults: dict[str, str] | None = None
 
     def default_unit(self, kind: "Kind") -> str:

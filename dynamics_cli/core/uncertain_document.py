@@ -1,0 +1,267 @@
+"""What uncertain inputs add to a document: spreads beside the results, what drives them, chances beyond limits."""
+
+import math
+
+import numpy as np
+
+from dynamics_cli.core.limits import limit_entry, read_limits
+from dynamics_cli.core.render import number
+from dynamics_cli.core.shown import plain
+from dynamics_cli.core.uncertain_model import TaskModel, result_leaves
+from dynamics_cli.core.uncertain_text import read_correlations
+from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, DEFAULT_SEED, METHODS, Propagation, Spread, propagate
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from dynamics_cli.core.answer import Answer
+    from dynamics_cli.core.bound import Fields
+    from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.distributions import Distribution
+    from dynamics_cli.core.shown import Display, Shown
+    from dynamics_cli.core.task import Task
+    from dynamics_cli.quantities import Kind
+
+# A formula called case by case is some hundred times slower than one on arrays.
+SLOW_POINTS = 20_000
+SLOW_ACCURACY = 1e-3
+# An estimate of the error above this share of the deviation is worth a warning.
+WORTH_SAYING = 5e-3
+_PERCENT = 100.0
+
+
+def add_uncertainty(
+    document: "dict[str, Any]",
+    task: "Task",
+    bound: "Fields",
+    answered: "Answer",
+    distributions: "Mapping[str, Distribution]",
+    settings: "Settings",
+    display: "Display",
+) -> None:
+    """Propagate the inputs' distributions through the task's model and say what comes of it."""
+    model = TaskModel(task, answered.model, bound, answered.record)
+    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, model.spec)}
+    limits = read_limits(task, answered, settings) if settings.limit else []
+    wanted: dict[str, list[float]] = {}
+    for key, _, _, reading in limits:
+        wanted.setdefault(key, []).append(reading.si)
+    made = propagate(
+        model,
+        distributions,
+        read_correlations(settings.correlate, list(distributions)),
+        coverage=read_coverage(settings.coverage),
+        method=_method(settings.method),
+        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
+        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+        seed=settings.seed or DEFAULT_SEED,
+        limits=wanted,
+        slopes=_slopes(answered, model),
+    )
+    shown = {name: display.of(name, kind) for name, kind in kinds.items()}
+    _add_results(document["results"], made, shown)
+    document["numerics"]["uncertainty"] = _method_entry(made)
+    if drivers := _sensitivity(made, shown):
+        document["sensitivity"] = drivers
+    if made.correlation is not None:
+        document["covariance"] = _covariance(made, shown)
+    if limits:
+        document["limits"] = _limit_entries(limits, made, kinds, shown)
+    document["warnings"] += _warnings(made)
+
+
+def read_coverage(text: str) -> float:
+    """`95 %` or `0.95`."""
+    if not text:
+        return 0.95
+    from dynamics_cli.core.grammar import read_scalar
+    from dynamics_cli.quantities import Kind
+
+    try:
+        return read_scalar(text, Kind("coverage", "", above=0.0, below=1.0, example="95 %")).si
+    except UsageError as error:
+        error.parameter = "coverage"
+        raise
+
+
+def _method(text: str) -> str:
+    name = text.lower().replace("_", "-") or "auto"
+    if name not in METHODS:
+        raise UsageError(
+            f"read {text!r}, wanted one of {', '.join(METHODS)}", parameter="method", code="unknown-choice"
+        )
+    return name
+
+
+def _slopes(answered: "Answer", model: TaskModel) -> "dict[str, dict[str, float]] | None":
+    """Derivatives by the inputs, as the formula carried them at the means."""
+    if not answered.leaves:
+        return None
+    made = {}
+    for name, _, value in result_leaves(answered.record, model.spec):
+        slopes = getattr(value, "slopes", None)
+        if slopes is not None:
+            made[name] = {leaf: slope for (leaf, _), slope in zip(answered.leaves, slopes, strict=True)}
+    return made or None
+
+
+def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
+    for name, spread in made.spreads.items():
+        if spread.interval[0] == spread.interval[1]:
+            continue
+        node: Any = results
+        for key in name.split("."):
+            node = node.get(key) if isinstance(node, dict) else None
+        if not isinstance(node, dict) or "value" not in node:
+            continue
+        unit = shown[name]
+        node["mean"] = _finite(unit.value(spread.mean)) if math.isfinite(spread.mean) else None
+        node["median"] = unit.value(spread.median)
+        node["std"] = unit.width(spread.std) if math.isfinite(spread.std) else None
+        node["interval"] = [unit.value(spread.interval[0]), unit.value(spread.interval[1])]
+        node["coverage"] = made.coverage
+
+
+def _finite(value: "Any") -> "Any":
+    return value if isinstance(value, list) or math.isfinite(value) else None
+
+
+def _method_entry(made: Propagation) -> "dict[str, Any]":
+    """How it was done: method and error estimate of every result, in its standard deviations; the shares' method."""
+    results = {}
+    for name, spread in made.spreads.items():
+        if spread.interval[0] < spread.interval[1]:
+            entry: dict[str, Any] = {"method": spread.method, "estimate": _two_digits(spread.estimate)}
+            if spread.admissible < 1.0 - 1e-12:
+                entry["admissible"] = spread.admissible
+            results[name] = entry
+    out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
+    if made.shares_method:
+        out["shares"] = {"method": made.shares_method}
+        if math.isfinite(made.shares_error):
+            out["shares"]["estimate"] = _two_digits(made.shares_error)
+    return out
+
+
+def _two_digits(number_: float) -> "float | None":
+    return float(f"{number_:.1e}") if math.isfinite(number_) else None
+
+
+def _share(value: float) -> float:
+    return float(f"{value:.4f}") + 0.0
+
+
+def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+    """For every result the inputs ranked by their share of the variance, the range each makes alone, and the corners."""
+    out = {}
+    for name, spread in made.spreads.items():
+        if not spread.first or not spread.interval[0] < spread.interval[1]:
+            continue
+        unit = shown[name]
+        rows = []
+        for index, leaf in enumerate(made.inputs):
+            row: dict[str, Any] = {"input": leaf, "share": _share(spread.first[index])}
+            if spread.total[index] != spread.first[index]:
+                row["total"] = _share(spread.total[index])
+            low, high = spread.tornado[index] if spread.tornado else (math.nan, math.nan)
+            row["alone"] = [_number(unit, low), _number(unit, high)]
+            rows.append(row)
+        rows.sort(key=lambda row: -abs(row.get("total", row["share"])))
+        entry: dict[str, Any] = {"inputs": rows}
+        if unit.text:
+            entry["unit"] = unit.text
+        if spread.corners:
+            entry["worst_case"] = [_number(unit, spread.corners[0]), _number(unit, spread.corners[1])]
+        out[name] = entry
+    return out
+
+
+def _number(unit: "Shown", si: float) -> "Any":
+    return unit.value(si) if math.isfinite(si) else None
+
+
+def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+    """Correlation and covariance of the results that vary and are not copies of one another, in the units shown."""
+    assert made.correlation is not None
+    names = list(made.spreads)
+    kept: list[int] = []
+    for i, name in enumerate(names):
+        spread = made.spreads[name]
+        if spread.std > 0.0 and not any(_same(spread, made.spreads[names[j]]) for j in kept):
+            kept.append(i)
+    if len(kept) < 2:
+        return {"results": [names[i] for i in kept]}
+    correlation = made.correlation[np.ix_(kept, kept)]
+    widths = np.array([shown[names[i]].width(made.spreads[names[i]].std) for i in kept])
+    return {
+        "results": [names[i] for i in kept],
+        "units": [shown[names[i]].text for i in kept],
+        "correlation": [[float(f"{x:.6f}") + 0.0 for x in row] for row in correlation],
+        "covariance": [[float(f"{x:.6g}") + 0.0 for x in row] for row in correlation * np.outer(widths, widths)],
+    }
+
+
+def _same(one: Spread, other: Spread) -> bool:
+    return one.interval == other.interval and one.median == other.median
+
+
+def _limit_entries(
+    limits: "list[Any]", made: Propagation, kinds: "Mapping[str, Kind]", shown: "Mapping[str, Shown]"
+) -> "list[dict[str, Any]]":
+    entries = []
+    for key, _, value, reading in limits:
+        entry = limit_entry(key, plain(value), reading, shown[key])
+        chance = next(chance for limit, chance in made.spreads[key].beyond if limit == reading.si)
+        entry["probability"] = chance
+        text = f"{number(reading.value, 6)} {reading.unit}".rstrip()
+        entry["message"] = f"{key} is beyond {text} with a probability of {_chance(chance)}"
+        entries.append(entry)
+    return entries
+
+
+def _chance(p: float) -> str:
+    """A probability for people: `3.4 %`, and never a rounded 0 or 100 %."""
+    if p in (0.0, 1.0):
+        return f"{_PERCENT * p:.0f} %"
+    if p < 1e-4:
+        return f"{p:.1e}"
+    if p > 1.0 - 1e-4:
+        return f"1 − {1.0 - p:.1e}"
+    return f"{_PERCENT * p:.3g} %"
+
+
+def _warnings(made: Propagation) -> "list[dict[str, Any]]":
+    out = []
+    fractions = {s.admissible for s in made.spreads.values() if s.admissible < 1.0 - 1e-9}
+    if fractions:
+        share = 1.0 - min(fractions)
+        out.append(
+            {
+                "code": "partly-inadmissible",
+                "severity": "caution" if share < 0.05 else "serious",
+                "message": f"{_chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
+            }
+        )
+    rough = [s for s in made.spreads.values() if s.interval[0] < s.interval[1] and not s.estimate <= WORTH_SAYING]
+    out += [
+        {
+            "code": "uncertainty-estimate",
+            "severity": "caution",
+            "message": f"the interval of {s.name} is itself known only to {s.estimate:.1g} standard deviations",
+            "mend": "raise --samples",
+        }
+        for s in rough
+    ]
+    if any(s.interval[0] < s.interval[1] and not math.isfinite(s.std) for s in made.spreads.values()):
+        out.append(
+            {
+                "code": "no-deviation",
+                "severity": "note",
+                "message": "two or three readings do not give their mean a standard deviation: intervals hold, shares are slopes",
+                "mend": "four readings or more",
+            }
+        )
+    return out

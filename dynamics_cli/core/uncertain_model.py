@@ -1,0 +1,145 @@
+"""A task as a model on arrays: physics functions called with whole samples, refused cases marked and left out."""
+
+import numpy as np
+
+from dynamics_cli.core.answer import arguments
+from dynamics_cli.core.specification import Leaf, Record
+from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.bound import Fields
+    from dynamics_cli.core.task import Model, Task
+    from dynamics_cli.quantities import Kind
+
+    Array = NDArray[np.float64]
+
+# Rounds in which a formula may refuse some rows for one reason after another.
+MOST_REFUSALS = 20
+_FUNCTIONS: "dict[str, Callable[..., Any]]" = {
+    "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
+    "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
+    "multiply_add": lambda a, b, c: a * b + c,
+}  # fmt: skip
+
+
+class Sampled(np.ndarray):
+    """An array that goes through `numerics.elementary` in numpy's own loops.
+
+    Rows must equal single answers to the bit, so ordinary arrays are mapped through the C library value by value. A
+    sample needs no such thing: a last bit is nothing beside its spread, and the loops are many times faster.
+    """
+
+    def apply(self, name: str, *arguments: "Any") -> "Any":
+        """The elementary function `name`."""
+        return _FUNCTIONS[name](*arguments)
+
+
+def result_leaves(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":
+    """Every real number of a result record that is not within a table: address, kind, value."""
+    for field in spec.fields:
+        value = getattr(record, field.name)
+        own = f"{address}.{field.key}" if address else field.key
+        if value is None:
+            continue
+        if isinstance(field.node, Record):
+            yield from result_leaves(value, field.node, own)
+        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in ("scalar", "slope"):
+            yield own, field.node.kind, value
+
+
+class TaskModel:
+    """The model of a task at the inputs as read, with arrays at the uncertain addresses."""
+
+    def __init__(self, task: "Task", model: "Model", bound: "Fields", nominal: "Any") -> None:
+        self.task = task
+        self.bound = bound
+        self.function = model.call()
+        self.spec = task.specification.result
+        self.names = [name for name, _, _ in result_leaves(nominal, self.spec)]
+        self.kinds = {address: kind for address, kind, _ in bound.leaves()}
+        self.arrays = task.arrays
+
+    def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
+        """Results by address, and which rows are inadmissible."""
+        arrays = {name: value for name, value in inputs.items() if isinstance(value, np.ndarray)}
+        count = len(next(iter(arrays.values()))) if arrays else 1
+        refused = self._outside(arrays, count)
+        if not self.arrays or not arrays:
+            return self._one_by_one(inputs, arrays, count, refused)
+        kept = None if refused is None else np.nonzero(~refused)[0]
+        for _ in range(MOST_REFUSALS):
+            if kept is not None and not kept.size:
+                return dict.fromkeys(self.names, np.nan), np.ones(count, dtype=bool)
+            try:
+                results = self._call(inputs, arrays, kept)
+            except InadmissibleError as error:
+                if error.refused is None:
+                    raise
+                bad = np.broadcast_to(np.asarray(error.refused, dtype=bool), count if kept is None else kept.shape)
+                kept = np.nonzero(~bad)[0] if kept is None else kept[~bad]
+                continue
+            except (TypeError, ValueError):
+                # A formula that asks a sample for its truth value takes one case at a time.
+                self.arrays = False
+                return self._one_by_one(inputs, arrays, count, refused)
+            return (results, None) if kept is None else self._spread(results, kept, count)
+        raise FaultError("the formula refuses rows without end")
+
+    def _call(self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", kept: "Any") -> "dict[str, Any]":
+        values = dict(inputs)
+        for name, array in arrays.items():
+            values[name] = (array if kept is None else array[kept]).view(Sampled)
+        args, kwargs = arguments(self.task, self.bound, values)
+        record = self.function(*args, **kwargs)
+        found = {name: np.asarray(value, dtype=float) for name, _, value in result_leaves(record, self.spec)}
+        return {name: found.get(name, np.nan) for name in self.names}
+
+    def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
+        refused = np.ones(count, dtype=bool)
+        refused[kept] = False
+        made = {}
+        for name, value in results.items():
+            made[name] = np.full(count, np.nan)
+            made[name][kept] = value
+        return made, refused
+
+    def _outside(self, arrays: "dict[str, Array]", count: int) -> "Any":
+        """Rows whose inputs leave their kind's bounds (a negative friction), or None."""
+        refused = None
+        for name, array in arrays.items():
+            kind = self.kinds[name]
+            for bound, low in ((kind.low, True), (kind.above, True), (kind.high, False), (kind.below, False)):
+                if bound is None:
+                    continue
+                extreme = array.min() if low else array.max()
+                open_ = bound == (kind.above if low else kind.below)
+                if (extreme > bound if low else extreme < bound) or (extreme == bound and not open_):
+                    continue
+                bad = (array <= bound if open_ else array < bound) if low else (array >= bound if open_ else array > bound)
+                refused = bad if refused is None else refused | bad
+        return refused
+
+    def _one_by_one(
+        self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", count: int, refused: "Any"
+    ) -> "tuple[dict[str, Any], Any]":
+        bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
+        made = {name: np.full(count, np.nan) for name in self.names}
+        columns = {name: array.tolist() for name, array in arrays.items()}
+        for row in np.nonzero(~bad)[0].tolist():
+            values = {**inputs, **{name: column[row] for name, column in columns.items()}}
+            args, kwargs = arguments(self.task, self.bound, values)
+            try:
+                record = self.function(*args, **kwargs)
+            except (DynamicsError, ArithmeticError):
+                bad[row] = True
+                continue
+            for name, _, value in result_leaves(record, self.spec):
+                if name in made:
+                    made[name][row] = value
+        return made, bad if bad.any() else None
