@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 
 class Distribution:
@@ -135,7 +135,7 @@ class Lognormal(Distribution):
 
     def at(self, z: "Array") -> "Array":
         """Median times a power."""
-        return self._median * np.exp(self._width * z)  # type: ignore[no-any-return]
+        return self._median * np.exp(self._width * z)
 
     def parameters(self) -> "dict[str, Any]":
         """Mean and standard deviation of the number itself."""
@@ -222,7 +222,7 @@ class Empirical(Distribution):
         """The value whose share of the probability holds Φ(z)."""
         count = len(self.values)
         index = np.ceil(arrays.lower(z) * count - 1e-12).astype(np.int64) - 1
-        return self.values[np.clip(index, 0, count - 1)]  # type: ignore[no-any-return]
+        return self.values[np.clip(index, 0, count - 1)]
 
     def parameters(self) -> "dict[str, Any]":
         """The values."""
@@ -230,7 +230,7 @@ class Empirical(Distribution):
 
 
 class Result(Distribution):
-    """An earlier result, known by its median and interval: a normal distribution, or one bent like a shifted lognormal."""
+    """An earlier result, known by median and interval: normal, or bent like a shifted lognormal."""
 
     name = "result"
     smooth = True
@@ -244,16 +244,18 @@ class Result(Distribution):
         bend = self._bend
         straight = abs(bend * score) < 1e-9
         self._scale = (high - low) / (2.0 * score) if straight else bend * above / math.expm1(bend * score)
-        half = 0.5 * bend * bend
-        self.mean = median if straight else median + self._scale * math.expm1(half) / bend
-        self.std = self._scale if straight else self._scale * math.exp(half) * math.sqrt(math.expm1(2.0 * half)) / abs(bend)
         self._straight = straight
+        self.mean, self.std = median, self._scale
+        if not straight:
+            half = 0.5 * bend * bend
+            self.mean += self._scale * math.expm1(half) / bend
+            self.std *= math.exp(half) * math.sqrt(math.expm1(2.0 * half)) / abs(bend)
 
     def at(self, z: "Array") -> "Array":
         """Through the median and both ends of the interval."""
         if self._straight:
             return self.median + self._scale * z
-        return self.median + self._scale * np.expm1(self._bend * z) / self._bend  # type: ignore[no-any-return]
+        return self.median + self._scale * np.expm1(self._bend * z) / self._bend
 
     def parameters(self) -> "dict[str, Any]":
         """Median and interval."""

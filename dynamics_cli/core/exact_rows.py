@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
-    Mask = NDArray[np.bool_]
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
     Result = tuple[Part, str, Any]
 
 NAN = float("nan")

@@ -115,7 +115,7 @@ def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
 
 
 def _is_distribution(raw: "Any") -> bool:
-    """Whether JSON is repeated readings, names a distribution, or is a value with a standard uncertainty or an interval."""
+    """Whether JSON is repeated readings, names a distribution, or has a standard uncertainty or an interval."""
     if isinstance(raw, list):
         return len(raw) > 1
     return any(raw.get(key) is not None for key in ("distribution", "std", "interval"))

@@ -34,9 +34,7 @@ def add_limits(
     ]
 
 
-def read_limits(
-    task: "Task", answered: "Answer", settings: "Settings"
-) -> "list[tuple[str, Kind, float, Reading]]":
+def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list[tuple[str, Kind, float, Reading]]":
     """Each limit as read: the result's name and kind, its value, and the limit."""
     scalars = {
         field.key: field.node.kind

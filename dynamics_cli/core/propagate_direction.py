@@ -15,10 +15,11 @@ from dynamics_cli.numerics.lattice import MOST_DIMENSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    import numpy as np
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 
 def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:

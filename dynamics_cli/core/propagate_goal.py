@@ -9,11 +9,13 @@ from dynamics_cli.numerics.normal_arrays import quantile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
     from dynamics_cli.core.propagate_scan import Scan
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 SHIFTS = 8
 # Student's 97.5 % quantile with seven degrees of freedom, doubled: replicates are few and not quite normal.
@@ -116,4 +118,4 @@ def tail_direction(space: Space, result: int, direction: "Array", score: float) 
             return direction
         made += 0.5 * gradient / size
     size = float(np.sqrt(made @ made))
-    return made / size if size > 0.5 else direction  # type: ignore[no-any-return]
+    return made / size if size > 0.5 else direction

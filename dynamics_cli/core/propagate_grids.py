@@ -10,9 +10,11 @@ from dynamics_cli.numerics.hermite import gauss_hermite, tensor
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
 # A level that moves less than this share of the level before is converging.
@@ -52,7 +54,7 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
     factor = 0.03 if space.smooth else 0.3
     best: Outcome | None = None
     differences: list[float] = []
-    last: tuple[Lines, Roots, tuple[int, int]] | None = None
+    last: tuple[Lines, Roots, tuple[int, int, int]] | None = None
     for level in _levels(rest, goal):
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
         shape = (rest, level, lines.weights.size)

@@ -10,9 +10,11 @@ from dynamics_cli.numerics.normal_arrays import probability, quantile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 FIRST_LATTICE = 128
 

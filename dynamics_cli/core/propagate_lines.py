@@ -11,11 +11,13 @@ from dynamics_cli.numerics.normal_arrays import density, probability
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
     from dynamics_cli.core.propagate_space import Space
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 MOST_STEPS = 14
 FIRST_DIFFERENCE = 1e-3
@@ -42,11 +44,11 @@ class Lines:
     def values(self, s: "Array") -> "Array":
         """The result at s (lines, k)."""
         z = self.base[:, :, None] + self.direction[:, None, None] * s
-        return self.space.evaluate(z.reshape(len(z), -1))[self.result].reshape(s.shape)
+        return self.space.evaluate(z.reshape(len(z), -1))[self.result].reshape(s.shape)  # type: ignore[no-any-return]
 
     def at(self, index: "Array", s: "Array") -> "Array":
         """The result on chosen lines, one s each."""
-        return self.space.evaluate(self.base[:, index] + self.direction[:, None] * s)[self.result]
+        return self.space.evaluate(self.base[:, index] + self.direction[:, None] * s)[self.result]  # type: ignore[no-any-return]
 
 
 class Roots:
@@ -62,7 +64,7 @@ class Roots:
 
     def density(self, weights: "Array") -> "Array":
         """The probability density of the result at its quantiles."""
-        return weights @ (density(self.s) / self.slopes)  # type: ignore[no-any-return]
+        return weights @ (density(self.s) / self.slopes)
 
 
 def solve(
@@ -172,7 +174,7 @@ _projections: "dict[tuple[object, object], Array]" = {}
 def _fit(old: Lines) -> "Array":
     """From values on the old lines to the coefficients of the quadratic through them."""
     root = np.sqrt(np.abs(old.weights))
-    return np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root  # type: ignore[no-any-return]
+    return np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root
 
 
 def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | None" = None) -> "tuple[Array, Array]":

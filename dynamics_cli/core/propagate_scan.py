@@ -11,12 +11,14 @@ from dynamics_cli.numerics.normal_arrays import density, tail
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
     from dynamics_cli.core.propagate_lines import Lines
 
-    Array = NDArray[np.float64]
-    Index = NDArray[np.int64]
+    Array = NDArray[Any]
+    Index = NDArray[Any]
 
 REACH = 8.3
 POINTS = 33
@@ -66,7 +68,7 @@ class Scan:
         edges = self._edges(sound)
         return _joined(made, edges) if edges is not None else made
 
-    def _edges(self, sound: "NDArray[np.bool_]") -> Pieces | None:
+    def _edges(self, sound: "NDArray[Any]") -> Pieces | None:
         """The part of a cell between an admissible end and the boundary of admissibility, which is bisected."""
         line, cell = np.nonzero(sound[:, :-1] != sound[:, 1:])
         if not line.size:
@@ -90,7 +92,7 @@ class Scan:
             np.where(forward, value, f_start),
         )
 
-    def _with_turns(self, pieces: Pieces, cells: "Index", sound: "NDArray[np.bool_]") -> Pieces:
+    def _with_turns(self, pieces: Pieces, cells: "Index", sound: "NDArray[Any]") -> Pieces:
         """Cut the two cells beside a local extremum at the extremum."""
         values, s = self.values, self.s
         rise = np.diff(values, axis=1)
@@ -230,7 +232,7 @@ class Scan:
         order = np.argsort(flat[sound])
         ranked = np.cumsum(mass[sound][order])
         place = np.searchsorted(ranked, p * ranked[-1])
-        return flat[sound][order][np.minimum(place, ranked.size - 1)].copy()
+        return flat[sound][order][np.minimum(place, ranked.size - 1)].copy()  # type: ignore[no-any-return]
 
     def moments(self, every: int = 1) -> "tuple[Array, Array]":
         """First and second moment on every line (of admissible parts), (lines,), about zero.

@@ -14,9 +14,11 @@ from dynamics_cli.numerics.normal_arrays import quantile
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 # Points along the only line when one input is uncertain.
 FINE_SCAN = 1025
@@ -171,7 +173,7 @@ def _scan_estimate(
     for e, d, low, high, p in zip(scatter, dense, under + sure, over - sure, goal.p, strict=True):
         # Well within an atom the quantile is the atom, whatever the scatter.
         errors.append(0.0 if low < p < high else float(e / d) if d > 1e-3 else float(e))
-    return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)
+    return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)  # type: ignore[no-any-return]
 
 
 def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
@@ -180,4 +182,4 @@ def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
     outcome.scan = scan
     share, _ = scan.below(limits, min(max(0.01 * goal.accuracy, 1e-11), 1e-4))
     weights = outcome.lines.weights if share.shape[0] == outcome.lines.weights.size else np.ones(1)
-    return np.clip(1.0 - (weights @ share) / scan.admissible, 0.0, 1.0)  # type: ignore[no-any-return]
+    return np.clip(1.0 - (weights @ share) / scan.admissible, 0.0, 1.0)

@@ -17,9 +17,11 @@ from dynamics_cli.numerics.smolyak import chaos_terms, smolyak
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 SHIFTS = 8
 # A projection that misses more than this share of the variance is not used.

@@ -11,10 +11,11 @@ from dynamics_cli.core.propagate_space import Space
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from typing import Any
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 DEFAULT_SAMPLES = 1_000_000
 _STEP = 0.05

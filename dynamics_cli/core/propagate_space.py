@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.distributions import Distribution
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
     Correlation = Mapping[tuple[str, str], float]
     # Results by name, and the rows that are inadmissible (or None).
     Model = Callable[[dict[str, Any]], tuple[dict[str, Any], Any]]
@@ -155,7 +155,7 @@ def _admissible(matrix: "Array", i: int, j: int) -> tuple[float, float]:
     inner = np.linalg.pinv(matrix[np.ix_(rest, rest)]) if rest else np.zeros((0, 0))
     a, b = matrix[i, rest], matrix[j, rest]
     middle = float(a @ inner @ b)
-    room = float(np.sqrt(max(1.0 - a @ inner @ a, 0.0) * max(1.0 - b @ inner @ b, 0.0)))
+    room = float(np.sqrt(max(1.0 - float(a @ inner @ a), 0.0) * max(1.0 - float(b @ inner @ b), 0.0)))
     return middle - room, middle + room
 
 

@@ -70,7 +70,12 @@ def is_table(value: "Any") -> bool:
 def flatten(node: "Any", address: str = "") -> "list[tuple[str, Any, str]]":
     """Every quantity or word below a node that is not a table: address, value, unit."""
     if is_quantity(node):
-        return [(address, node["value"], node.get("unit", ""))]
+        value = node["value"]
+        if "distribution" in node:
+            from dynamics_cli.core.uncertain_render import distribution_text
+
+            value = distribution_text(node)
+        return [(address, value, node.get("unit", ""))]
     if isinstance(node, dict):
         return [
             entry
@@ -152,8 +157,14 @@ def to_table(document: "Document", digits: int) -> str:
         lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
     bounds = document["numerics"].get("error_bound", {})
     tails = {name: f"(error ≤ {_bound(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
+    uncertain = "uncertainty" in document["numerics"]
+    if uncertain:
+        from dynamics_cli.core.uncertain_render import driver_lines, spread_tails
+
+        tails |= spread_tails(document["results"], digits)
     lines += ["", *_aligned(flatten(document["results"]), digits, tails)]
     lines += _tables({name: node for name, node in document["results"].items() if is_table(node)}, digits)
+    lines += driver_lines(document, digits) if uncertain else []
     lines.append("")
     lines += [f"  limit: {item['message']}" for item in document.get("limits", ())]
     lines += [f"  check: {_check_line(check)}" for check in document["checks"]]
@@ -231,6 +242,10 @@ def to_csv(document: "Document", table: str) -> str:
     results = document["results"]
     node = results.get(table) if table else None
     plain = [] if node else _split_lists(flatten(results))
+    if plain and "uncertainty" in document["numerics"]:
+        from dynamics_cli.core.uncertain_render import spread_columns
+
+        plain += spread_columns(results)
     made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]
     lines = [",".join(header(name, unit) for name, unit, _ in made)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-    Array = NDArray[np.float64]
-    Mask = NDArray[np.bool_]
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
     Ratio = tuple[int, int]
 
 NAN = float("nan")

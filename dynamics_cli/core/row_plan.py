@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
-    Mask = NDArray[np.bool_]
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
     # (part, "each", one text a row), (part, "measured", (texts, unit)) or (part, "all", the value of every row).
     Result = tuple[Part, str, Any]
 

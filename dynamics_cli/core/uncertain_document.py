@@ -9,8 +9,9 @@ from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain_model import TaskModel, result_leaves
 from dynamics_cli.core.uncertain_text import read_correlations
-from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, DEFAULT_SEED, METHODS, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, METHODS, Propagation, Spread, propagate
 from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.lattice import DEFAULT_SEED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -155,7 +156,7 @@ def _share(value: float) -> float:
 
 
 def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
-    """For every result the inputs ranked by their share of the variance, the range each makes alone, and the corners."""
+    """For every result the inputs ranked by share of the variance, the range each makes alone, and the corners."""
     out = {}
     for name, spread in made.spreads.items():
         if not spread.first or not spread.interval[0] < spread.interval[1]:
@@ -260,7 +261,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
             {
                 "code": "no-deviation",
                 "severity": "note",
-                "message": "two or three readings do not give their mean a standard deviation: intervals hold, shares are slopes",
+                "message": "two or three readings give no standard deviation; intervals hold, shares are slopes",
                 "mend": "four readings or more",
             }
         )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.task import Model, Task
     from dynamics_cli.quantities import Kind
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 # Rounds in which a formula may refuse some rows for one reason after another.
 MOST_REFUSALS = 20
@@ -121,7 +121,8 @@ class TaskModel:
                 open_ = bound == (kind.above if low else kind.below)
                 if (extreme > bound if low else extreme < bound) or (extreme == bound and not open_):
                     continue
-                bad = (array <= bound if open_ else array < bound) if low else (array >= bound if open_ else array > bound)
+                apart = array - bound if low else bound - array
+                bad = apart <= 0.0 if open_ else apart < 0.0
                 refused = bad if refused is None else refused | bad
         return refused
 

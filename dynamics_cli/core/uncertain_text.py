@@ -1,4 +1,4 @@
-"""Uncertain values as written: `0.72 ± 0.04`, `20..25 m`, `truncated(0.72 ± 0.1, 0.5, 0.9)`, `[0.71, 0.74, 0.70]`, JSON.
+"""Uncertain values as written: `0.72 ± 0.04`, `20..25 m`, `truncated(0.72 ± 0.1, 0.5, 0.9)`, `[0.71, 0.74]`, JSON.
 
 Every number is read as a certain value of its parameter would be, with its unit and bounds; only a width (after ±) is a
 difference. A unit written last belongs to the numbers before it that have none.
@@ -40,7 +40,9 @@ WIDTHS = ("std", "width")
 class UncertainValue(Value):
     """A number with its distribution; its nominal value is the mean."""
 
-    def __init__(self, address: str, kind: Kind, distribution: d.Distribution, written: d.Distribution, unit: str) -> None:
+    def __init__(
+        self, address: str, kind: Kind, distribution: d.Distribution, written: d.Distribution, unit: str
+    ) -> None:
         super().__init__(address, kind, distribution.mean, written.mean, unit)
         self.distribution = distribution
         self.written = written
@@ -215,7 +217,8 @@ def _from_object(kind: Kind, raw: "dict[str, Any]", default_unit: str) -> "tuple
     elif not name:
         name = "normal"
     if name not in d.KINDS:
-        raise UsageError(f"there is no distribution {name!r}", code="distribution", hint=f"there is {', '.join(d.KINDS)}")
+        hint = f"there is {', '.join(d.KINDS)}"
+        raise UsageError(f"there is no distribution {name!r}", code="distribution", hint=hint)
     if name in ("normal", "lognormal") and given.get("mean") is None:
         given["mean"] = given.get("value")
     parts: list[Any] = []
@@ -265,5 +268,3 @@ def _address(name: str, known: "list[str]") -> str:
     """An address, or the last part of one if only one ends so."""
     ending = [address for address in known if address.rpartition(".")[2] == name]
     return ending[0] if name not in known and len(ending) == 1 else name
-
-

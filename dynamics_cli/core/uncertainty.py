@@ -21,13 +21,14 @@ from dynamics_cli.numerics.normal_arrays import quantile
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from typing import Any
 
     from numpy.typing import NDArray
 
     from dynamics_cli.core.distributions import Distribution
     from dynamics_cli.core.propagate_space import Model
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 DEFAULT_ACCURACY = 1e-4
@@ -45,8 +46,8 @@ class Spread:
         self.method = method
         self.interval = (float(quantiles[0]), float(quantiles[-1]))
         self.median = float(quantiles[len(quantiles) // 2])
-        self.mean = mean
-        self.std = std
+        self.mean = float(mean)
+        self.std = float(std)
         self.estimate = 0.0
         self.admissible = 1.0
         self.first: list[float] = []
@@ -92,8 +93,8 @@ def propagate(
     """Propagate uncertainty through `model`.
 
     `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
-    model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose exceedance is
-    asked; `slopes` the derivatives of each result at the inputs' means, where they are known.
+    model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
+    exceedance is asked; `slopes` the derivatives of each result at the inputs' means, where they are known.
     """
     if method not in METHODS:
         raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
@@ -240,7 +241,7 @@ def _add_shares(space: Space, made: Propagation, seed: int) -> None:
 
 
 def _add_corners(space: Space, made: Propagation, probe: "Array") -> None:
-    """Results at the ends of the inputs' own intervals, one at a time (the tornado) and all at once (the worst case)."""
+    """Results at the ends of the inputs' intervals, one at a time (the tornado) and all at once (the worst case)."""
     n = space.size
     ends = np.array([distribution.interval(made.coverage) for distribution in space.distributions])
     middle = space.inputs_of(np.zeros((n, 1)))

@@ -10,11 +10,12 @@ import numpy as np
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
-    Mask = NDArray[np.bool_]
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
 
 # π cut after 100 decimals: its error, 2^-332, is nothing beside the 2^-107 of a pair of doubles.
 _PI = 31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679

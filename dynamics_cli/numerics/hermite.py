@@ -6,9 +6,11 @@ import numpy as np
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 # The positive nodes of the Genz–Keister rules in the order 3, 9, 19, 35 points add them, and the weights of each rule
 # (node 0 first): tests/references/generate_hermite_tables.py derives them.
@@ -29,7 +31,8 @@ GENZ_KEISTER_WEIGHTS: "dict[int, tuple[float, ...]]" = {
     35: (
         0.0005148945080687843, 0.045273685465150516, 0.148070831155216, 0.00231134524035221, 3.57293481989751e-05,
         0.09236472671698631, 0.003155446269187564, 0.0008189539275022649, 2.4676421345798077e-07,
-        4.6011760348656186e-10, 0.19176011588804442, 0.01567347375185115, 0.0002752421411678516, 2.734220680118783e-06, 2.1394194479561105e-08,
+        4.6011760348656186e-10, 0.19176011588804442, 0.01567347375185115, 0.0002752421411678516,
+        2.734220680118783e-06, 2.1394194479561105e-08,
         3.097222357606316e-12, 5.45004126506369e-15, 1.0541326582333341e-18,
     ),
 }  # fmt: skip

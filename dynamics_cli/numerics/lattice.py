@@ -8,9 +8,11 @@ import numpy as np
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 VECTOR = (
     1, 3535, 1647, 7335, 2821, 7695, 2785, 5051, 1243, 7491, 3125, 6169, 7151, 4137, 4023, 6525, 6571, 1935, 5879, 6297,
@@ -51,4 +53,4 @@ def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED) 
     base = ((generator[:, None] * index) & (count - 1)) / count
     points = (base[:, None, :] + offsets.T[:, :, None]) % 1.0
     folded = 1.0 - np.abs(2.0 * points - 1.0)
-    return np.clip(folded.reshape(dimensions, -1), _EDGE, 1.0 - _EDGE)
+    return np.clip(folded.reshape(dimensions, -1), _EDGE, 1.0 - _EDGE)  # type: ignore[no-any-return]

@@ -14,10 +14,11 @@ from dynamics_cli.numerics.hermite import GENZ_KEISTER_WEIGHTS, genz_keister
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from typing import Any
 
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 # Points of the one-dimensional rule of each level: degree 2·level + 1 with the fewest.
 SIZES = (1, 3, 3, 9, 9, 9, 9, 9, 19, 19, 19, 19, 19, 19, 19, 35)

@@ -13,9 +13,11 @@ from dynamics_cli.numerics.normal_arrays import tail
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from numpy.typing import NDArray
 
-    Array = NDArray[np.float64]
+    Array = NDArray[Any]
 
 # The table reaches so far in z (a tail of 1e-19) in steps of one, with polynomials of this degree.
 _REACH = 9

@@ -108,12 +108,22 @@ for _i in range(4):
     SURFACES[f"d{_i}"] = Normal(10.0 + 3.0 * _i, 0.3)
     SURFACES[f"mu{_i}"] = Normal(0.75 - 0.1 * _i, 0.05)
     SURFACES[f"G{_i}"] = Normal(-0.03 + 0.02 * _i, 0.006)
-TOLERANCES = {"h": Uniform(0.0119, 0.0121), "beta": Uniform(1.5, 1.55), "r": Uniform(0.0395, 0.0405), "eps": Uniform(0.003, 0.004)}
+TOLERANCES = {
+    "h": Uniform(0.0119, 0.0121),
+    "beta": Uniform(1.5, 1.55),
+    "r": Uniform(0.0395, 0.0405),
+    "eps": Uniform(0.003, 0.004),
+}
 IMPACT = {
     "m": Normal(1500.0, 50.0), "J": Normal(2500.0, 150.0), "rn": Normal(1.8, 0.1), "rt": Normal(0.5, 0.1), "e": Uniform(0.05, 0.3),
     "mu": Normal(0.45, 0.08), "un": Normal(9.0, 0.5), "ut": Normal(16.0, 1.0),
 }  # fmt: skip
-GEAR = {"alpha": Uniform(19.8 * DEG, 20.2 * DEG), "x": Normal(0.5, 0.02), "z": Normal(41.0, 1e-9), "m": Triangular(2.99, 3.0, 3.01)}
+GEAR = {
+    "alpha": Uniform(19.8 * DEG, 20.2 * DEG),
+    "x": Normal(0.5, 0.02),
+    "z": Normal(41.0, 1e-9),
+    "m": Triangular(2.99, 3.0, 3.01),
+}
 
 
 def mixed20_inputs() -> dict[str, Distribution]:
