@@ -42,7 +42,8 @@ class Conversion:
         shift = ((up * under - down * over) * target.denominator, over * under * target.numerator)
         self.factor = Factor(numerator, denominator, source.pi - target.pi, shift)
         # Temperatures are refused below absolute zero, which only their own scale can tell.
-        self.kelvin = Factor(source.numerator, source.denominator, 0, source.offset) if is_offset(source) else None
+        scale = Factor(source.numerator, source.denominator, 0, source.offset)
+        self.kelvin = scale if is_offset(source) or is_offset(target) else None
         self.decimals = Decimals()
 
     def _exact(self, numerator: int, denominator: int) -> float:

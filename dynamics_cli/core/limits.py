@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.grammar import Reading
     from dynamics_cli.core.shown import Display
     from dynamics_cli.core.task import Task
+    from dynamics_cli.quantities import Kind
 
 
 def add_limits(
@@ -33,26 +35,30 @@ def add_limits(
     }
     if not scalars:
         raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
+    there = {key: kind for key, kind in scalars.items() if getattr(answered.record, key) is not None}
     entries = []
     for name, text in settings.limit:
-        key = name or next(iter(scalars))
-        value = plain(getattr(answered.record, key, None)) if key in scalars else None
-        if value is None:
-            raise UsageError(
-                f"there is no result {key!r}",
-                parameter="limit",
-                hint=f"results are {', '.join(scalars)}",
-                code="unknown-result",
-            )
-        try:
-            limit = read_scalar(text, scalars[key])
-        except DynamicsError as error:
-            error.parameter = "limit"
-            raise
-        shown = display.of(key, scalars[key])
-        entries.append(_entry(key, value, limit.si, shown))
+        if name and name not in there:
+            why = f"{name!r} has no value here" if name in scalars else f"there is no result {name!r}"
+            raise UsageError(why, parameter="limit", hint=f"results are {', '.join(there)}", code="unknown-result")
+        key, limit = _limited(text, {name: there[name]} if name else there)
+        shown = display.of(key, there[key])
+        entries.append(_entry(key, plain(getattr(answered.record, key)), limit.si, shown))
         entries[-1]["limit"] = {"value": limit.value, "unit": limit.unit} if limit.unit else {"value": limit.value}
     document["limits"] = entries
+
+
+def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
+    """The first result that a limit of this kind can apply to, and the limit read."""
+    first: DynamicsError | None = None
+    for key, kind in kinds.items():
+        try:
+            return key, read_scalar(text, kind)
+        except DynamicsError as error:
+            first = first or error
+    assert first is not None
+    first.parameter = "limit"
+    raise first
 
 
 def _entry(key: str, value: float, limit: float, shown: "Any") -> "dict[str, Any]":

@@ -118,9 +118,9 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     document = _document(points, template, rows, models)
     document["warnings"] = failures.warnings() + _notes(notes, models)
     if files:
-        from dynamics_cli.core.hashes import file_hashes
+        from dynamics_cli.core.hashes import once
 
-        document["files"] = file_hashes(files)
+        document["files"] = once(files)
     if settings.timing:
         document["timing"] = {"value": _clock() - start, "unit": "s"}
     return document, bool(failures)
