@@ -45,4 +45,3 @@ def resolve(text: str, reader: "Reader") -> "Any":
         except (KeyError, IndexError, TypeError):
             raise UsageError(f"{name!r} has no result {address!r}", code="no-value") from None
     return value
-

@@ -6,9 +6,9 @@ import numpy as np
 
 from dynamics_cli.core.bound import Constant, Several
 from dynamics_cli.core.grammar import read_number
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Unsuited, exact_scale, texts
-from dynamics_cli.core.row_layout import Part
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Column, Unsuited, exact_scale, texts
+from dynamics_cli.core.rows.layout import Part
 from dynamics_cli.core.units import Unit, conformable, convert, is_offset, nearest, parse_pair
 from dynamics_cli.errors import DynamicsError, UsageError
 from dynamics_cli.numerics.exact import WHOLE_LIMIT, Decimals, Factor
