@@ -7,7 +7,8 @@ def run(command: str, /, **parameters: object) -> dict[str, object]:
     """Answer one command and return its result document as a dictionary.
 
     `command` is the family and task as typed (`"skid speed"`); every parameter takes what the command line or a JSON
-    input would: `"50 ft"`, `0.7`, `{"value": 60, "unit": "ft"}`, a list of segments.
+    input would: `"50 ft"`, `0.7`, `{"value": 60, "unit": "ft"}`, a list of segments. `units="us"`, `to="speed=ft/s"`,
+    `limit="50 mph"`, `model` and `explain=True` mean what the options of that name do; `from_` stands for `from`.
     Raises `dynamics_cli.errors.DynamicsError` when the call is wrong or has no answer.
     """
     from dynamics_cli.cli import answer

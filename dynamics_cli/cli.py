@@ -3,7 +3,6 @@
 import sys
 
 from dynamics_cli import __version__
-from dynamics_cli.core.call import Call
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import DynamicsError, ExitStatus, FaultError, UsageError
 
@@ -112,14 +111,19 @@ def main() -> int:
 
 def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
     """The result document of one command, for Python callers."""
-    from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.call import UNIVERSAL_OPTIONS, Settings
     from dynamics_cli.core.execute import document_of
     from dynamics_cli.core.gather import Gathered
     from dynamics_cli.core.reading import Reader
 
-    found = find_task(command.split())
-    if found is None:
+    words = command.split()
+    found = find_task(words)
+    if found is None or found[1] != len(words):
         raise UsageError(f"there is no command {command!r}", code="unknown-command")
     terminal = Terminal()
-    settings = Settings(Call().settings, terminal.environ)
-    return document_of(found[0], Gathered(dict(parameters), Reader(terminal.environ)), settings)
+    raw = {name.rstrip("_"): value for name, value in parameters.items()}
+    asked: dict[str, Any] = {name: raw.pop(name) for name in UNIVERSAL_OPTIONS if name in raw}
+    for name, value in asked.items():
+        if UNIVERSAL_OPTIONS[name][0] == "many" and isinstance(value, str):
+            asked[name] = [value]
+    return document_of(found[0], Gathered(raw, Reader(terminal.environ)), Settings(asked, terminal.environ))

@@ -12,10 +12,16 @@ class Kind:
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
     "tensor", "whole" (a whole number), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
-    "unit", "text", "file" or "program" (a scene on one line).
+    "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
+
+    A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
+    the inputs; with `needs`, only when the parameter of that name is given.
     """
 
-    __slots__ = ("about", "above", "below", "example", "form", "high", "low", "name", "si", "size", "unit", "us")
+    __slots__ = (
+        "about", "above", "below", "default", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "variable",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -32,6 +38,9 @@ class Kind:
         example: str = "",
         about: str = "",
         size: int = 0,
+        default: str = "",
+        variable: str = "",
+        needs: str = "",
     ) -> None:
         self.name = name
         self.unit = unit
@@ -45,6 +54,9 @@ class Kind:
         self.example = example
         self.about = about
         self.size = size
+        self.default = default
+        self.variable = variable
+        self.needs = needs
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -88,6 +100,7 @@ class Alternatives:
 
 
 STANDARD_GRAVITY = 9.80665
+STANDARD_GRAVITY_TEXT = "9.80665 m/s²"
 
 if TYPE_CHECKING:
     # lengths, areas, volumes
@@ -212,6 +225,8 @@ else:
         above=0.0,
         example="32.2 ft/s^2",
         about="the acceleration of gravity",
+        default=STANDARD_GRAVITY_TEXT,
+        variable="DYNAMICS_GRAVITY",
     )
     Jerk = Kind("jerk", "m/s^3", si="m/s^3", us="ft/s^3", example="3 m/s^3", about="rate of change of acceleration")
     Frequency = Kind(

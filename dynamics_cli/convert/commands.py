@@ -24,7 +24,10 @@ FAMILIES = {
                 "exact unit table",
                 "dynamics_cli.convert.conversion:convert",
                 source=TABLE,
-                formula="{value|value} = value read × {factor|factor} (exactly {exact_value|exact value})",
+                formula=(
+                    "{results.value|y} = {inputs.value|x}·{factor|k} + {offset|b} (exactly {exact_value|y})",
+                    "{results.value|y} = {inputs.value|x}·{factor|k} (exactly {exact_value|y})",
+                ),
                 assumptions=("lb is read as a mass or a force by what is wanted", "a conversion rounds once"),
                 method="exact rational arithmetic",
             ),

@@ -20,11 +20,31 @@ from dynamics_cli.core.units import (
     convert as convert_exactly,
 )
 from dynamics_cli.errors import InadmissibleError, UsageError
-from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import STANDARD_GRAVITY_TEXT, Kind, Text
 from dynamics_cli.quantities import Unit as UnitName
 from dynamics_cli.records import Advice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
+    WeightGravity = ExactQuantity
+else:
+    WeightGravity = Kind(
+        "acceleration",
+        "",
+        form="exact",
+        example="32.2 ft/s^2",
+        about="the gravity between mass and weight",
+        default=STANDARD_GRAVITY_TEXT,
+        variable="DYNAMICS_GRAVITY",
+        needs="weight",
+    )
+
 HALF_ULP = 2.0**-53
+SMALLEST_NORMAL = 2.0**-1022
+SMALLEST_DOUBLE = 5e-324
+KELVIN = parse_unit("K")
 KILOGRAM = parse_unit("kg")
 NEWTON = parse_unit("N")
 METRE_PER_SECOND_SQUARED = parse_unit("m/s^2")
@@ -47,6 +67,8 @@ class Conversion:
         The exact result as a rational, with π where the factor has it.
     factor : str
         The exact factor from the unit read to the unit asked for.
+    offset : str
+        What is added after the factor, for temperatures.
     """
 
     value: Measured | None
@@ -54,6 +76,7 @@ class Conversion:
     exact: bool
     exact_value: Text | tuple[Text, ...]
     factor: Text | tuple[Text, ...]
+    offset: Text | None
     numerics: Numerics
     advice: tuple[Advice, ...]
 
@@ -63,7 +86,7 @@ def convert(
     /,
     *targets: UnitName,
     weight: bool = False,
-    gravity: ExactQuantity | None = None,
+    gravity: WeightGravity | None = None,
 ) -> Conversion:
     """Convert a quantity to one or several units, correctly rounded.
 
@@ -78,7 +101,7 @@ def convert(
         The units wanted; `ft;in` gives feet and inches.
     weight : bool
         Take a mass for its weight, or a weight for its mass, by gravity.
-    gravity : ExactQuantity
+    gravity : WeightGravity
         The gravity that --weight uses [m/s²].
 
     Returns
@@ -110,31 +133,54 @@ def convert(
     _gravity(gravity)
     if not value.unit:
         raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
+    for target in targets:
+        if target.strip()[:1].isdigit() and not target.strip().startswith("1/"):
+            raise UsageError(
+                f"{target!r} is a number where a unit should be",
+                parameter="targets",
+                hint="quote a value that has spaces",
+            )
     if not targets or not all(target.strip() for target in targets):
         raise UsageError("targets: the unit to convert to is missing", parameter="targets", hint="for example ft/s")
     parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets]
     several = len(parts) > 1
     name = "values" if several else "value"
-    notes = dict.fromkeys(note for part in parts for note in part.notes)
     return Conversion(
         value=None if several else parts[0].measured,
         values=tuple(part.measured for part in parts) if several else None,
         exact=all(part.exact for part in parts),
         exact_value=tuple(part.exact_text for part in parts) if several else parts[0].exact_text,
         factor=tuple(part.factor for part in parts) if several else parts[0].factor,
+        offset=None if several else parts[0].offset,
         numerics=Numerics(
             "exact rational arithmetic, rounded once",
-            (ErrorBound(name, 0.0 if all(part.exact for part in parts) else HALF_ULP),),
+            (_bound(name, parts),),
             (Condition(name, "value", max((part.condition for part in parts), key=abs)),),
         ),
-        advice=tuple(Advice("reading", note, "note") for note in notes),
+        advice=_readings(parts),
     )
+
+
+def _bound(name: str, parts: "list[_Part]") -> ErrorBound:
+    """Half a unit in the last place, which subnormal numbers have in absolute terms only."""
+    if all(part.exact for part in parts):
+        return ErrorBound(name, 0.0)
+    tiny = any(0.0 < abs(part.size) < SMALLEST_NORMAL for part in parts)
+    return ErrorBound(name, SMALLEST_DOUBLE, relative=False) if tiny else ErrorBound(name, HALF_ULP)
+
+
+def _readings(parts: "list[_Part]") -> tuple[Advice, ...]:
+    """How units of two readings were read; two readings of one value in one call deserve more than a note."""
+    readings = {part.notes[0] for part in parts if part.notes}
+    severity: Literal["note", "caution"] = "caution" if len(readings) > 1 else "note"
+    notes = dict.fromkeys(note for part in parts for note in part.notes)
+    return tuple(Advice("reading", note, severity) for note in notes)
 
 
 class _Part:
     """The conversion to one target."""
 
-    __slots__ = ("condition", "exact", "exact_text", "factor", "measured", "notes")
+    __slots__ = ("condition", "exact", "exact_text", "factor", "measured", "notes", "offset", "size")
 
     def __init__(self, measured: Measured, exact: bool, exact_text: str, factor: str, condition: float) -> None:
         self.measured = measured
@@ -143,19 +189,25 @@ class _Part:
         self.factor = factor
         self.condition = condition
         self.notes: tuple[str, ...] = ()
+        self.offset: str | None = None
+        self.size = measured.value if isinstance(measured.value, float) else 1.0
 
 
 def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuantity | None) -> _Part:
     numerator, denominator = value.numerator, value.denominator
     compound = parse_compound(target) if ";" in target else ()
     source, wanted = parse_pair(value.unit, compound[-1].text if compound else target)
+    notes = (*source.notes, *wanted.notes)
     if weight:
-        numerator, denominator, source = _weigh(numerator, denominator, value.unit, wanted, gravity)
+        numerator, denominator, source, notes = _weigh(numerator, denominator, value.unit, wanted, gravity)
+        wanted = parse_unit(wanted.text, source)
+        notes = (*notes, *wanted.notes)
     if not conformable(source, wanted):
         message, hint = explain_mismatch(source, wanted)
         near = _near(value.unit, wanted) or _near(target, source)
         raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
-    _check_temperature(numerator, denominator, source)
+    if is_offset(source) or is_offset(wanted):
+        _check_temperature(numerator, denominator, source)
     n, d, pi = convert_exactly(numerator, denominator, source, wanted)
     exact_text = _rational(n, d, pi)
     factor = _factor(source, wanted)
@@ -172,7 +224,9 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         part = _Part(Measured(rounded, target), exact, exact_text, factor, 1.0)
         if is_offset(source) or is_offset(wanted):
             part.condition = _affine_condition(numerator, denominator, source, wanted, rounded)
-    part.notes = (*source.notes, *wanted.notes)
+    if is_offset(source) or is_offset(wanted):
+        part.offset = _rational(*convert_exactly(0, 1, source, wanted))
+    part.notes = notes
     return part
 
 
@@ -184,14 +238,14 @@ def _near(text: str, wanted: Unit) -> str | None:
 
 def _weigh(
     numerator: int, denominator: int, text: str, wanted: Unit, gravity: ExactQuantity | None
-) -> tuple[int, int, Unit]:
-    """A mass as its weight or a weight as its mass, in SI."""
+) -> tuple[int, int, Unit, tuple[str, ...]]:
+    """A mass as its weight or a weight as its mass, in SI, and how its unit was read."""
     gn, gd = _gravity(gravity)
     for given, becomes, n, d in ((KILOGRAM, NEWTON, gn, gd), (NEWTON, KILOGRAM, gd, gn)):
         source = parse_unit(text, given)
         if conformable(source, given) and conformable(parse_unit(wanted.text, becomes), becomes):
             an, ad, _ = convert_exactly(numerator, denominator, source, given)
-            return an * n, ad * d, becomes
+            return an * n, ad * d, becomes, source.notes
     raise UsageError(
         "--weight converts a mass to a weight or a weight to a mass",
         parameter="weight",
@@ -213,13 +267,12 @@ def _gravity(gravity: ExactQuantity | None) -> tuple[int, int]:
 
 
 def _check_temperature(numerator: int, denominator: int, source: Unit) -> None:
-    if is_offset(source):
-        kelvin, below, _ = convert_exactly(numerator, denominator, source, parse_unit("K"))
-        if kelvin < 0:
-            raise InadmissibleError(
-                f"{nearest(numerator, denominator):g} {source.text} is below absolute zero by {-kelvin / below:g} K",
-                code="below-zero",
-            )
+    kelvin, below, _ = convert_exactly(numerator, denominator, source, KELVIN)
+    if kelvin < 0:
+        raise InadmissibleError(
+            f"{nearest(numerator, denominator):g} {source.text} is below absolute zero by {-kelvin / below:g} K",
+            code="below-zero",
+        )
 
 
 def _rational(numerator: int, denominator: int, pi: int) -> str:

@@ -94,7 +94,7 @@ class Settings:
         text = self._text(given, "digits")
         if not text:
             return 0
-        if not (text.isascii() and text.isdigit()) or not 1 <= int(text[:6]) <= 17:
+        if not (text.isascii() and text.isdigit()) or len(text) > 2 or not 1 <= int(text) <= 17:
             raise UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
         return int(text)
 

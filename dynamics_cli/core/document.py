@@ -5,7 +5,7 @@ import math
 from dynamics_cli import __version__
 from dynamics_cli.core.answer import Answer
 from dynamics_cli.core.bound import Fields
-from dynamics_cli.core.shown import Display, plain, round_condition, round_up
+from dynamics_cli.core.shown import Display, Shown, plain, round_condition, round_up
 from dynamics_cli.core.specification import Leaf, Many, Record
 from dynamics_cli.core.task import Task
 from dynamics_cli.errors import InadmissibleError
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from dynamics_cli.quantities import Kind
 
 UNIT_ROUNDOFF = 2.0**-53
+# Below these a bound is said as a share of the number, else in the number's own unit.
+SMALLEST_RELATIVE = 1e-290
+LARGEST_RELATIVE = 1e-3
 
 
 class _Walk:
@@ -26,7 +29,8 @@ class _Walk:
     def __init__(self, display: Display, answer: Answer) -> None:
         self.display = display
         self.answer = answer
-        self.bounds: dict[str, dict[str, Any]] = {}
+        self.cells: dict[str, _Cells] = {}
+        self.bounds: dict[str, dict[str, Any] | None] = {}
         self.conditions: dict[str, dict[str, float]] = {}
         self.input_rounding: dict[str, dict[str, Any]] = {}
         self.checks: list[Check] = []
@@ -66,6 +70,7 @@ class _Walk:
         if isinstance(value, Measured):
             self.names.append(address)
             self.conditions.setdefault(address, {})
+            value = self.display.of_measured(address, value)
             return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         if node.choice is not None or node.kind.form in ("text", "flag", "unit"):
             return value
@@ -105,26 +110,16 @@ class _Walk:
         _finite(number, address)
         out = _quantity(shown.value(number), shown.text)
         error = getattr(value, "error", None)
-        if error is not None and not math.isfinite(error):
-            message = f"no bound can be stated for the rounding of {address}: the formula leaves the range of a double"
-            self.advice.append(Advice("no-bound", message, "caution"))
-        elif error is not None:
-            self._bound(address, number, error, shown)
+        if error is not None:
+            self._state(address, shown, number, error)
             if not table:
                 self._condition(address, number, value.slopes)
         return out
 
-    def _bound(self, address: str, number: float, error: float, shown: "Any") -> None:
-        extra = UNIT_ROUNDOFF if shown.converts else 0.0
-        relative = error / abs(number) + extra if number != 0.0 and not shown.compound else math.inf
-        old = self.bounds.get(address, {})
-        # A bound that is no smaller than the number itself, or a number that is zero, is said in the number's own unit.
-        if relative < 1.0 and "absolute" not in old and abs(number) > 1e-290:
-            self.bounds[address] = {"relative": max(round_up(relative), old.get("relative", 0.0))}
-        else:
-            absolute = round_up(shown.width(error) * (1.0 + 1e-9) + extra * abs(shown.width(number))) + 5e-324
-            entry = {"absolute": max(absolute, old.get("absolute", 0.0))}
-            self.bounds[address] = _quantity_of_bound(entry, shown)
+    def _state(self, address: str, shown: Shown, number: float, error: float, *, vector: bool = False) -> None:
+        """Keep one cell's bound; a column of cells gets one bound for all of them."""
+        column = self.cells.setdefault(address, _Cells(shown.bound_unit, vector))
+        column.cells.append((abs(shown.width(number)), shown.spread(number, error)))
 
     def _condition(self, address: str, number: float, slopes: "tuple[float, ...]") -> None:
         if number == 0.0:
@@ -140,7 +135,6 @@ class _Walk:
 
     def _vector(self, value: "Any", kind: "Kind", address: str) -> "dict[str, Any]":
         shown = self.display.of(address, kind)
-        errors: list[float] = []
 
         def show(part: "Any") -> "Any":
             if isinstance(part, tuple | list):
@@ -148,23 +142,43 @@ class _Walk:
             number = plain(part)
             _finite(number, address)
             if getattr(part, "error", None) is not None:
-                extra = UNIT_ROUNDOFF * abs(number) if shown.converts else 0.0
-                errors.append(part.error + extra)
+                self._state(address, shown, number, part.error, vector=True)
             return shown.value(number)
 
-        out = _quantity(show(value), shown.text)
-        if errors:
-            entry = {"absolute": round_up(shown.width(max(errors)) * (1.0 + 1e-9)) + 5e-324}
-            self.bounds[address] = _quantity_of_bound(entry, shown)
-        return out
+        return _quantity(show(value), shown.text)
+
+
+class _Cells:
+    """The bounds of one result, or of every cell of a column: the size of each number and how far off it may be."""
+
+    __slots__ = ("cells", "unit", "vector")
+
+    def __init__(self, unit: str, vector: bool) -> None:
+        self.unit = unit
+        self.vector = vector
+        self.cells: list[tuple[float, float]] = []
+
+    def stated(self) -> "dict[str, Any] | None":
+        """A relative bound where every number allows one, else an absolute one; None where there is none."""
+        if not all(math.isfinite(spread) for _, spread in self.cells):
+            return None
+        relative = not self.vector and all(
+            spread == 0.0 or (size > SMALLEST_RELATIVE and spread < LARGEST_RELATIVE * size)
+            for size, spread in self.cells
+        )
+        if relative:
+            # relative to the true number, which may be that much smaller than the one shown
+            return {
+                "relative": round_up(max(spread / (size - spread) if spread else 0.0 for size, spread in self.cells))
+            }
+        return {
+            "absolute": round_up(max(spread for _, spread in self.cells)),
+            **({"unit": self.unit} if self.unit else {}),
+        }
 
 
 def _quantity(value: "Any", unit: str) -> "dict[str, Any]":
     return {"value": value, "unit": unit} if unit else {"value": value}
-
-
-def _quantity_of_bound(entry: "dict[str, Any]", shown: "Any") -> "dict[str, Any]":
-    return {**entry, "unit": shown.text} if shown.text else entry
 
 
 def _finite(number: float, address: str) -> None:
@@ -208,9 +222,18 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
 
 
 def _stated_bounds(walk: _Walk) -> None:
-    """Bounds and conditions a solver states itself stand beside those carried through the formula."""
+    """Every result's bound: null, with a warning, where none can be stated.
+
+    Bounds and conditions a solver states itself stand beside those carried through the formula.
+    """
+    for address, cells in walk.cells.items():
+        walk.bounds[address] = cells.stated()
+        if walk.bounds[address] is None:
+            message = f"no bound can be stated for the rounding of {address}: its formula leaves the range of a double"
+            walk.advice.append(Advice("no-bound", message))
     for bound in walk.numerics.bounds if walk.numerics else ():
-        walk.bounds[bound.result] = {"relative" if bound.relative else "absolute": round_up(bound.bound)}
+        stated = {"relative" if bound.relative else "absolute": round_up(bound.bound)}
+        walk.bounds[bound.result] = stated if math.isfinite(bound.bound) else None
     totals: dict[str, float] = {}
     for condition in walk.numerics.conditions if walk.numerics else ():
         walk.conditions.setdefault(condition.result, {})[condition.parameter] = round_condition(condition.value)

@@ -65,9 +65,9 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
 
         add_limits(document, task, bound, answered, settings, display)
     if gathered.reader.files:
-        from dynamics_cli.core.hashes import file_hashes
+        from dynamics_cli.core.hashes import once
 
-        document["files"] = file_hashes(gathered.reader.files)
+        document["files"] = once(gathered.reader.files)
     if settings.explain:
         from dynamics_cli.core.explain import explanation
 

@@ -14,10 +14,13 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
     """How the answer came about, in the terms of its formula."""
     model = answered.model
     out: dict[str, Any] = {}
-    if model.formula:
-        out["formula"] = filled(model.formula, {})
-        out["with_numbers"] = filled(model.formula, {**_defaults(task), **_numbers(document)})
-        out["symbols"] = _symbols(model.formula)
+    numbers = {**_defaults(task), **_numbers(document)}
+    formula = _fitting(model.formulas, numbers)
+    if formula:
+        out["formula"] = filled(formula, {})
+        if _addresses(formula) <= numbers.keys():
+            out["with_numbers"] = filled(formula, numbers)
+        out["symbols"] = _symbols(formula)
     out["model"] = model.name
     if answered.why:
         out["why"] = answered.why
@@ -45,11 +48,21 @@ def filled(formula: str, numbers: "dict[str, str]") -> str:
     return "".join(out) + rest
 
 
+def _addresses(formula: str) -> "set[str]":
+    return {piece.partition("}")[0].partition("|")[0] for piece in formula.split("{")[1:]}
+
+
+def _fitting(formulas: "tuple[str, ...]", numbers: "dict[str, str]") -> str:
+    """The first of a model's formulas for which every number is there; else the first that has most of them."""
+    return max(formulas, key=lambda formula: -len(_addresses(formula) - numbers.keys()), default="")
+
+
 def _symbols(formula: str) -> "list[str]":
     made: dict[str, str] = {}
     for piece in formula.split("{")[1:]:
         address, _, symbol = piece.partition("}")[0].partition("|")
-        made.setdefault(f"{symbol} is {address.replace('_', ' ').replace('.', ' ')}", symbol)
+        words = address.removeprefix("inputs.").removeprefix("results.").replace("_", " ").replace(".", " ")
+        made.setdefault(f"{symbol} is {words}", symbol)
     return list(made)
 
 
@@ -72,7 +85,7 @@ def _numbers(document: "dict[str, Any]") -> "dict[str, str]":
     for side in ("results", "inputs"):
         digits = 17 if side == "inputs" else 6
         for name, value, unit in flatten(document[side]):
-            numbers[name] = _grouped(quantity(value, unit, digits))
+            numbers[name] = numbers[f"{side}.{name}"] = _grouped(quantity(value, unit, digits))
         for name, table in document[side].items():
             if is_table(table) and isinstance(table, list):
                 for key in table[0]:
@@ -82,4 +95,5 @@ def _numbers(document: "dict[str, Any]") -> "dict[str, str]":
                     if texts:
                         numbers[f"{name}.{key}"] = joined
                         numbers.setdefault(key, joined)
+                        numbers.setdefault(f"{side}.{key}", joined)
     return numbers

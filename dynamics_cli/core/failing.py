@@ -11,12 +11,15 @@ if TYPE_CHECKING:
 
 def wants_json(argv: "list[str]", environ: "Mapping[str, str]") -> bool:
     """Whether errors go out as JSON: asked for by option or environment, however badly the rest is written."""
+    asked = environ.get("DYNAMICS_FORMAT", "")
     for index, word in enumerate(argv):
-        if word == "--json" or word in ("--format=json", "--format=ndjson"):
+        if word == "--json":
             return True
-        if word == "--format" and argv[index + 1 : index + 2] in (["json"], ["ndjson"]):
-            return True
-    return environ.get("DYNAMICS_FORMAT") in ("json", "ndjson")
+        if word.startswith("--format="):
+            asked = word.partition("=")[2]
+        elif word == "--format":
+            asked = "".join(argv[index + 1 : index + 2])
+    return asked in ("json", "ndjson")
 
 
 def as_object(error: DynamicsError) -> "dict[str, Any]":
@@ -33,12 +36,12 @@ def error_text(error: DynamicsError, *, json: bool) -> str:
         return to_json({"error": body}) + "\n"
     lines = []
     for one in error.all():
-        name = f"{one.parameter}: " if one.parameter and one.parameter not in one.message else ""
-        lines.append(f"dynamics: {name}{_printable(one.message)}")
+        named = not one.parameter or one.message.startswith((one.parameter, f"--{one.parameter}"))
+        lines.append("dynamics: " + _printable(one.message if named else f"{one.parameter}: {one.message}"))
         if one.hint:
             lines.append(f"  {_printable(one.hint)}")
     return "\n".join(lines) + "\n"
 
 
 def _printable(text: str) -> str:
-    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)

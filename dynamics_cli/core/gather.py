@@ -26,7 +26,7 @@ class Gathered:
 def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, rows: bool = False) -> Gathered:
     """Everything a call says about its parameters; with `rows`, words bind only to what the rows do not give."""
     fields = task.specification.fields
-    raw, scene = read_words(fields, call.words, rows=rows)
+    raw, scene = read_words(fields, call.words, rows=rows or bool(settings.input))
     for name, value in call.options.items():
         put(raw, task.options[name].path, value)
     file = settings.input or scene
@@ -40,9 +40,10 @@ def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, 
 def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal") -> Gathered:
     import os
 
+    from dynamics_cli.core.hashes import entry_of
     from dynamics_cli.core.loading import parameters_of, read_object
 
-    loaded, _ = read_object(file, terminal)
+    loaded, data = read_object(file, terminal)
     known = {key for field in task.specification.fields for key in keys_of(field)}
     units = loaded.pop("units", {}) if "units" not in known else {}
     if not isinstance(units, dict):
@@ -50,7 +51,7 @@ def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal
     folder = "" if file == "-" else os.path.dirname(file)
     reader = Reader(terminal.environ, folder=folder, units=units)
     if file != "-":
-        reader.files.append(file)
+        reader.files.append(entry_of(file, data))
     return Gathered(merge(task, parameters_of(loaded, known), raw), reader)
 
 
@@ -134,7 +135,8 @@ def _takes_unit(node: object) -> bool:
 
 
 def _has_number(word: str) -> bool:
-    return word.lstrip("+-−.")[:1].isdigit()
+    """Whether a word begins with a number that is not the 1 of a unit such as 1/in."""
+    return word.lstrip("+-−.")[:1].isdigit() and not word.startswith("1/")
 
 
 def _is_bare(word: str) -> bool:

@@ -19,6 +19,7 @@ SIGNS = "+-−"
 LONGEST_NUMBER = 400
 LONGEST_TEXT = 1000
 # Beyond it no unit brings a number back into the range of a double.
+BEYOND = "beyond the range of a double (about 1.8e308)"
 HIGHEST_EXPONENT = 999
 MOST_PARTS = 6
 EXACT_INTEGERS = 2**53
@@ -74,7 +75,9 @@ def read_number(text: str) -> tuple[int, int]:
         raise _not_a_number(text)
     exponent = int(power_digits) if marked else 0
     if exponent > HIGHEST_EXPONENT:
-        raise UsageError(f"{_show(text)} is beyond the range of a double (about 1.8e308)", code="range")
+        small = power[:1] in ("-", "−")
+        limit = "too close to zero for a double (about 5e-324)" if small else BEYOND
+        raise UsageError(f"{_show(text)} is {limit}", code="range")
     exponent = (-exponent if power[:1] and power[0] in "-−" else exponent) - len(broken)
     numerator = -int(digits) if text[0] in "-−" else int(digits)
     return (numerator * 10**exponent, 1) if exponent >= 0 else (numerator, 10**-exponent)
@@ -93,7 +96,7 @@ def read_amount(text: str) -> Amount:
     at = 0
     plain, negative = True, body[:1] in ("-", "−")
     while at < len(body):
-        end = _number_end(body, at)
+        end = number_end(body, at)
         if end == at or len(parts) == MOST_PARTS:
             raise _not_a_number(body, "it does not begin with a number" if not parts else "")
         token = body[at:end]
@@ -255,7 +258,7 @@ def _mismatch(unit: Unit, wanted: Unit, amount: Amount) -> "NoReturn":
     raise UsageError(message, code="kind", hint=hint)
 
 
-def _number_end(text: str, at: int) -> int:
+def number_end(text: str, at: int) -> int:
     """Find the end of the number that begins here: sign, digits and points, and an exponent only with its digits."""
     end = at + 1 if text[at] in SIGNS else at
     start = end
@@ -281,7 +284,7 @@ def _unit_end(text: str, start: int) -> int:
         if character.isspace():
             continue
         apart = text[at - 1].isspace() or before in ARC_SIGNS
-        if before and apart and before not in JOINING and _number_end(text, at) > at:
+        if before and apart and before not in JOINING and number_end(text, at) > at:
             return at
         before = character
     return len(text)

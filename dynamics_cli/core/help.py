@@ -60,8 +60,8 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
 
 def _default(option: Option) -> str:
     leaf = option.leaf
-    if option.path[-1] == "gravity":
-        return "9.80665 m/s²"
+    if leaf is not None and leaf.kind.default:
+        return leaf.kind.default
     if (leaf is not None and leaf.kind.form == "fraction") or not isinstance(option.default, float):
         return str(option.default)
     unit = leaf.kind.unit if leaf is not None else ""
@@ -105,10 +105,10 @@ def command_help(task: Task) -> str:
     blocks = [task.summary]
     for model in task.models:
         lines = [f"{model.name}:"] if len(task.models) > 1 else []
-        if model.formula:
+        if any(model.formulas):
             from dynamics_cli.core.explain import filled
 
-            lines.append("Formula: " + filled(model.formula, {}))
+            lines += [f"Formula: {filled(formula, {})}" for formula in model.formulas]
         lines.append(f"Source: {model.source}")
         blocks.append("\b\n" + "\n".join(lines))
     if task.examples:

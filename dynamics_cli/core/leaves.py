@@ -2,7 +2,15 @@
 
 from dynamics_cli.core.bound import Bound, Constant, Value, VectorValue
 from dynamics_cli.core.exact import nearest
-from dynamics_cli.core.grammar import is_uncertain, read_amount, read_fraction, read_scalar, split_list, total
+from dynamics_cli.core.grammar import (
+    is_uncertain,
+    number_end,
+    read_amount,
+    read_fraction,
+    read_scalar,
+    split_list,
+    total,
+)
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Kind
 from dynamics_cli.records import ExactQuantity
@@ -51,12 +59,11 @@ def _share_unit(items: "list[str]") -> "list[str]":
     """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
     if not items:
         return items
-    unit = items[-1].lstrip("+-−0123456789.").strip()
-    if not unit or (unit[0] in "eE" and unit[1:2].isdigit()):
+    last = items[-1].strip()
+    unit = last[number_end(last, 0) :].strip()
+    if not unit:
         return items
-    return [
-        item if item.strip() and item.strip()[-1] not in "0123456789." else f"{item} {unit}" for item in items[:-1]
-    ] + [items[-1]]
+    return [item if item[number_end(item, 0) :].strip() else f"{item} {unit}" for item in map(str.strip, items)]
 
 
 def _text_of(kind: Kind, raw: "Any") -> str:
@@ -73,8 +80,15 @@ def _text_of(kind: Kind, raw: "Any") -> str:
         if raw["value"] is None:
             raise UsageError("read null: that earlier result does not exist", code="no-value")
         if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
-            parts = zip(raw["value"], str(raw["unit"]).split(";"), strict=False)
+            units = str(raw["unit"]).split(";")
+            if len(units) != len(raw["value"]):
+                raise UsageError(
+                    f"read {len(raw['value'])} numbers of {len(units)} units", hint="one number for each unit"
+                )
+            parts = zip(raw["value"], units, strict=True)
             return " ".join(f"{number} {unit}" for number, unit in parts)
+        if isinstance(raw["value"], dict) or any(character.isdigit() for character in str(raw.get("unit") or "")[:1]):
+            raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
         return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
     if isinstance(raw, int | float):
         return repr(raw)
@@ -96,8 +110,11 @@ def _brief(raw: object) -> str:
     return text if len(text) <= 60 else text[:57] + "…"
 
 
-def _default_unit(kind: Kind, reader: "Reader") -> str:
-    return reader.default_unit(kind) if reader.units else ""
+def _default_unit(kind: Kind, raw: "Any", reader: "Reader") -> str:
+    """The scene's unit for a bare number; text says its unit itself, on the command line above all."""
+    numbers = raw if isinstance(raw, list) else [raw]
+    bare = all(isinstance(number, Token | list) for number in numbers)
+    return reader.default_unit(kind) if bare else ""
 
 
 def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
@@ -105,7 +122,7 @@ def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
         return _uncertain(kind, raw, address, reader)
     text = _text_of(kind, raw)
     try:
-        reading = read_scalar(text, kind, _default_unit(kind, reader))
+        reading = read_scalar(text, kind, _default_unit(kind, raw, reader))
     except UsageError as error:
         if error.code != "uncertain" or reader.uncertain is None:
             raise
@@ -124,7 +141,7 @@ def _is_distribution(raw: "Any") -> bool:
 def _uncertain(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     from dynamics_cli.core.uncertain_text import read_uncertain
 
-    bound, notes = read_uncertain(kind, raw, address, _default_unit(kind, reader))
+    bound, notes = read_uncertain(kind, raw, address, _default_unit(kind, raw, reader))
     reader.notes.extend(f"{address}: {note}" for note in notes)
     assert reader.uncertain is not None
     reader.uncertain[address] = bound.distribution
@@ -153,13 +170,15 @@ def _text(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
 def _file(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     import os
 
+    from dynamics_cli.core.hashes import entry_of_file
+
     name = _text(kind, raw, address, reader).echo()
     path = name if os.path.isabs(name) else os.path.join(reader.folder, name)
     if not os.path.isfile(path):
         raise UsageError(
             f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
         )
-    reader.files.append(path)
+    reader.files.append(entry_of_file(path))
     return Constant(path, name)
 
 
@@ -216,7 +235,7 @@ def _components(kind: Kind, raw: "Any", address: str, reader: "Reader") -> "tupl
         items = _share_unit(split_list(_text_of(kind, raw).strip().removeprefix("(").removesuffix(")")))
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
-    readings = [read_scalar(item, kind, _default_unit(kind, reader)) for item in items]
+    readings = [read_scalar(item, kind, _default_unit(kind, raw, reader)) for item in items]
     units = {reading.unit for reading in readings}
     if len(units) == 1:
         return tuple(r.si + 0.0 for r in readings), [r.value for r in readings], units.pop()
@@ -235,7 +254,7 @@ def _planar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     from dynamics_cli.quantities import Angle
 
     size, _, direction = raw.partition("@")
-    magnitude = read_scalar(size.strip(), kind, _default_unit(kind, reader))
+    magnitude = read_scalar(size.strip(), kind)
     angle = read_scalar(direction.strip(), Angle)  # type: ignore[arg-type]
     components = (magnitude.si * math.cos(angle.si), magnitude.si * math.sin(angle.si))
     return VectorValue(address, kind, components, list(components), kind.unit)
@@ -244,7 +263,7 @@ def _planar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
 def _tensor(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     from dynamics_cli.core.tensors import read_tensor
 
-    return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, reader)))
+    return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, raw, reader)))
 
 
 _FORMS: "dict[str, Callable[[Kind, Any, str, Reader], Bound]]" = {

@@ -43,24 +43,28 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
     }
     if not scalars:
         raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
+    there = {key: kind for key, kind in scalars.items() if getattr(answered.record, key) is not None}
     found = []
     for name, text in settings.limit:
-        key = name or next(iter(scalars))
-        value = plain(getattr(answered.record, key, None)) if key in scalars else None
-        if value is None:
-            raise UsageError(
-                f"there is no result {key!r}",
-                parameter="limit",
-                hint=f"results are {', '.join(scalars)}",
-                code="unknown-result",
-            )
-        try:
-            limit = read_scalar(text, scalars[key])
-        except DynamicsError as error:
-            error.parameter = "limit"
-            raise
-        found.append((key, scalars[key], value, limit))
+        if name and name not in there:
+            why = f"{name!r} has no value here" if name in scalars else f"there is no result {name!r}"
+            raise UsageError(why, parameter="limit", hint=f"results are {', '.join(there)}", code="unknown-result")
+        key, limit = _limited(text, {name: there[name]} if name else there)
+        found.append((key, there[key], plain(getattr(answered.record, key)), limit))
     return found
+
+
+def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
+    """The first result that a limit of this kind can apply to, and the limit read."""
+    first: DynamicsError | None = None
+    for key, kind in kinds.items():
+        try:
+            return key, read_scalar(text, kind)
+        except DynamicsError as error:
+            first = first or error
+    assert first is not None
+    first.parameter = "limit"
+    raise first
 
 
 def limit_entry(key: str, value: float, reading: "Reading", shown: "Any") -> "dict[str, Any]":

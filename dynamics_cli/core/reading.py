@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
     Raw = Mapping[str, Any]
 
-GRAVITY_VARIABLE = "DYNAMICS_GRAVITY"
-GRAVITY_DEFAULT = "9.80665 m/s²"
-
 
 class Reader:
     """Reads raw input against a specification; collects errors, notes and the files it was pointed at."""
@@ -35,18 +32,18 @@ class Reader:
         self.units = units or {}
         self.errors: list[DynamicsError] = []
         self.notes: list[str] = []
-        self.files: list[str] = []
+        self.files: list[dict[str, str]] = []
         # Distributions by address; None where only certain values are taken.
         self.uncertain: dict[str, Distribution] | None = None
-        self._defaults: dict[str, str] | None = None
+        self._defaults: dict[str, str] = {}
+        if units:
+            from dynamics_cli.core.defaults import default_units
+
+            self._defaults = default_units(units)
 
     def default_unit(self, kind: "Kind") -> str:
         """The unit that `[units]` gives to bare numbers of this kind, or nothing."""
-        if self._defaults is None:
-            from dynamics_cli.core.defaults import default_units
-
-            self._defaults = default_units(self.units)
-        return self._defaults.get(kind.unit, "")
+        return self._defaults.get(kind.name, "")
 
     def read(self, fields: "tuple[Field, ...]", raw: "Raw") -> Fields:
         """Every parameter of a task; raises all errors together."""
@@ -94,8 +91,7 @@ class Reader:
         own = _join(address, field.key)
         value = raw.get(field.key)
         if value is None:
-            if field.key == "gravity":
-                value = self._gravity(node)
+            value = self._default_of(node, raw)
             if value is not None:
                 pass
             elif not field.required:
@@ -107,10 +103,12 @@ class Reader:
                 value = {}
         return self._item(node, value, own)
 
-    def _gravity(self, node: "Node") -> str | None:
-        """The environment's gravity, else the standard one; an exact task is told only of the environment's."""
-        exact = isinstance(node, Leaf) and node.kind.form == "exact"
-        return self.environ.get(GRAVITY_VARIABLE) or (None if exact else GRAVITY_DEFAULT)
+    def _default_of(self, node: "Node", raw: "Raw") -> str | None:
+        """The text that stands in for a kind that is never missing: gravity, by the environment or by default."""
+        kind = node.kind if isinstance(node, Leaf) else None
+        if kind is None or not kind.default or (kind.needs and not raw.get(kind.needs)):
+            return None
+        return self.environ.get(kind.variable) or kind.default
 
     def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
         example = None

@@ -2,7 +2,9 @@
 
 import os
 
-from dynamics_cli.core.loading import parse_json, read_bytes
+from dynamics_cli.core.hashes import entry_of
+from dynamics_cli.core.loading import decode, parse_json, read_bytes
+from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
@@ -30,9 +32,12 @@ def resolve(text: str, reader: "Reader") -> "Any":
     name, colon, address = text[1:].rpartition(":")
     if not colon or not name or not address:
         raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
+    if name == "-":
+        raise UsageError("a reference names a file: standard input is for --input", hint="--input - reads a document")
     path = name if os.path.isabs(name) else os.path.join(reader.folder, name)
-    raw = parse_json(_text(path), name)
-    reader.files.append(path)
+    data = read_bytes(path, Terminal())
+    raw = parse_json(decode(data, name), name)
+    reader.files.append(entry_of(path, data))
     value = raw.get("results") if isinstance(raw, dict) else None
     for step in split_address(address):
         try:
@@ -40,10 +45,3 @@ def resolve(text: str, reader: "Reader") -> "Any":
         except (KeyError, IndexError, TypeError):
             raise UsageError(f"{name!r} has no result {address!r}", code="no-value") from None
     return value
-
-
-def _text(path: str) -> str:
-    from dynamics_cli.core.loading import decode
-    from dynamics_cli.core.terminal import Terminal
-
-    return decode(read_bytes(path, Terminal()), path)

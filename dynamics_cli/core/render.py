@@ -8,6 +8,10 @@ try:
 except ImportError:  # another Python than CPython
     from json.encoder import encode_basestring
 
+from math import isfinite
+
+from dynamics_cli.errors import FaultError
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -32,6 +36,8 @@ def to_json(value: "Any") -> str:
         return "false"
     if value is None:
         return "null"
+    if isinstance(value, float) and not isfinite(value):
+        raise FaultError(f"{value} has no place in a document", code="not-finite")
     return repr(value)
 
 
@@ -94,15 +100,23 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
     """A table's columns: name, unit, values."""
     if isinstance(table, dict):
         return [(name, column.get("unit", ""), column["value"]) for name, column in table.items()]
-    names: dict[str, str] = {}
+    names: dict[str, set[str]] = {}
     rows = []
     for row in table:
         cells = {name: (value, unit) for name, value, unit in flatten({"": row}, "")}
         cells = {name.lstrip("."): cell for name, cell in cells.items()}
         for name, (_, unit) in cells.items():
-            names[name] = names.get(name) or unit
+            names.setdefault(name, set()).add(unit)
         rows.append(cells)
-    return [(name, unit, [row.get(name, (None, ""))[0] for row in rows]) for name, unit in names.items()]
+    made = []
+    for name, units in names.items():
+        found = [row.get(name, (None, "")) for row in rows]
+        if len(units) == 1:
+            made.append((name, units.pop(), [value for value, _ in found]))
+        else:
+            # Rows written in several units keep each its own.
+            made.append((name, "", [f"{to_json(value)} {unit}".rstrip() if unit else value for value, unit in found]))
+    return made
 
 
 def number(value: "Any", digits: int) -> str:
@@ -194,7 +208,9 @@ def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
     return lines
 
 
-def _bound(entry: "dict[str, Any]") -> str:
+def _bound(entry: "dict[str, Any] | None") -> str:
+    if entry is None:
+        return "unknown"
     if entry.get("relative", entry.get("absolute")) == 0.0:
         return "exact"
     if "relative" in entry:

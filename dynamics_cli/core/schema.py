@@ -64,7 +64,7 @@ class _Inputs:
                 if field.required:
                     plain = {"required": sorted(node.item.required)}
                     choices.append({"oneOf": [{"required": [field.key]}, plain]})
-            elif field.required and field.key != "gravity":
+            elif field.required and not (isinstance(node, Leaf) and node.kind.default):
                 required.append(field.key)
             properties[field.key] = self.node(node, path)
 

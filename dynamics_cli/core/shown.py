@@ -1,14 +1,28 @@
 """Results in the units they are shown in: the caller's `--to`, else the kind's unit of the chosen system."""
 
-from dynamics_cli.core.units import Unit, conformable, explain_mismatch, from_si, parse_unit
+import math
+
+from dynamics_cli.core.units import (
+    Unit,
+    conformable,
+    convert,
+    explain_mismatch,
+    from_si,
+    nearest,
+    parse_pair,
+    parse_unit,
+)
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Kind
+from dynamics_cli.records import Measured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any
 
+UNIT_ROUNDOFF = 2.0**-53
+RADIAN = parse_unit("rad")
 _PRETTY = (("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·"))
 
 
@@ -41,16 +55,18 @@ class Shown:
 
     def _check(self, unit: Unit) -> None:
         wanted = parse_unit(self.kind.unit)
-        if self.kind.form == "slope" and unit.text in ("deg", "rad", "°"):
+        if conformable(unit, wanted) or self._is_angle_of_slope(unit):
             return
-        if not conformable(unit, wanted):
-            message, hint = explain_mismatch(unit, wanted)
-            raise UsageError(f"a {self.kind.name} cannot be shown in {unit.text}: {message}", parameter="to", hint=hint)
+        message, hint = explain_mismatch(unit, wanted)
+        raise UsageError(f"a {self.kind.name} cannot be shown in {unit.text}: {message}", parameter="to", hint=hint)
+
+    def _is_angle_of_slope(self, unit: Unit) -> bool:
+        return self.kind.form == "slope" and unit.dimension == RADIAN.dimension
 
     @property
-    def converts(self) -> bool:
-        """Whether showing rounds once more."""
-        return self.unit is not None or bool(self.compound)
+    def bound_unit(self) -> str:
+        """The unit a bound is stated in: of compound units, the last part's."""
+        return pretty(self.compound[-1].text) if self.compound else self.text
 
     def value(self, si: float) -> "float | list[float]":
         """The number shown for an SI value."""
@@ -60,17 +76,24 @@ class Shown:
             return list(from_si_compound(si, self.compound))
         if self.unit is None:
             return si
-        if self.kind.form == "slope" and self.unit.text != "%":
-            from math import atan
+        return from_si(math.atan(si) if self._is_angle_of_slope(self.unit) else si, self.unit)
 
-            si = atan(si)
-        return from_si(si, self.unit)
+    def width(self, si: float) -> float:
+        """A difference of SI values, in the unit shown (of compound units, in the last part's)."""
+        unit = self.compound[-1] if self.compound else self.unit
+        if unit is None:
+            return si
+        return si * (unit.denominator / unit.numerator) / math.pi**unit.pi
 
-    def width(self, si_width: float) -> float:
-        """A difference of SI values, in the unit shown."""
-        if self.unit is None or self.compound:
-            return si_width
-        return si_width * (self.unit.denominator / self.unit.numerator) / 3.141592653589793**self.unit.pi
+    def spread(self, si: float, error: float) -> float:
+        """What an error of the SI value, and showing it, may add up to in the unit shown."""
+        if self.unit is None and not self.compound:
+            return error
+        size = si
+        if self.unit is not None and self._is_angle_of_slope(self.unit):
+            error, size = error / (1.0 + si * si) + 2.0 * UNIT_ROUNDOFF * abs(math.atan(si)), math.atan(si)
+        shown = abs(self.width(size))
+        return (self.width(error) + UNIT_ROUNDOFF * shown) * (1.0 + 1e-9) + (5e-324 if 0.0 < shown < 1e-290 else 0.0)
 
 
 class Display:
@@ -90,7 +113,7 @@ class Display:
         return self._made[key]
 
     def _make(self, address: str, kind: Kind) -> Shown:
-        for name in (address, address.rpartition(".")[2]):
+        for name in (address, address.rpartition(".")[2], *self._indexed(address)):
             if name in self.to:
                 self.used.add(name)
                 try:
@@ -99,6 +122,23 @@ class Display:
                     error.parameter = "to"
                     raise
         return Shown(kind, kind.shown_in(self.system))
+
+    def of_measured(self, address: str, measured: Measured) -> Measured:
+        """A result with a unit of its own, in the caller's unit if one is asked for it."""
+        text = self.to.get(address)
+        if text is None or isinstance(measured.value, tuple):
+            return measured
+        self.used.add(address)
+        source, target = parse_pair(measured.unit, text)
+        if not conformable(source, target):
+            message, hint = explain_mismatch(source, target)
+            raise UsageError(f"{address} cannot be shown in {text}: {message}", parameter="to", hint=hint)
+        exact = convert(*measured.value.as_integer_ratio(), source, target)
+        return Measured(nearest(*exact), text)
+
+    def _indexed(self, address: str) -> "list[str]":
+        """The caller's names for one cell of this column, `surfaces[0].time`: a column is shown in one unit."""
+        return [name for name in self.to if "[" in name and _without_indices(name) == address]
 
     def check(self, known: "list[str]") -> None:
         """Refuse a `--to` that names no result."""
@@ -112,9 +152,13 @@ class Display:
                 )
 
 
+def _without_indices(address: str) -> str:
+    return ".".join(part.partition("[")[0] for part in address.split("."))
+
+
 def round_up(bound: float) -> float:
     """A bound in two digits, never below itself."""
-    return float(f"{bound * 1.06:.1e}")
+    return float(f"{bound * 1.06:.1e}") if bound > 1e-290 else bound
 
 
 def round_condition(number: float) -> float:

@@ -1,14 +1,14 @@
 """`--rows`: a stream of cases, one row out for each row in, in order and in constant memory.
 
-Each row is answered as one command would answer it (`row_case`). Blocks of many rows go by arrays (`row_plan`) or by
-exact factors (`exact_rows`), which give the same bits; whatever these cannot take goes back to the single call.
+Each row is answered as one command would answer it (`rows.case`). Blocks of many rows go by arrays (`rows.plan`) or by
+exact factors (`rows.exact`), which give the same bits; whatever these cannot take goes back to the single call.
 """
 
-from dynamics_cli.core.blocks import Source
 from dynamics_cli.core.call import Call, Settings
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_inputs import CsvInput, Input, JsonInput, TextInput, decode_line, split_csv, split_header
-from dynamics_cli.core.row_outputs import OUTPUTS, Output
+from dynamics_cli.core.rows.blocks import Source
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.inputs import CsvInput, Input, JsonInput, TextInput, decode_line, split_csv, split_header
+from dynamics_cli.core.rows.outputs import OUTPUTS, Output
 from dynamics_cli.core.task import Task
 from dynamics_cli.core.writing import output
 from dynamics_cli.errors import DynamicsError, ExitStatus, UsageError
@@ -17,7 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.core.row_group import Group, Groups
+    from dynamics_cli.core.rows.group import Group, Groups
     from dynamics_cli.core.terminal import Terminal
 
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
@@ -39,7 +39,7 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
     try:
         with output(settings.output, terminal) as sink:
             stream: _Stream | None = None
-            from dynamics_cli.core.row_progress import Progress
+            from dynamics_cli.core.rows.progress import Progress
 
             with Progress(source, terminal) as progress:
                 for lines in source.blocks():
@@ -188,7 +188,7 @@ class _Stream:
 
             # Rows need no matrix products, and a pool of threads takes memory and time to start.
             os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-            from dynamics_cli.core.row_groups import groups_of
+            from dynamics_cli.core.rows.groups import groups_of
 
             self._groups = groups_of(self.source, self.case, self._first)
             self._by_arrays = self._groups is not None
@@ -224,8 +224,8 @@ class _Stream:
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "tuple[bytes, list[bool] | None]":
         """The rows of a group that could be answered together, and which these are (None: all)."""
-        from dynamics_cli.core.row_columns import Unsuited, weave
-        from dynamics_cli.core.row_plan import written
+        from dynamics_cli.core.rows.columns import Unsuited, weave
+        from dynamics_cli.core.rows.plan import written
 
         plan = group.plan
         nothing = b"", [False] * len(lines)

@@ -6,9 +6,9 @@ from dynamics_cli.core.bound import Bound, Fields, Several
 from dynamics_cli.core.call import Settings
 from dynamics_cli.core.gather import Gathered
 from dynamics_cli.core.grammar import read_amount, split_list, split_pairs
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_inputs import nest
-from dynamics_cli.core.row_layout import Layout, Part
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.inputs import nest
+from dynamics_cli.core.rows.layout import Layout, Part
 from dynamics_cli.core.shown import Display
 from dynamics_cli.core.sweep_points import Axis, read_axes
 from dynamics_cli.core.task import Task
@@ -118,9 +118,9 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     document = _document(points, template, rows, models)
     document["warnings"] = failures.warnings() + _notes(notes, models)
     if files:
-        from dynamics_cli.core.hashes import file_hashes
+        from dynamics_cli.core.hashes import once
 
-        document["files"] = file_hashes(files)
+        document["files"] = once(files)
     if settings.timing:
         document["timing"] = {"value": _clock() - start, "unit": "s"}
     return document, bool(failures)
@@ -167,8 +167,8 @@ def _single(
 
 def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> None:
     """Fill in the points that one array call can answer; the others stay None."""
-    from dynamics_cli.core.row_columns import Unsuited, column_of
-    from dynamics_cli.core.row_plan import Plan
+    from dynamics_cli.core.rows.columns import Unsuited, column_of
+    from dynamics_cli.core.rows.plan import Plan
 
     try:
         plan = Plan(points, points.point(index), [axis.name for axis in points.axes], [None] * len(points.axes))

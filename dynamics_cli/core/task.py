@@ -23,7 +23,8 @@ def load(reference: str) -> "Any":
 class Model:
     """One way to answer a task, and where it comes from.
 
-    `formula` writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers.
+    A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
+    several, one for each alternative of the inputs, the one whose numbers are there is shown.
     `suffices` names a function of the same parameters that says, in words, why this model is enough, or None.
     """
 
@@ -33,7 +34,7 @@ class Model:
         function: str,
         *,
         source: str,
-        formula: str = "",
+        formula: "str | tuple[str, ...]" = "",
         assumptions: "tuple[str, ...]" = (),
         method: str = "closed form",
         suffices: str = "",
@@ -41,7 +42,7 @@ class Model:
         self.name = name
         self.function = function
         self.source = source
-        self.formula = formula
+        self.formulas = (formula,) if isinstance(formula, str) else formula
         self.assumptions = assumptions
         self.method = method
         self.suffices = suffices

@@ -3,6 +3,8 @@
 import os
 import sys
 
+from dynamics_cli.errors import OutputError, UsageError
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -28,11 +30,15 @@ class Terminal:
     @property
     def stdin(self) -> "BinaryIO":
         """Standard input, as bytes."""
+        if self._stdin is None and sys.stdin is None:
+            raise UsageError("standard input is closed", code="unreadable")
         return self._stdin or sys.stdin.buffer
 
     @property
     def stdout(self) -> "BinaryIO":
         """Standard output, as bytes."""
+        if self._stdout is None and sys.stdout is None:
+            raise OutputError("standard output is closed")
         return self._stdout or sys.stdout.buffer
 
     @property
@@ -42,10 +48,12 @@ class Terminal:
 
     def write(self, text: str) -> None:
         """Write a document to standard output."""
-        self.stdout.write(text.encode())
+        self.stdout.write(text.encode(errors="backslashreplace"))
 
     def tell(self, text: str) -> None:
         """Write words for people to standard error."""
+        if self._stderr is None and sys.stderr is None:
+            return
         self.stderr.write(text.encode(errors="backslashreplace"))
         self.stderr.flush()
 
@@ -67,4 +75,4 @@ class Terminal:
     @property
     def shows_progress(self) -> bool:
         """Whether words for people go to a terminal."""
-        return self.stderr.isatty()
+        return sys.stderr is not None and self.stderr.isatty()

@@ -169,6 +169,8 @@ def _single(name: str, value: "Any", how: str) -> "Any":
         return True
     if how == "many":
         return list(value)
+    if value[-1].startswith("--"):
+        raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
     if len(value) > 1:
         raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
     return value[0]
@@ -333,6 +335,8 @@ def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str
         raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
     family = find(name)
     task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
+    if len(words) > (1 if family.alone else 2):
+        raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
     if task is None:
         raise UsageError(f"{name} has no such task", code="unknown-command", hint=f"there is {', '.join(family.tasks)}")
     return task

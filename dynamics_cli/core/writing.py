@@ -16,8 +16,10 @@ class WholeFile:
     """A file that appears under its name only when everything has been written."""
 
     def __init__(self, name: str) -> None:
-        self.name = name
-        self._part = os.path.join(os.path.dirname(name), f".{os.path.basename(name)}.{os.getpid()}.part")
+        # A link stays a link: what it points to is replaced.
+        self.name = name if os.path.isdir(name) else os.path.realpath(name)
+        folder, last = os.path.split(self.name)
+        self._part = os.path.join(folder, f".{last}.{os.getpid()}.part")
         self._file: BinaryIO | None = None
 
     def __enter__(self) -> "Self":
@@ -45,6 +47,8 @@ class WholeFile:
                 if os.path.exists(self.name) and not os.path.isfile(self.name):
                     self._copy_into_special()
                 else:
+                    if os.path.exists(self.name):
+                        os.chmod(self._part, os.stat(self.name).st_mode & 0o7777)
                     os.replace(self._part, self.name)
         except OSError as failure:
             raise self._failure(failure) from None

@@ -15,7 +15,7 @@ SPEED = Task(
         HERE + "braking:speed",
         source=BOOK,
         formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·Σ {surfaces.drag_factor|f}·{surfaces.distance|d}), "
-        "f = (η·μ + G)/√(1 + G²)",
+        "f = ({braking|η}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
         assumptions=(SLIDES, "friction is constant on each surface", POINT),
     ),
     examples=(
@@ -46,7 +46,8 @@ FRICTION = Task(
         "work–energy",
         HERE + "friction:friction",
         source=BOOK,
-        formula="{friction|μ} = ({tests.drag_factor|f}·√(1 + G²) − G)/η, f = v²/(2·{gravity|g}·d)",
+        formula="{friction|μ} = ({tests.drag_factor|f}·√(1 + {grade|G}²) − {grade|G})/{braking|η}, "
+        "f = {inputs.speed|v}²/(2·{gravity|g}·{inputs.distance|d})",
         assumptions=("each test skid ends at rest", POINT),
     ),
     examples=(
@@ -64,8 +65,15 @@ DRAG_FACTOR = Task(
         "statics of the braking vehicle",
         HERE + "drag:drag_factor",
         source="statics, with the weight transfer of the deceleration itself; work–energy form: " + BOOK,
-        formula="{drag_factor|f} = ({effective_friction|η·μ} + G)/√(1 + G²); "
-        "axles: η·μ = (μf·b + μr·a)/(b + h·μr + a − h·μf); sled: f = P·(cosα − G·sinα)/(W − P·sinα·√(1 + G²))",
+        formula=(
+            "{drag_factor|f} = ({braking|η}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
+            "{effective_friction|m} = ({front_friction|μf}·{front_braking|ηf}·b + "
+            "{rear_friction|μr}·{rear_braking|ηr}·a)/(b + h·μr·ηr + a − h·μf·ηf), "
+            "a = {cm_position|a}, b = {wheelbase|L} − a, h = {cm_height|h}; "
+            "{drag_factor|f} = (m + {grade|G})/√(1 + {grade|G}²)",
+            "{drag_factor|f} = {pull|P}·(cos{pull_angle|α} − {grade|G}·sin{pull_angle|α})"
+            "/({weight|W} − {pull|P}·sin{pull_angle|α}·√(1 + {grade|G}²))",
+        ),
         assumptions=("the deceleration is steady", "both axles stay on the road"),
     ),
     examples=(
@@ -83,7 +91,10 @@ STOP = Task(
         "uniform deceleration after a linear build-up",
         HERE + "stop:stop",
         source=BOOK,
-        formula="{stopping_distance|s} = {reaction_distance|v·tr} + {build_up_distance|s_b} + {braking_distance|s_a}",
+        formula=(
+            "{stopping_distance|s} = {reaction_distance|v·tr} + {build_up_distance|s_b} + {braking_distance|s_a}",
+            "{stopping_distance|s} = {reaction_distance|v·tr} + {braking_distance|s_a}",
+        ),
         assumptions=("constant speed during the reaction", "deceleration rises linearly during the build-up", POINT),
     ),
     examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
@@ -97,7 +108,8 @@ YAW = Task(
         "circular motion at the limit of side friction",
         HERE + "yaw:yaw",
         source="Newton's second law on a banked curve; as commonly published for yaw marks",
-        formula="{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})/(1 − f·e))",
+        formula="{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})"
+        "/(1 − {friction|f}·{superelevation|e}))",
         assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
     ),
     examples=(
@@ -122,8 +134,8 @@ VAULT = Task(
         "known take-off angle",
         HERE + "vault:vault_known_angle",
         source="projectile motion; Josephs & Huston, chapter 8",
-        formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cosα·({distance|x}·sinα − {rise|y}·cosα))), "
-        "α = {take_off|α}",
+        formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cos{take_off|α}·({distance|x}·sin{take_off|α} − "
+        "{rise|y}·cos{take_off|α})))",
         assumptions=("a point mass without air drag",),
     ),
     examples=(
@@ -139,8 +151,13 @@ PEDESTRIAN = Task(
         "Searle's throw",
         HERE + "pedestrian:pedestrian",
         source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
-        formula="√(2·{friction|μ}·{gravity|g}·({throw_distance|s} − μ·{launch_height|H})/(1 + μ²)) ≤ v ≤ "
-        "√(2·μ·g·(s − μ·H)); with the angle α: v = √(2·μ·g·(s − μ·H))/(cosα + μ·sinα)",
+        formula=(
+            "{speed|v} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H}))"
+            "/(cos{launch_angle|α} + {friction|μ}·sin{launch_angle|α})",
+            "{least_speed|v₁} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H})"
+            "/(1 + {friction|μ}²)); {greatest_speed|v₂} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − "
+            "{friction|μ}·{launch_height|H}))",
+        ),
         assumptions=(
             "level ground",
             "friction acts on the landing as on the slide",
@@ -161,8 +178,8 @@ AVOID = Task(
         "reaction at constant speed, then uniform braking",
         HERE + "avoid:avoid",
         source=BOOK,
-        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + √(t² + 2·S/a)), "
-        "a = {gravity|g}·{drag_factor|f}",
+        formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + "
+        "√({reaction_time|t}² + 2·{sight_distance|S}/a)), a = {gravity|g}·{drag_factor|f}",
         assumptions=("the hazard stays where it is", "uniform braking after the reaction", POINT),
     ),
     examples=(
@@ -180,7 +197,7 @@ SPIN = Task(
         HERE + "spin:spin",
         source="work–energy, section 10.10 of the book; the partial drag of a rotating vehicle as commonly used",
         formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), "
-        "f = ({mean_share|k}·{friction|μ} + G)/√(1 + G²)",
+        "f = ({mean_share|k}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
     examples=(

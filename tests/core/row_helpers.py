@@ -4,8 +4,9 @@ import io
 from contextlib import ExitStack
 from unittest.mock import patch
 
-from dynamics_cli.core import row_cells, row_groups, row_objects, stream
+from dynamics_cli.core import stream
 from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.rows import cells, groups, objects
 from dynamics_cli.core.task import Family, Model, Task
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import require
@@ -184,7 +185,7 @@ def run(task, data, *words, stdin=None, environ=None, arrays=True, **options):
     with ExitStack() as patches:
         patches.enter_context(patch.object(stream, "FIRST_ARRAY_ROWS", 1 if arrays else 10**9))
         patches.enter_context(patch.object(stream, "ARRAY_ROWS", 1))
-        for module in (row_cells, row_objects, row_groups):
+        for module in (cells, objects, groups):
             patches.enter_context(patch.object(module, "SMALLEST_GROUP", 4))
         status = stream.run_rows(task, call, made, terminal)
     return status, out.getvalue(), err.getvalue().decode()

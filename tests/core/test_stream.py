@@ -14,7 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from row_helpers import MODELS, NAMED, PROBE, Slow, run
 
-from dynamics_cli.core import blocks, row_plan, stream
+from dynamics_cli.core import stream
+from dynamics_cli.core.rows import blocks, plan
 from dynamics_cli.errors import ManyErrors, UsageError
 
 NUMBERS = ("60", "0.7", "12.25", "1e-3", "17.123456789012345", "0", "33", "5e2", "0.1", "2.5", "123456789.123", "0.3")
@@ -148,13 +149,13 @@ class TestSameAsSingle:
         """Should the array route ever differ, its first block shows it and single calls take over."""
         data = csv_rows(300, 4, spoiled=0.0)
         right = run(PROBE, data, arrays=False)
-        honest = row_plan.Plan.run
+        honest = plan.Plan.run
 
         def wrong(self, columns):
             results, good = honest(self, columns)
             return [(p, h, v + 1.0 if h == "each" and p.how == "number" else v) for p, h, v in results], good
 
-        monkeypatch.setattr(row_plan.Plan, "run", wrong)
+        monkeypatch.setattr(plan.Plan, "run", wrong)
         assert run(PROBE, data) == right
 
 
@@ -404,9 +405,9 @@ class TestReading:
         assert done.stderr == b""
 
     def test_progress_on_a_terminal_only(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        from dynamics_cli.core import row_progress
+        from dynamics_cli.core.rows import progress
 
-        monkeypatch.setattr(row_progress, "PATIENCE", -1.0)
+        monkeypatch.setattr(progress, "PATIENCE", -1.0)
         monkeypatch.setattr("dynamics_cli.core.terminal.Terminal.shows_progress", True)
         _, out, err = run(PROBE, csv_rows(200, 1, spoiled=0.0))
         assert "rows" in err

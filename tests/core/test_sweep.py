@@ -2,14 +2,17 @@
 
 import io
 import json
+import shlex
 
 import pytest
 import row_helpers
 from harness import answer, run
 from row_helpers import PROBE
 
+from dynamics_cli.cli import family, find_task
 from dynamics_cli.core import sweep as sweeping
 from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.direct import read_plainly
 from dynamics_cli.core.gather import gather
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import UsageError
@@ -185,6 +188,37 @@ def test_models_chosen_by_value() -> None:
     document, _ = sweep(row_helpers.MODELS, ["a=0:1:11"], arrays=True)
     assert document == sweep(row_helpers.MODELS, ["a=0:1:11"], arrays=False)[0]
     assert document["warnings"][-1]["code"] == "several-models"
+
+
+def example_axes():
+    """Every number of every documented example of the families, half to one and a half times itself."""
+    for name in ("skid", "coords"):
+        for task in family(name).tasks.values():
+            for example in task.examples:
+                argv = shlex.split(example)[1:]
+                call = read_plainly(task, argv[find_task(argv)[1] :])
+                if call is None or call.settings:
+                    continue
+                terminal = Terminal(io.BytesIO(), io.BytesIO(), io.BytesIO(), {})
+                gathered = gather(task, call, Settings(call.settings, {}), terminal)
+                bound = gathered.reader.read(task.specification.fields, gathered.raw)
+                for address, kind, si in bound.leaves():
+                    unit = f" {kind.unit}".rstrip()
+                    axis = f"{address}={0.5 * si!r}{unit}:{1.5 * si!r}{unit}:40"
+                    yield pytest.param(task, call, axis, id=f"{task.path} {address} {len(argv)}")
+
+
+@pytest.mark.parametrize(("task", "call", "axis"), list(example_axes()))
+def test_every_task_answers_arrays_to_the_bit(task, call, axis: str) -> None:
+    made = []
+    for arrays in (True, False):
+        terminal = Terminal(io.BytesIO(), io.BytesIO(), io.BytesIO(), {})
+        call.settings["sweep"] = [axis]
+        settings = Settings(call.settings, {})
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(sweeping, "ARRAY_POINTS", 1 if arrays else 10**9)
+            made.append(sweeping.sweep(task, gather(task, call, settings, terminal), settings))
+    assert made[0] == made[1]
 
 
 def test_whole_program() -> None:

@@ -2,8 +2,8 @@
 
 from dynamics_cli.core.failing import as_object
 from dynamics_cli.core.render import csv_cell, header
-from dynamics_cli.core.row_inputs import Input
-from dynamics_cli.core.row_layout import Layout, Part, compact
+from dynamics_cli.core.rows.inputs import Input
+from dynamics_cli.core.rows.layout import Layout, Part, compact
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.records import Measured
 

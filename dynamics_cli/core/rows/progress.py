@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, Self
 
-    from dynamics_cli.core.blocks import Source
+    from dynamics_cli.core.rows.blocks import Source
     from dynamics_cli.core.terminal import Terminal
 
 PATIENCE = 1.0

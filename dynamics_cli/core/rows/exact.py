@@ -6,9 +6,9 @@ import numpy as np
 
 from dynamics_cli.core.bound import Constant, Several
 from dynamics_cli.core.grammar import read_number
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Unsuited, exact_scale, texts
-from dynamics_cli.core.row_layout import Part
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Column, Unsuited, exact_scale, texts
+from dynamics_cli.core.rows.layout import Part
 from dynamics_cli.core.units import Unit, conformable, convert, is_offset, nearest, parse_pair
 from dynamics_cli.errors import DynamicsError, UsageError
 from dynamics_cli.numerics.exact import WHOLE_LIMIT, Decimals, Factor
@@ -42,7 +42,8 @@ class Conversion:
         shift = ((up * under - down * over) * target.denominator, over * under * target.numerator)
         self.factor = Factor(numerator, denominator, source.pi - target.pi, shift)
         # Temperatures are refused below absolute zero, which only their own scale can tell.
-        self.kelvin = Factor(source.numerator, source.denominator, 0, source.offset) if is_offset(source) else None
+        scale = Factor(source.numerator, source.denominator, 0, source.offset)
+        self.kelvin = scale if is_offset(source) or is_offset(target) else None
         self.decimals = Decimals()
 
     def _exact(self, numerator: int, denominator: int) -> float:

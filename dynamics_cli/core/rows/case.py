@@ -4,7 +4,7 @@ from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.gather import gather, keys_of, merge, put, read_words
-from dynamics_cli.core.row_layout import Layout
+from dynamics_cli.core.rows.layout import Layout
 from dynamics_cli.core.shown import Display
 from dynamics_cli.core.specification import Field, Leaf, Many
 from dynamics_cli.core.task import Task

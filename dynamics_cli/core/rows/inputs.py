@@ -8,8 +8,8 @@ from itertools import pairwise
 from dynamics_cli.core.loading import parse_json
 from dynamics_cli.core.references import split_address
 from dynamics_cli.core.render import csv_cell, flatten, header, quote
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_layout import compact
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.layout import compact
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
@@ -338,6 +338,6 @@ class JsonInput(Input):
             return self.unread(line)
         if "results" not in raw and "error" not in raw:
             return text[:-1].rstrip()
-        from dynamics_cli.core.row_shapes import without_members
+        from dynamics_cli.core.rows.shapes import without_members
 
         return without_members(text, ("results", "error"))

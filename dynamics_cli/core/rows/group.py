@@ -1,10 +1,10 @@
 """Rows that one array call can answer: what makes them alike, and the plan that answers them."""
 
-from dynamics_cli.core.exact_rows import ExactPlan
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Unsuited
-from dynamics_cli.core.row_plan import Plan
-from dynamics_cli.core.row_shapes import NUMBER
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Column, Unsuited
+from dynamics_cli.core.rows.exact import ExactPlan
+from dynamics_cli.core.rows.plan import Plan
+from dynamics_cli.core.rows.shapes import NUMBER
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,8 +1,8 @@
 """Lines of cells, sorted by what stands in them beside numbers."""
 
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Unsuited, column_of
-from dynamics_cli.core.row_group import (
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Column, Unsuited, column_of
+from dynamics_cli.core.rows.group import (
     MOST_MAKES,
     MOST_TRIES,
     SMALLEST_GROUP,
@@ -12,13 +12,13 @@ from dynamics_cli.core.row_group import (
     number_at,
     readable,
 )
-from dynamics_cli.core.row_inputs import Input
+from dynamics_cli.core.rows.inputs import Input
 from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.core.exact_rows import ExactPlan
-    from dynamics_cli.core.row_plan import Plan
+    from dynamics_cli.core.rows.exact import ExactPlan
+    from dynamics_cli.core.rows.plan import Plan
 
 
 def _tidy(data: bytes) -> bool:

@@ -3,13 +3,13 @@
 Most blocks are one group: that is tried first, by whole-block operations. Only when it fails is each line looked at.
 """
 
-from dynamics_cli.core.exact_rows import Pairs
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_cells import CellGroups
-from dynamics_cli.core.row_columns import column_of
-from dynamics_cli.core.row_group import SMALLEST_GROUP, Group, Groups, number_at
-from dynamics_cli.core.row_inputs import CsvInput, Input, JsonInput, TextInput
-from dynamics_cli.core.row_objects import JsonGroups
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.cells import CellGroups
+from dynamics_cli.core.rows.columns import column_of
+from dynamics_cli.core.rows.exact import Pairs
+from dynamics_cli.core.rows.group import SMALLEST_GROUP, Group, Groups, number_at
+from dynamics_cli.core.rows.inputs import CsvInput, Input, JsonInput, TextInput
+from dynamics_cli.core.rows.objects import JsonGroups
 from dynamics_cli.core.specification import Leaf
 
 

@@ -1,10 +1,10 @@
 """Lines of JSON objects, sorted by their shapes."""
 
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Unsuited, column_of
-from dynamics_cli.core.row_group import MOST_MAKES, MOST_TRIES, SMALLEST_GROUP, Group, Groups, make_plan, readable
-from dynamics_cli.core.row_inputs import JsonInput
-from dynamics_cli.core.row_shapes import Shape, shape_of
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Unsuited, column_of
+from dynamics_cli.core.rows.group import MOST_MAKES, MOST_TRIES, SMALLEST_GROUP, Group, Groups, make_plan, readable
+from dynamics_cli.core.rows.inputs import JsonInput
+from dynamics_cli.core.rows.shapes import Shape, shape_of
 from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False

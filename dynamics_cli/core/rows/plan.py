@@ -9,9 +9,9 @@ import numpy as np
 
 from dynamics_cli.core.answer import arguments, call_model, choose
 from dynamics_cli.core.bound import Bound, Fields, Several, Value, VectorValue
-from dynamics_cli.core.row_case import Case
-from dynamics_cli.core.row_columns import Column, Slot, Unsuited, joined_texts, texts
-from dynamics_cli.core.row_layout import Part, compact
+from dynamics_cli.core.rows.case import Case
+from dynamics_cli.core.rows.columns import Column, Slot, Unsuited, joined_texts, texts
+from dynamics_cli.core.rows.layout import Part, compact
 from dynamics_cli.core.shown import Shown
 from dynamics_cli.core.task import Model, load
 from dynamics_cli.core.units import parse_unit
