@@ -75,6 +75,7 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
             made.estimate = max(now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
             if len(differences) == 1 and now < 1e-3 * goal.accuracy:
                 made.estimate = max(30.0 * now, FLOOR)
+            made.estimate = max(made.estimate, roots.residual)
         if best is None or made.estimate <= best.estimate:
             best = made
         last = (lines, roots, shape)

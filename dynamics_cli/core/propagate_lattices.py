@@ -54,7 +54,7 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
             f"{SHIFTS} shifted lattices of {count} lines along the gradient", roots.quantiles, lines, groups=SHIFTS
         )
         made.roots = roots
-        made.estimate = replicate_estimate(made, goal)
+        made.estimate = max(replicate_estimate(made, goal), roots.residual)
         last = (lines, roots)
         grown = larger(count, made.estimate / goal.accuracy)
         cost = 4 * SHIFTS * grown * goal.p.size

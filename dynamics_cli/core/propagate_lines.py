@@ -24,6 +24,10 @@ FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.
 ORDERS = (7, 12, 20, 33, 55)
+# Half the curvature over the slope that a model may have for the estimate of what a last step leaves over; and how much
+# of it is let stand, in units of the squared tolerance.
+_CURVATURE = 0.1
+_LEFT = 50.0
 # Lines of less weight say nothing about whether the model rises along them.
 _NEGLIGIBLE = 1e-9
 
@@ -52,15 +56,16 @@ class Lines:
 
 
 class Roots:
-    """Converged roots: s (lines, quantiles), the quantiles, and the slopes of the model at the roots."""
+    """Converged roots: s (lines, quantiles), the quantiles, the slopes at the roots, and what the last step left over."""
 
-    __slots__ = ("quantiles", "s", "slopes", "steps")
+    __slots__ = ("quantiles", "residual", "s", "slopes", "steps")
 
-    def __init__(self, s: "Array", quantiles: "Array", slopes: "Array", steps: int) -> None:
+    def __init__(self, s: "Array", quantiles: "Array", slopes: "Array", steps: int, residual: float = 0.0) -> None:
         self.s = s
         self.quantiles = quantiles
         self.slopes = slopes
         self.steps = steps
+        self.residual = residual
 
     def density(self, weights: "Array") -> "Array":
         """The probability density of the result at its quantiles."""
@@ -85,6 +90,7 @@ def solve(
         value = lines.values(s)
     v = weights @ value
     absolute = np.abs(weights)
+    last = FIRST_DIFFERENCE if guess is None else 1.0
     for step in range(1, MOST_STEPS + 1):
         if not (slope > 0.0).all() or np.isnan(value).any():
             return None
@@ -93,8 +99,12 @@ def solve(
         v = v + change / share.sum(axis=0)
         move = np.minimum(np.maximum((v - value) / slope, -LONGEST_STEP), LONGEST_STEP)
         s_next = s + move
-        if float((absolute @ np.abs(move)).max()) < tolerance:
-            return Roots(s_next, v, slope, step)
+        rest = float((absolute @ np.abs(move)).max())
+        # A secant's slope is wrong by the curvature over the step before: the product of both steps is what is left.
+        left = _CURVATURE * rest * last
+        if rest < tolerance and left < _LEFT * tolerance * tolerance:
+            return Roots(s_next, v, slope, step, left)
+        last = rest
         before, s = value, s_next
         value = lines.values(s)
         # Secant; where the step was too small to tell, the old slope stands.

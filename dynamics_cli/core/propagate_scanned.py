@@ -135,7 +135,7 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
         made.std = width_of(quantiles, goal)
     if groups > 1 and made.std > 0.0:
         made.estimate = _scan_estimate(scan, made, goal, share, slope, first, second)
-    elif made.std == 0.0:
+    elif made.std == 0.0 or heavy:
         made.estimate = FLOOR
     else:
         made.estimate = _coarser(scan, made)
@@ -180,6 +180,8 @@ def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
     """P(result > limit), given admissibility, for each limit."""
     scan = outcome.scan or Scan(outcome.lines)
     outcome.scan = scan
-    share, _ = scan.below(limits, min(max(0.01 * goal.accuracy, 1e-11), 1e-4))
+    # A few lines cost nothing: their roots are found to rounding.
+    tolerance = min(max(0.01 * goal.accuracy, 1e-11), 1e-4) if outcome.lines.weights.size > 1 else 1e-12
+    share, _ = scan.below(limits, tolerance)
     weights = outcome.lines.weights if share.shape[0] == outcome.lines.weights.size else np.ones(1)
     return np.clip(1.0 - (weights @ share) / scan.admissible, 0.0, 1.0)

@@ -137,10 +137,10 @@ def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
                 if least > best:
                     best, pair = least, (i, j)
     i, j = pair
-    hint = "check the other correlations too"
-    if best >= -_PIVOT:
-        low, high = _admissible(matrix, i, j)
-        hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
+    low, high = _admissible(matrix, i, j)
+    hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
+    if not low < high:
+        hint = "the others contradict one another too"
     raise UsageError(
         f"the correlations cannot all hold: {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
         parameter="correlate",

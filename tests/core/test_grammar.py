@@ -250,10 +250,10 @@ def test_refusals_say_what_was_read_what_was_wanted_and_how_to_mend_it(
         "lognormal(0.7, 0.1)", "truncated(0.7, 0.1, 0, 1)", "normal (1, 2) m", "12..120",
     ],
 )  # fmt: skip
-def test_uncertain_values_are_recognised_and_refused_for_now(text: str) -> None:
+def test_uncertain_values_are_recognised_and_refused_where_certain_ones_are_wanted(text: str) -> None:
     assert is_uncertain(text)
     for kind in (q.Friction, q.Length, q.Mass, q.Count):
-        with pytest.raises(UsageError, match="takes certain values only") as refusal:
+        with pytest.raises(UsageError, match="a certain one is wanted here") as refusal:
             read_scalar(text, kind)
         assert refusal.value.code == "uncertain"
 
