@@ -76,6 +76,11 @@ def cam(x: dict[str, Any]) -> Any:
     return np.arctan((slope - x["eps"]) / (np.sqrt(x["r"] ** 2 - x["eps"] ** 2) + 0.5 * x["h"]))
 
 
+def cam_without_offset(x: dict[str, Any]) -> Any:
+    """The same of a radial follower."""
+    return np.arctan(2.0 * x["h"] / x["beta"] / (x["r"] + 0.5 * x["h"]))
+
+
 def gear(x: dict[str, Any]) -> Any:
     """Centre distance of a profile-shifted pair by the involute function, one Newton step from each side."""
     inv = np.tan(x["alpha"]) - x["alpha"] + 2.0 * np.tan(x["alpha"]) * x["x"] / x["z"]
