@@ -51,7 +51,7 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
     """Levels of tensor or sparse grids until two agree; None when the model is not monotone along the lines."""
     rest = space.size - 1
     name = "tensor Gauss–Hermite" if rest <= 2 else "Smolyak"
-    factor = 0.03 if space.smooth else 0.3
+    own, factor = (1.0, 0.03) if space.smooth else (1.5, 0.5)
     best: Outcome | None = None
     differences: list[float] = []
     last: tuple[Lines, Roots, tuple[int, int, int]] | None = None
@@ -72,7 +72,7 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
             differences.append(float(np.abs(roots.quantiles - last[1].quantiles).max()) / width if width > 0.0 else 0.0)
             made.before = last[0]
             now = differences[-1]
-            made.estimate = max(now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
+            made.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
             if len(differences) == 1 and now < 1e-3 * goal.accuracy:
                 made.estimate = max(30.0 * now, FLOOR)
             made.estimate = max(made.estimate, roots.residual)

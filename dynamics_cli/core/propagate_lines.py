@@ -56,7 +56,7 @@ class Lines:
 
 
 class Roots:
-    """Converged roots: s (lines, quantiles), the quantiles, the slopes at the roots, and what the last step left over."""
+    """Converged roots: s (lines, quantiles), the quantiles, the slopes there, and what the last step left over."""
 
     __slots__ = ("quantiles", "residual", "s", "slopes", "steps")
 
@@ -159,7 +159,10 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
 def order_moments(lines: Lines, count: int) -> Moments:
     """Mean and deviation by a rule of so many points along every line."""
     nodes, along = gauss_hermite(count)
-    values = lines.values(np.broadcast_to(nodes, (lines.weights.size, count)))
+    # Nodes of no weight would only find out that the model ends somewhere beyond.
+    heavy = along > 1e-18
+    nodes, along = nodes[heavy], along[heavy]
+    values = lines.values(np.broadcast_to(nodes, (lines.weights.size, nodes.size)))
     sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
     if np.isnan(values).any():
         return Moments(np.nan, np.nan, np.inf, count, rising=False)
