@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 SHIFTS = 8
-# Student's 97.5 % quantile with seven degrees of freedom, nearly tripled: five numbers must hold at once, replicates are
-# few and not quite normal, and a kink common to all of them biases all alike.
+# Student's 97.5 % quantile with seven degrees of freedom, nearly tripled: five numbers must hold at once, replicates
+# are few and not quite normal, and a kink common to all of them biases all alike.
 REPLICATE_FACTOR = 2.8 * 2.365
 FLOOR = 3e-14
 

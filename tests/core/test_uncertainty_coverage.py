@@ -3,8 +3,10 @@
 import pytest
 from coverage_experiment import KINDS, experiment
 
+FAST = [kind for kind in KINDS if "normal" in kind or kind == "momentum"]
 
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if "kinked" not in kind])
+
+@pytest.mark.parametrize("kind", FAST)
 def test_the_estimate_holds(kind: str) -> None:
     held, met, _, _ = experiment(kind, 24)
     # At 95 % each, four or more failures of 24 happen once in thirty such tests by chance.
@@ -12,7 +14,9 @@ def test_the_estimate_holds(kind: str) -> None:
     assert met >= 22 / 24
 
 
-def test_the_estimate_holds_at_kinks() -> None:
-    held, met, _, _ = experiment("impact, kinked", 4)
-    assert held >= 0.75
-    assert met >= 0.75
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in FAST])
+def test_the_estimate_holds_for_bounded_inputs_and_kinks(kind: str) -> None:
+    held, met, _, _ = experiment(kind, 8)
+    assert held >= 6 / 8
+    assert met >= 7 / 8
