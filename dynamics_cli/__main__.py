@@ -1,7 +1,5 @@
 """`python -m dynamics_cli`."""
 
-import sys
+from dynamics_cli.cli import script
 
-from dynamics_cli.cli import main
-
-sys.exit(main())
+script()

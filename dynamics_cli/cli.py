@@ -68,7 +68,7 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
     try:
         try:
             status = program(argv, terminal)
-            terminal.stdout.flush()
+            terminal.flush()
         except DynamicsError:
             raise
         except (KeyboardInterrupt, BrokenPipeError):
@@ -105,8 +105,18 @@ def _close_quietly() -> None:
 
 
 def main() -> int:
-    """The `dynamics` command."""
+    """Carry out the process's call; the exit status, everything written and flushed."""
     return run_argv(sys.argv[1:], Terminal())
+
+
+def script() -> None:
+    """The `dynamics` command: ends the process at once, for taking the interpreter down costs more than a calculation."""
+    import os
+
+    status = main()
+    if os.environ.get(DEBUG_VARIABLE):
+        sys.exit(status)
+    os._exit(status)
 
 
 def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":

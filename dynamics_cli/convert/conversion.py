@@ -3,22 +3,8 @@
 Units are this family's own subject, so unlike physics it works with the unit table itself.
 """
 
-from dynamics_cli.core.units import (
-    Unit,
-    candidates,
-    conformable,
-    explain_mismatch,
-    from_exact_compound,
-    is_offset,
-    names_like,
-    nearest,
-    parse_compound,
-    parse_pair,
-    parse_unit,
-)
-from dynamics_cli.core.units import (
-    convert as convert_exactly,
-)
+from dynamics_cli.core.units import Unit, candidates, conformable, is_offset, nearest, parse_pair, parse_unit
+from dynamics_cli.core.units import convert as convert_exactly
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.quantities import STANDARD_GRAVITY_TEXT, Kind, Text
 from dynamics_cli.quantities import Unit as UnitName
@@ -44,10 +30,6 @@ else:
 HALF_ULP = 2.0**-53
 SMALLEST_NORMAL = 2.0**-1022
 SMALLEST_DOUBLE = 5e-324
-KELVIN = parse_unit("K")
-KILOGRAM = parse_unit("kg")
-NEWTON = parse_unit("N")
-METRE_PER_SECOND_SQUARED = parse_unit("m/s^2")
 STANDARD_GRAVITY = ExactQuantity(980665, 100000, "m/s^2")
 
 
@@ -130,7 +112,8 @@ def convert(
     >>> convert(ExactQuantity(60, 1, "mph"), "ft/s").value
     Measured(value=88.0, unit='ft/s')
     """
-    _gravity(gravity)
+    if gravity is not None:
+        _gravity(gravity)
     if not value.unit:
         raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
     for target in targets:
@@ -195,7 +178,11 @@ class _Part:
 
 def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuantity | None) -> _Part:
     numerator, denominator = value.numerator, value.denominator
-    compound = parse_compound(target) if ";" in target else ()
+    compound: tuple[Unit, ...] = ()
+    if ";" in target:
+        from dynamics_cli.core.compound import from_exact_compound, parse_compound
+
+        compound = parse_compound(target)
     source, wanted = parse_pair(value.unit, compound[-1].text if compound else target)
     notes = (*source.notes, *wanted.notes)
     if weight:
@@ -203,7 +190,7 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         wanted = parse_unit(wanted.text, source)
         notes = (*notes, *wanted.notes)
     if not conformable(source, wanted):
-        message, hint = explain_mismatch(source, wanted)
+        message, hint = _mismatch(source, wanted)
         near = _near(value.unit, wanted) or _near(target, source)
         raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
     if is_offset(source) or is_offset(wanted):
@@ -230,8 +217,16 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
     return part
 
 
+def _mismatch(read: Unit, wanted: Unit) -> tuple[str, str]:
+    from dynamics_cli.core.unit_words import explain_mismatch
+
+    return explain_mismatch(read, wanted)
+
+
 def _near(text: str, wanted: Unit) -> str | None:
     """A unit of the kind wanted whose name is nearly this one: mph for mhp, which is a power."""
+    from dynamics_cli.core.unit_words import names_like
+
     fits = [name for name in names_like(text) if any(conformable(unit, wanted) for unit in candidates(name))]
     return f"did you mean {' or '.join(fits[:3])}?" if fits else None
 
@@ -241,7 +236,8 @@ def _weigh(
 ) -> tuple[int, int, Unit, tuple[str, ...]]:
     """A mass as its weight or a weight as its mass, in SI, and how its unit was read."""
     gn, gd = _gravity(gravity)
-    for given, becomes, n, d in ((KILOGRAM, NEWTON, gn, gd), (NEWTON, KILOGRAM, gd, gn)):
+    kilogram, newton = parse_unit("kg"), parse_unit("N")
+    for given, becomes, n, d in ((kilogram, newton, gn, gd), (newton, kilogram, gd, gn)):
         source = parse_unit(text, given)
         if conformable(source, given) and conformable(parse_unit(wanted.text, becomes), becomes):
             an, ad, _ = convert_exactly(numerator, denominator, source, given)
@@ -256,18 +252,19 @@ def _weigh(
 def _gravity(gravity: ExactQuantity | None) -> tuple[int, int]:
     """The gravity used, as an exact number of m/s²."""
     given = gravity or STANDARD_GRAVITY
-    unit = parse_unit(given.unit, METRE_PER_SECOND_SQUARED)
-    if not conformable(unit, METRE_PER_SECOND_SQUARED):
-        message, hint = explain_mismatch(unit, METRE_PER_SECOND_SQUARED)
+    wanted = parse_unit("m/s^2")
+    unit = parse_unit(given.unit, wanted)
+    if not conformable(unit, wanted):
+        message, hint = _mismatch(unit, wanted)
         raise UsageError(message, parameter="gravity", hint=hint)
-    n, d, _ = convert_exactly(given.numerator, given.denominator, unit, METRE_PER_SECOND_SQUARED)
+    n, d, _ = convert_exactly(given.numerator, given.denominator, unit, wanted)
     if n <= 0:
         raise UsageError("gravity must be positive", parameter="gravity")
     return n, d
 
 
 def _check_temperature(numerator: int, denominator: int, source: Unit) -> None:
-    kelvin, below, _ = convert_exactly(numerator, denominator, source, KELVIN)
+    kelvin, below, _ = convert_exactly(numerator, denominator, source, parse_unit("K"))
     if kelvin < 0:
         raise InadmissibleError(
             f"{nearest(numerator, denominator):g} {source.text} is below absolute zero by {-kelvin / below:g} K",

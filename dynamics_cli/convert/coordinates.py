@@ -5,7 +5,7 @@ system, so units are dealt with here, exactly, and the rounding bounds with them
 """
 
 from dynamics_cli.convert import coords as physics
-from dynamics_cli.core.units import NUMBER, Unit, conformable, explain_mismatch, from_si, parse_unit, to_si
+from dynamics_cli.core.units import NUMBER, Unit, conformable, from_si, parse_unit, to_si
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import Text
@@ -143,6 +143,8 @@ def _read(name: str, given: ExactQuantity, lengths: Unit) -> float:
         raise UsageError(f"{name} is an angle: its unit is missing", parameter=name, hint="for example 30 deg")
     unit = parse_unit(given.unit, wanted)
     if not conformable(unit, wanted):
+        from dynamics_cli.core.unit_words import explain_mismatch
+
         message, hint = explain_mismatch(unit, wanted)
         raise UsageError(message, parameter=name, hint=hint)
     return to_si(given.numerator, given.denominator, unit)

@@ -6,7 +6,6 @@ from dynamics_cli.core.units import (
     Unit,
     conformable,
     convert,
-    explain_mismatch,
     from_si,
     nearest,
     parse_pair,
@@ -57,6 +56,8 @@ class Shown:
         wanted = parse_unit(self.kind.unit)
         if conformable(unit, wanted) or self._is_angle_of_slope(unit):
             return
+        from dynamics_cli.core.unit_words import explain_mismatch
+
         message, hint = explain_mismatch(unit, wanted)
         raise UsageError(f"a {self.kind.name} cannot be shown in {unit.text}: {message}", parameter="to", hint=hint)
 
@@ -131,6 +132,8 @@ class Display:
         self.used.add(address)
         source, target = parse_pair(measured.unit, text)
         if not conformable(source, target):
+            from dynamics_cli.core.unit_words import explain_mismatch
+
             message, hint = explain_mismatch(source, target)
             raise UsageError(f"{address} cannot be shown in {text}: {message}", parameter="to", hint=hint)
         exact = convert(*measured.value.as_integer_ratio(), source, target)

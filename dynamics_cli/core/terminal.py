@@ -57,6 +57,12 @@ class Terminal:
         self.stderr.write(text.encode(errors="backslashreplace"))
         self.stderr.flush()
 
+    def flush(self) -> None:
+        """Send on what has been written, by us and by libraries that print text."""
+        if self._stdout is None and sys.stdout is not None:
+            sys.stdout.flush()
+        self.stdout.flush()
+
     def own_stdout(self) -> "AbstractContextManager[object]":
         """Send what a library prints to this terminal's standard output."""
         import contextlib
