@@ -4,7 +4,7 @@
 
 prints, for problems whose finer answer can tell, for every kind of problem, the share whose true error (worst of the interval's ends, median, mean and deviation)
 stays within the estimate, how often the wanted accuracy was met, and the median and 95th percentile of the time.
-"""
+"""  # noqa: E501
 
 import sys
 import time

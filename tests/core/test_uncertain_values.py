@@ -44,9 +44,9 @@ def spread(kind: Any, raw: Any) -> tuple[str, float, float]:
         (Slope, "45 ± 1 deg", ("normal", 1.0, 2 * math.pi / 180)),
         (Temperature, "20 ± 2 degC", ("normal", 293.15, 2.0)),
         (Mass, {"value": 1500, "std": 50, "unit": "kg"}, ("normal", 1500.0, 50.0)),
-        (Length, {"distribution": "uniform", "low": 20, "high": 25, "unit": "ft"}, ("uniform", 6.858, 5 * FOOT / math.sqrt(12))),
+        (Length, {"distribution": "uniform", "low": 20, "high": 25, "unit": "ft"}, ("uniform", 6.858, 5 * FOOT / math.sqrt(12))),  # noqa: E501
         (Friction, [0.71, 0.73], ("readings", 0.72, math.inf)),
-        (Length, {"value": 9, "unit": "m", "median": 9, "interval": [7, 11], "coverage": 0.95}, ("result", 9.0, 1.0204269)),
+        (Length, {"value": 9, "unit": "m", "median": 9, "interval": [7, 11], "coverage": 0.95}, ("result", 9.0, 1.0204269)),  # noqa: E501
     ],
 )  # fmt: skip
 def test_every_form_is_read(kind: Kind, raw: Any, wanted: tuple[str, float, float]) -> None:

@@ -106,7 +106,7 @@ SKID = {"mu": Normal(0.72, 0.04), "d": Normal(38.5, 0.6), "theta": Normal(-0.03,
 DEG = np.pi / 180.0
 MOMENTUM = {
     "m1": Normal(1500.0, 30.0), "m2": Normal(1200.0, 30.0), "u1": Normal(8.0, 0.4), "u2": Normal(11.0, 0.5),
-    "a1": Normal(0.0, DEG), "a2": Normal(85.0 * DEG, DEG), "b1": Normal(35.0 * DEG, 1.5 * DEG), "b2": Normal(50.0 * DEG, 1.5 * DEG),
+    "a1": Normal(0.0, DEG), "a2": Normal(85.0 * DEG, DEG), "b1": Normal(35.0 * DEG, 1.5 * DEG), "b2": Normal(50.0 * DEG, 1.5 * DEG),  # noqa: E501
 }  # fmt: skip
 SURFACES: dict[str, Distribution] = {}
 for _i in range(4):
@@ -120,7 +120,7 @@ TOLERANCES = {
     "eps": Uniform(0.003, 0.004),
 }
 IMPACT = {
-    "m": Normal(1500.0, 50.0), "J": Normal(2500.0, 150.0), "rn": Normal(1.8, 0.1), "rt": Normal(0.5, 0.1), "e": Uniform(0.05, 0.3),
+    "m": Normal(1500.0, 50.0), "J": Normal(2500.0, 150.0), "rn": Normal(1.8, 0.1), "rt": Normal(0.5, 0.1), "e": Uniform(0.05, 0.3),  # noqa: E501
     "mu": Normal(0.45, 0.08), "un": Normal(9.0, 0.5), "ut": Normal(16.0, 1.0),
 }  # fmt: skip
 GEAR = {
@@ -158,7 +158,7 @@ def any_distribution(rng: np.random.Generator, mean: float, std: float) -> Distr
 
 
 def random_skid(rng: np.random.Generator, *, mixed: bool) -> dict[str, Distribution]:
-    centres = {"mu": (rng.uniform(0.35, 0.9), rng.uniform(0.01, 0.06)), "d": (rng.uniform(8.0, 80.0), rng.uniform(0.1, 1.5)),
+    centres = {"mu": (rng.uniform(0.35, 0.9), rng.uniform(0.01, 0.06)), "d": (rng.uniform(8.0, 80.0), rng.uniform(0.1, 1.5)),  # noqa: E501
                "theta": (rng.uniform(-0.06, 0.06), rng.uniform(0.001, 0.01))}  # fmt: skip
     return {k: any_distribution(rng, m, s) if mixed else Normal(m, s) for k, (m, s) in centres.items()}
 
@@ -166,8 +166,8 @@ def random_skid(rng: np.random.Generator, *, mixed: bool) -> dict[str, Distribut
 def random_momentum(rng: np.random.Generator) -> dict[str, Distribution]:
     angle = rng.uniform(30.0, 150.0) * DEG
     return {
-        "m1": Normal(rng.uniform(900, 2500), rng.uniform(10, 60)), "m2": Normal(rng.uniform(900, 2500), rng.uniform(10, 60)),
-        "u1": Normal(rng.uniform(5, 15), rng.uniform(0.2, 0.8)), "u2": Normal(rng.uniform(5, 15), rng.uniform(0.2, 0.8)),
+        "m1": Normal(rng.uniform(900, 2500), rng.uniform(10, 60)), "m2": Normal(rng.uniform(900, 2500), rng.uniform(10, 60)),  # noqa: E501
+        "u1": Normal(rng.uniform(5, 15), rng.uniform(0.2, 0.8)), "u2": Normal(rng.uniform(5, 15), rng.uniform(0.2, 0.8)),  # noqa: E501
         "a1": Normal(0.0, rng.uniform(0.3, 2.0) * DEG), "a2": Normal(angle, rng.uniform(0.3, 2.0) * DEG),
         "b1": Normal(rng.uniform(0.2, 0.6) * angle, rng.uniform(0.5, 2.0) * DEG),
         "b2": Normal(rng.uniform(0.4, 0.8) * angle, rng.uniform(0.5, 2.0) * DEG),

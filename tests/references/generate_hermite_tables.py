@@ -5,7 +5,7 @@ the monic E for which P·E is orthogonal to every power below m under the normal
 so a linear system of m/2 equations gives it. Weights are those of interpolation.
 
     python tests/references/generate_hermite_tables.py
-"""
+"""  # noqa: E501
 
 import mpmath as mp
 

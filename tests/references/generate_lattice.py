@@ -5,7 +5,7 @@ problem matter less: axes are used in any order, so they must not fade faster); 
 largest excess over the best one, over 2^7 … 2^14 points, is least (Cools, Kuo & Nuyens 2006 do so for embedded lattices).
 
     python tests/references/generate_lattice.py
-"""
+"""  # noqa: E501
 
 import numpy as np
 
