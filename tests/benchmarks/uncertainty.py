@@ -15,6 +15,7 @@ import math
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -110,7 +111,7 @@ def main() -> None:
             spread = answer(function, inputs, **more)
             error = float(np.abs(numbers(spread) - numbers(exact)).max()) / exact.std
             # The classical methods are timed with the quadrature that tells their error.
-            line(name, label, fastest(lambda m=more: answer(function, inputs, **m)), error, spread.estimate)  # type: ignore[misc]
+            line(name, label, fastest(partial(answer, function, inputs, **more)), error, spread.estimate)
         if name == "skid, 3 normal":
             peers(exact)
 
