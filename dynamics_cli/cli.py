@@ -110,7 +110,7 @@ def main() -> int:
 
 
 def script() -> None:
-    """The `dynamics` command: ends the process at once, for taking the interpreter down costs more than a calculation."""
+    """The `dynamics` command: ends the process at once, for taking the interpreter down costs a calculation."""
     import os
 
     status = main()

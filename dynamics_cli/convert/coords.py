@@ -294,8 +294,10 @@ def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrica
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    r = rho * sin(phi)
-    return Cylindrical(r, _canonical(theta, r), rho * cos(phi), _undetermined(r, None))
+    sine = sin(phi)
+    # not by r, which may underflow off the axis
+    off_axis = where(rho == 0.0, 0.0, sine)
+    return Cylindrical(rho * sine, _canonical(theta, off_axis), rho * cos(phi), _undetermined(off_axis, None))
 
 
 def _representable(distance: float) -> float:
@@ -321,8 +323,9 @@ def _require_distance(name: str, value: float) -> None:
 def _require_polar(phi: float) -> None:
     require(
         (phi >= 0.0) & (phi <= PI),
-        "φ is measured from the Z-axis, from 0 to 180 degrees; it cannot be {0:.6g} degrees",
+        "φ is measured from the Z-axis, from 0 to 180 degrees; it cannot be {0:.15g} degrees ({1!r} rad)",
         phi * (180.0 / PI),
+        phi,
         code="polar-angle",
     )
 

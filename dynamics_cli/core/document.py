@@ -122,7 +122,7 @@ class _Walk:
         column.cells.append((abs(shown.width(number)), shown.spread(number, error)))
 
     def _condition(self, address: str, number: float, slopes: "tuple[float, ...]") -> None:
-        if number == 0.0:
+        if number == 0.0 or not all(map(math.isfinite, slopes)):
             return
         entry = self.conditions.setdefault(address, {})
         total = 0.0
@@ -229,7 +229,7 @@ def _stated_bounds(walk: _Walk) -> None:
     for address, cells in walk.cells.items():
         walk.bounds[address] = cells.stated()
         if walk.bounds[address] is None:
-            message = f"no bound can be stated for the rounding of {address}: its formula leaves the range of a double"
+            message = f"no bound can be stated for the rounding of {address}: it may exceed the result itself"
             walk.advice.append(Advice("no-bound", message))
     for bound in walk.numerics.bounds if walk.numerics else ():
         stated = {"relative" if bound.relative else "absolute": round_up(bound.bound)}

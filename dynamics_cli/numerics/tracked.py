@@ -63,7 +63,8 @@ class Tracked:
                 return self
             return self._result(self.value + other, self.error, self.slopes)
         slopes = tuple(a + b for a, b in zip(self.slopes, other.slopes, strict=True))
-        return self._result(self.value + other.value, self.error + other.error, slopes)
+        exact = self.value == 0.0 or other.value == 0.0
+        return self._result(self.value + other.value, self.error + other.error, slopes, 0.0 if exact else 1.0)
 
     __radd__ = __add__
 
@@ -163,7 +164,8 @@ def _sqrt(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
     value = math.sqrt(x.value)
     low = math.sqrt(max(x.value - x.error, 0.0))
     spread = x.error / (value + low) if value > 0.0 else math.sqrt(x.error)
-    return value, spread, (0.5 / value if value > 0.0 else 0.0,), 1.0
+    # at zero the slope has no bound, and no condition number means anything
+    return value, spread, (0.5 / value if value > 0.0 else math.inf,), 1.0
 
 
 def _monotone(
@@ -248,7 +250,7 @@ def _smaller(x: Tracked, y: Tracked) -> "tuple[float, float, tuple[float, ...], 
 
 
 def _multiply_add(a: Tracked, b: Tracked, c: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
-    from dynamics_cli.numerics.elementary import multiply_add
+    from dynamics_cli.numerics.elementary import multiply_add, product_error
 
     value = multiply_add(a.value, b.value, c.value)
     spread = abs(a.value) * b.error + abs(b.value) * a.error + a.error * b.error + c.error
@@ -258,7 +260,11 @@ def _multiply_add(a: Tracked, b: Tracked, c: Tracked) -> "tuple[float, float, tu
         spread += 2.0 * UNIT_ROUNDOFF * product + 4.0 * TINY
     else:
         spread += 4.0 * UNIT_ROUNDOFF * UNIT_ROUNDOFF * (product + abs(c.value))
-    return value, spread, (b.value, a.value, 1.0), 1.0
+    rounded = a.value * b.value
+    exact = (
+        value - rounded == c.value and value - c.value == rounded and product_error(a.value, b.value, rounded) == 0.0
+    )
+    return value, spread, (b.value, a.value, 1.0), 0.0 if exact else 1.0
 
 
 _RULES: "dict[str, Rule]" = {

@@ -1,7 +1,7 @@
 """Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, maximum, minimum, sqrt, where
+from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Distance,
@@ -15,7 +15,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.diagnostics import balance, plain, require_kept, single
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 
@@ -110,8 +110,8 @@ def avoid(
 
     Equation
     --------
-    s = v t + v²/(2a), a = g f; the speed that suffices for S is 2S/(t + √(t² + 2S/a)), the speed at the hazard
-    √(v² − 2a(S − v t)), or v when the hazard is reached within the reaction.
+    s = v t + v²/(2a), a = g f; the speed that suffices for S is 2S/(t + √(t² + 2S/a)). The margin is S − s, the speed
+    at the hazard √(2a(s − S)) when the margin is negative, or v when the hazard is reached within the reaction.
 
     Parameters
     ----------
@@ -145,8 +145,8 @@ def avoid(
     Notes
     -----
     A point mass that keeps its speed during the reaction and is then slowed uniformly. The hazard stays where it is.
-    The sufficient speed has no cancellation. The margin and the speed at the hazard are differences: near zero they are
-    as good as the inputs allow.
+    The sufficient speed has no cancellation. The margin is a difference, as good as the inputs allow near zero; whether
+    the vehicle stops and the speed at the hazard follow from it, so the three never contradict one another.
 
     References
     ----------
@@ -185,7 +185,14 @@ def avoid(
         drag_factor=drag,
         approaches=(travelled, enough) if limit is None else (travelled, limit, enough),
         checks=balance(
-            "sufficient speed stops in the sight distance", enough.stopping_distance, sight_distance, sight_distance
+            "sufficient speed stops in the sight distance",
+            enough.stopping_distance,
+            sight_distance,
+            sight_distance,
+            sight_distance,
+            reaction_time,
+            deceleration,
+            sufficient,
         ),
         advice=drag_advice(friction, grade, braking) + _close(travelled, sight_distance),
     )
@@ -194,15 +201,19 @@ def avoid(
 def _approach(case: str, speed: float, sight: float, reaction_time: float, deceleration: float) -> Approach:
     reaction = speed * reaction_time
     braking = speed / deceleration * (0.5 * speed)
-    needed = reaction + braking
-    available = maximum(sight - reaction, 0.0)
-    impact = sqrt(maximum(speed * speed - 2.0 * deceleration * available, 0.0))
+    require_kept((braking > 0.0) | (speed == 0.0), "the braking distance")
+    before_braking = multiply_add(-speed, reaction_time, sight)
+    margin = before_braking - braking
+    root = sqrt(2.0 * deceleration * maximum(-margin, 0.0))
+    # within the reaction the speed is kept; maximum and minimum keep the root's error where rounding decides
+    impact = minimum(speed, maximum(root, where(before_braking <= 0.0, speed, 0.0)))
+    available = maximum(before_braking, 0.0)
     covered = minimum(reaction, sight)
     braked = minimum(available, braking)
     both = speed + impact
     moving = both > 0.0
     time = covered / _nonzero(speed, moving) + 2.0 * braked / _nonzero(both, moving)
-    return Approach(case, speed, reaction, braking, needed, sight - needed, impact, time)
+    return Approach(case, speed, reaction, braking, reaction + braking, margin, impact, time)
 
 
 def _nonzero(x: float, moving: bool) -> float:

@@ -1,7 +1,7 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, maximum, sqrt, where
+from dynamics_cli.numerics.elementary import hypot, maximum, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.diagnostics import balance, plain, require_kept, single, split_product
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
 
 # A mark as long as the computed stop may exceed it by rounding.
@@ -104,6 +104,7 @@ class SkidSpeed:
 def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> float:
     """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither way nor speed."""
     both = entry_speed + exit_speed
+    require_kept((both > 0.0) | (distance == 0.0), "the speed over the distance")
     return 2.0 * distance / where(both > 0.0, both, 1.0)
 
 
@@ -200,7 +201,8 @@ def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[
     """Squares of the speeds against work, summed surface by surface from the speeds that were returned."""
     first, last = crossed[0].entry_speed, crossed[-1].exit_speed
     gained = _total([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
-    return balance("energy balance", (first - last) * (first + last), gained, first * first)
+    operands = [x for one in crossed for x in (one.drag_factor, one.distance)]
+    return balance("energy balance", (first - last) * (first + last), gained, first * first, first, gravity, *operands)
 
 
 @record
@@ -247,7 +249,7 @@ def distance(
 
     Equation
     --------
-    t = (v − v_e)/(g f), d = t (v + v_e)/2, f = (ημ + G)/√(1 + G²); after a mark m: v_m² = (v − s)(v + s), s² = 2 g f m.
+    t = (v − v_e)/(g f), d = t (v + v_e)/2, f = (ημ + G)/√(1 + G²); after a mark m: v_m² = v² − 2 g f m.
 
     Parameters
     ----------
@@ -279,7 +281,8 @@ def distance(
     Notes
     -----
     A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no
-    digit.
+    digit; v² − 2 g f m is formed in twice the precision. At the very end of the stop the speed left grows like the
+    root of what the mark is short of it: the least change of an input decides.
 
     References
     ----------
@@ -303,6 +306,7 @@ def distance(
     length = time * (0.5 * (speed + end_speed))
     exit_speed: float | None = None
     exit_time: float | None = None
+    advice = drag_advice(friction, grade, braking)
     if mark is not None:
         shed = sqrt(2.0 * deceleration * mark)
         require(
@@ -313,7 +317,9 @@ def distance(
             speed / deceleration * (0.5 * speed),
             code="mark-exceeds-stop",
         )
-        exit_speed = sqrt(maximum((speed - shed) * (speed + shed), 0.0))
+        left = _speed_left_squared(speed, gravity, drag, mark)
+        advice += _stop_advice(left, mark)
+        exit_speed = sqrt(maximum(left, 0.0))
         exit_time = crossing_time(mark, speed, exit_speed)
     return SkidDistance(
         distance=length,
@@ -323,7 +329,33 @@ def distance(
         exit_speed=exit_speed,
         exit_time=exit_time,
         checks=balance(
-            "energy balance", speed * speed, end_speed * end_speed + 2.0 * deceleration * length, speed * speed
+            "energy balance",
+            speed * speed,
+            end_speed * end_speed + 2.0 * deceleration * length,
+            speed * speed,
+            speed,
+            deceleration,
+            length,
         ),
-        advice=drag_advice(friction, grade, braking),
+        advice=advice,
+    )
+
+
+def _speed_left_squared(speed: float, gravity: float, drag: float, mark: float) -> float:
+    """v² − 2 g f m, its products made good for their rounding."""
+    deceleration, more = split_product(gravity, drag)
+    shed, rest = split_product(2.0 * deceleration, mark)
+    return multiply_add(speed, speed, -shed) - (rest + 2.0 * more * mark)
+
+
+def _stop_advice(left: float, mark: float) -> tuple[Advice, ...]:
+    if not single(left, mark) or plain(left) > 0.0 or plain(mark) == 0.0:
+        return ()
+    return (
+        Advice(
+            code="mark-at-stop",
+            message="the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
+            "condition number describes how it and the time there depend on the inputs",
+            mend="read distance and time of the stop instead",
+        ),
     )

@@ -161,7 +161,7 @@ PEDESTRIAN = Task(
         assumptions=(
             "level ground",
             "friction acts on the landing as on the slide",
-            "the upper bound holds to 2·atan μ",
+            "the upper bound holds to greatest_angle",
         ),
     ),
     examples=(

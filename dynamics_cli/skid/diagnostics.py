@@ -1,10 +1,16 @@
-"""What every skid calculation says about its own answer: residual checks, and the plain numbers that advice quotes."""
+"""What every skid calculation says about its own answer: checks, numbers no road has, and what leaves the range."""
 
-from dynamics_cli.records import Check
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.records import Advice, Check
 
 # A residual check that fails is a fault of the program, so it leaves room for long sums of roundings.
 TOLERANCE = 1e-12
+# Between these, products and quotients of a few numbers keep all their digits.
+SMALLEST, LARGEST = 1e-70, 1e70
 DEGREES = 57.29577951308232
+STEEPEST_ROAD = 0.3
+HIGHEST_FRICTION = 1.5
 
 
 def plain(x: float) -> float:
@@ -17,12 +23,63 @@ def single(*values: object) -> bool:
     return not any(getattr(value, "ndim", 0) for value in values)
 
 
-def balance(name: str, left: float, right: float, scale: float) -> tuple[Check, ...]:
-    """Check that two sides agree relative to `scale`; nothing for arrays, nor where squares overflow."""
-    if not single(left, right, scale):
+def balance(name: str, left: float, right: float, scale: float, *operands: float) -> tuple[Check, ...]:
+    """Check that two sides agree relative to `scale`, within what rounding can have done to them where that is known.
+
+    Nothing for arrays, nor where a number that went into the sides is so small or large that digits may be lost.
+    """
+    if not single(left, right, scale, *operands):
         return ()
     size = abs(plain(scale))
-    if not 1e-280 < size < 1e280:
+    sizes = [abs(plain(operand)) for operand in operands]
+    if not 1e-280 < size < 1e280 or not all(x == 0.0 or SMALLEST < x < LARGEST for x in sizes):
         return ()
+    # the sides are equal in exact arithmetic, so they cannot differ by more than both their errors
+    error: float = (getattr(left, "error", 0.0) + getattr(right, "error", 0.0)) / size
+    if not error < 1.0:
+        return ()
+    tolerance = max(TOLERANCE, 1.01 * error)
     residual = abs(plain(left) - plain(right)) / size
-    return (Check(name=name, passed=residual <= TOLERANCE, value=residual, tolerance=TOLERANCE),)
+    return (Check(name=name, passed=residual <= tolerance, value=residual, tolerance=tolerance),)
+
+
+def require_kept(kept: object, what: str) -> None:
+    """Refuse where a number that is not zero became zero."""
+    require(
+        kept,
+        what + " is too small: the calculation leaves the range of a double",
+        code="range",
+        hint="check the size of the inputs",
+    )
+
+
+def split_product(x: float, y: float) -> tuple[float, float]:
+    """The product as a constant and the rest it lacks, which alone carries derivatives: their sum is exact to u²."""
+    head = plain(x * y)
+    return head, multiply_add(x, y, -head)
+
+
+def friction_advice(friction: float, name: str = "friction", mend: str = "write 0.7 or 70 %") -> tuple[Advice, ...]:
+    """Say so when a coefficient of friction is higher than any tyre's."""
+    if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
+        return ()
+    return (
+        Advice(
+            code="high-friction",
+            message=f"{name} {plain(friction):.4g} is more than tyres have on any road",
+            mend=mend,
+        ),
+    )
+
+
+def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
+    """Say so when a slope is steeper than any road's."""
+    if not single(grade) or not abs(plain(grade)) > STEEPEST_ROAD:
+        return ()
+    return (
+        Advice(
+            code="steep-grade",
+            message=f"{name} {plain(grade):.4g} is {100.0 * plain(grade):.4g} %, steeper than roads are",
+            mend="write 3 % for three percent",
+        ),
+    )

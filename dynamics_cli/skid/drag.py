@@ -16,16 +16,21 @@ from dynamics_cli.quantities import (
     Weight,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single, split_product
 
 # Steeper than this its square leaves the range of doubles.
 STEEPEST = 1e150
 RIGHT_ANGLE = 1.5707963267948966
 
 
+def level(grade: float) -> bool:
+    """Whether this is one grade, tracked or not, and exactly zero: then nothing is rounded."""
+    return single(grade) and plain(grade) == 0.0 and getattr(grade, "error", 0.0) == 0.0
+
+
 def secant(grade: float) -> float:
     """1/cos θ = √(1 + G²) of a road whose grade is G = tan θ."""
-    if type(grade) is float and grade == 0.0:
+    if level(grade):
         return 1.0
     require(absolute(grade) <= STEEPEST, "a grade of {0:.6g} is no road", grade, code="grade")
     return sqrt(1.0 + grade * grade)
@@ -33,15 +38,13 @@ def secant(grade: float) -> float:
 
 def along_the_road(resistance: float, grade: float) -> float:
     """Drag factor (μ + G)/√(1 + G²) of a resistance μ per normal force on a grade G."""
-    if type(grade) is float and grade == 0.0:
-        return resistance
-    return (resistance + grade) / secant(grade)
+    return resistance + grade if level(grade) else (resistance + grade) / secant(grade)
 
 
 def drag_along(friction: float, grade: float, braking: float) -> float:
     """Drag factor (ημ + G)/√(1 + G²), its numerator rounded once however nearly it cancels."""
-    if type(grade) is float and grade == 0.0:
-        return braking * friction
+    if level(grade):
+        return braking * friction + grade
     return multiply_add(braking, friction, grade) / secant(grade)
 
 
@@ -58,14 +61,16 @@ def require_drag(drag: float, where_: str = "") -> float:
 
 
 def drag_advice(friction: float, grade: float, braking: float, name: str = "") -> tuple[Advice, ...]:
-    """Say so when drag is the small difference of friction and a falling grade, and by how much that amplifies."""
+    """Say so when friction or grade is none of a road, and when drag is their small difference."""
+    absurd = friction_advice(friction, name + "friction") + grade_advice(grade, name + "grade")
     if not single(friction, grade, braking) or not plain(grade) < 0.0:
-        return ()
+        return absurd
     grip = plain(braking) * plain(friction)
     rest = plain(multiply_add(braking, friction, grade))
     if not 0.0 < rest < 0.2 * grip:
-        return ()
+        return absurd
     return (
+        *absurd,
         Advice(
             code="drag-by-difference",
             message=f"{name}friction {grip:.4g} hardly exceeds the falling grade {-plain(grade):.4g}: "
@@ -143,7 +148,9 @@ class Axles:
         """Front and rear moments that carry the load, and their sum; the shares are first/sum and second/sum."""
         front = self.wheelbase - self.cm_position
         front_moment = multiply_add(self.cm_height, self.rear_braking * self.rear_friction, front)
-        rear_moment = multiply_add(-self.cm_height, self.front_braking * self.front_friction, self.cm_position)
+        # near lift-off the rear's is a small difference: the rounding of the friction is made good
+        grip, rest = split_product(self.front_braking, self.front_friction)
+        rear_moment = multiply_add(-self.cm_height, grip, self.cm_position) - self.cm_height * rest
         return front_moment, rear_moment, front_moment + rear_moment
 
     @property
@@ -305,13 +312,34 @@ def _examine(
         front, rear, both = measurement.loads
         behind = rear * (measurement.wheelbase - measurement.cm_position) + measurement.cm_height * friction * both
         ahead = front * measurement.cm_position
-        checks = balance("moments about the mass centre", ahead, behind, measurement.wheelbase * both)
-        return checks, _light_rear(rear / both)
+        checks = balance(
+            "moments about the mass centre",
+            ahead,
+            behind,
+            measurement.wheelbase * both,
+            measurement.wheelbase,
+            measurement.cm_position,
+            measurement.cm_height,
+            friction,
+        )
+        absurd = friction_advice(measurement.front_friction, "front friction")
+        absurd += friction_advice(measurement.rear_friction, "rear friction") + grade_advice(measurement.grade)
+        return checks, absurd + _light_rear(rear / both)
     if isinstance(measurement, Sled):
         fall = measurement.weight * measurement.grade
         held = friction * measurement.pressing
         along = measurement.pull * cos(measurement.pull_angle) * secant(measurement.grade)
-        return balance("forces along the road", along, fall + held, absolute(fall) + along), ()
+        checks = balance(
+            "forces along the road",
+            along,
+            fall + held,
+            absolute(fall) + along,
+            measurement.pull,
+            measurement.weight,
+            measurement.grade,
+        )
+        found = friction_advice(friction, "the friction found", "check pull, weight and their units")
+        return checks, found + grade_advice(measurement.grade)
     return (), drag_advice(measurement.friction, measurement.grade, measurement.braking)
 
 

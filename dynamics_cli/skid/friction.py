@@ -13,7 +13,7 @@ from dynamics_cli.quantities import (
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single
 from dynamics_cli.skid.drag import drag_along, secant
 
 
@@ -151,7 +151,7 @@ def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STAND
         highest=highest,
         tests=tuple(SkidTested(*row) for row in zip(found, drags, strict=True)),
         checks=_check(made, found, drags),
-        advice=_advice(spread, mean),
+        advice=_absurd(made, found) + _advice(spread, mean),
     )
 
 
@@ -188,9 +188,19 @@ def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -
     checks: tuple[Check, ...] = ()
     for skid, one, drag in zip(made, found, drags, strict=True):
         back = drag_along(one, skid.grade, skid.braking)
-        checks += balance("drag factor from the friction found", back, drag, drag + abs(skid.grade))
+        operands = (skid.speed, skid.distance, skid.braking, one, drag)
+        checks += balance("drag factor from the friction found", back, drag, drag + abs(skid.grade), *operands)
     worst = max(checks, key=lambda check: check.value or 0.0, default=None)
     return () if worst is None else (worst,)
+
+
+def _absurd(made: tuple[TestSkid, ...], found: list[float]) -> tuple[Advice, ...]:
+    advice: tuple[Advice, ...] = ()
+    for index, (skid, one) in enumerate(zip(made, found, strict=True)):
+        name = f"skids[{index}]: " if len(made) > 1 else ""
+        advice += grade_advice(skid.grade, name + "grade")
+        advice += friction_advice(one, name + "the friction found", "check speed, distance, grade and their units")
+    return advice
 
 
 def _advice(spread: float | None, mean: float) -> tuple[Advice, ...]:

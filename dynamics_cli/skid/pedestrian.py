@@ -1,10 +1,22 @@
 """Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import absolute, atan, cos, hypot, maximum, multiply_add, sin, sqrt, where
+from dynamics_cli.numerics.elementary import (
+    absolute,
+    atan,
+    atan2,
+    cos,
+    hypot,
+    maximum,
+    multiply_add,
+    sin,
+    sqrt,
+    tan,
+    where,
+)
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Friction, Gravity, RoadSpeed, Time
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
+from dynamics_cli.skid.diagnostics import DEGREES, balance, friction_advice, plain, require_kept, single
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 
@@ -17,9 +29,10 @@ class Throw:
     least_speed : RoadSpeed
         No smaller projection speed reaches the throw distance, whatever the angle [m/s].
     greatest_speed : RoadSpeed
-        No greater one stays within it, for launch angles from zero to the greatest angle [m/s].
+        Speed of a level launch: no greater one stays within it, for launch angles from zero to the greatest angle
+        [m/s].
     greatest_angle : Angle
-        Launch angle up to which the greatest speed holds, 2 atan μ [rad].
+        Launch angle up to which the greatest speed holds: 2 atan μ, or less when landing stops the body before [rad].
     speed : RoadSpeed
         Projection speed; needs the launch angle [m/s].
     flight_time : Time
@@ -56,7 +69,9 @@ def pedestrian(
 
     Equation
     --------
-    v = √(2μg(s − μH))/(cos α + μ sin α); √(2μg(s − μH)/(1 + μ²)) ≤ v always, v ≤ √(2μg(s − μH)) for 0 ≤ α ≤ 2 atan μ.
+    v = √(2μg r)/(cos α + μ sin α), r = s − μH; √(2μg r/(1 + μ²)) ≤ v always. For 0 ≤ α ≤ α_g no more than a level
+    launch needs: v ≤ √(2μg r), α_g = 2 atan μ while (1 + μ²) k ≥ 4μ², k = 1 − μH/r, else
+    tan α_g = (2μ + √(4μ² − k²)) r/s; and v ≤ s √(g/(2H)), tan α_g = s/H, when k < 0.
 
     Parameters
     ----------
@@ -84,8 +99,10 @@ def pedestrian(
 
     Notes
     -----
-    Level ground; the landing takes the vertical speed w and μw of the horizontal one, then friction slows the slide.
-    The bounds assume that the body keeps sliding after it lands.
+    Level ground; the landing takes the vertical speed w and μw of the horizontal one, or all of it when it is less,
+    then friction slows the slide. Both bounds count the launches that end where the body lands: at the speed of a level
+    launch the landing stops it above sin² α = k/(1 + μ²), which for H = 0 is 90° − atan μ. For H = 0 the greatest angle
+    is 2 atan μ up to μ = tan 30°, and ½(180° − asin(1/(2μ))) above.
 
     References
     ----------
@@ -106,11 +123,17 @@ def pedestrian(
         friction * launch_height,
         code="throw-too-short",
     )
-    greatest = sqrt(2.0 * gravity * (friction * reach))
-    least = greatest / hypot(1.0, friction)
-    greatest_angle = 2.0 * atan(friction)
+    sliding = sqrt(2.0 * gravity * (friction * reach))
+    require_kept(sliding > 0.0, "friction times the throw distance")
+    least = sliding / hypot(1.0, friction)
+    share = multiply_add(-2.0 * friction, launch_height, throw_distance) / reach
+    # a level launch that the landing stops flies the whole way
+    fall = where(share < 0.0, sqrt(2.0 * launch_height / gravity), 1.0)
+    greatest = where(share < 0.0, throw_distance / fall, sliding)
+    greatest_angle = _greatest_angle(friction, share, reach / throw_distance, throw_distance, launch_height)
+    advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle)
     if launch_angle is None:
-        return Throw(least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle)
+        return Throw(least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle, advice=advice)
     require(
         absolute(launch_angle) < RIGHT_ANGLE,
         "a launch at {0:.6g} degrees goes nowhere forward",
@@ -119,31 +142,34 @@ def pedestrian(
     )
     sine, cosine = sin(launch_angle), cos(launch_angle)
     gain = multiply_add(friction, sine, cosine)
+    slope = tan(launch_angle)
+    over_forward = multiply_add(friction, slope, 1.0)
     require(
-        gain > 0.0,
+        (gain > 0.0) & (over_forward > 0.0),
         "cos α + μ sin α is {0:.6g} at the launch angle {1:.6g} degrees: landing stops the body at once",
         gain,
         launch_angle * DEGREES,
         code="stops-at-landing",
     )
-    speed = greatest / gain
-    upward, forward = speed * sine, speed * cosine
-    flight_time, landing = _flight(upward, launch_height, gravity)
-    # the speed left for the slide, from the form that subtracts less
-    rising = multiply_add(-friction, landing, forward)
-    left = where(upward >= 0.0, rising, multiply_add(-friction, gravity * flight_time, greatest))
+    speed = sliding / gain
+    forward = speed * cosine
+    # √(2gH) over the forward speed, without the speed
+    landing, falling = _flight(slope, sqrt(launch_height / (friction * reach)) * over_forward)
+    flight_time = forward * falling / gravity
+    # the share of √(2μg r) left for the slide, from the form that subtracts less
+    kept = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
+    left = kept / over_forward
     require(
-        left >= -1e-15 * forward,
+        kept >= -1e-15,
         "landing stops the body at once: its horizontal speed {0:.6g} m/s is less than friction times the vertical "
         "one, {1:.6g} m/s",
         forward,
-        friction * landing,
+        friction * landing * forward,
         code="stops-at-landing",
     )
     left = maximum(left, 0.0)
     flight = forward * flight_time
-    slide_time = left / (friction * gravity)
-    slide = slide_time * (0.5 * left)
+    slide = reach * left * left
     return Throw(
         least_speed=least,
         greatest_speed=greatest,
@@ -151,20 +177,60 @@ def pedestrian(
         speed=speed,
         flight_time=flight_time,
         flight_distance=flight,
-        slide_time=slide_time,
+        slide_time=sliding * left / (friction * gravity),
         slide_distance=slide,
-        checks=balance("flight and slide make the throw", flight + slide, throw_distance, throw_distance),
-        advice=_angle_advice(launch_angle, greatest_angle),
+        checks=balance(
+            "flight and slide make the throw",
+            flight + slide,
+            throw_distance,
+            throw_distance,
+            throw_distance,
+            friction,
+            launch_height,
+            speed,
+            reach,
+        ),
+        advice=advice + _angle_advice(launch_angle, greatest_angle),
     )
 
 
-def _flight(upward: float, height: float, gravity: float) -> tuple[float, float]:
-    """Time in the air and vertical speed at landing, from whichever root does not cancel."""
-    landing = hypot(upward, sqrt(2.0 * gravity * height))
-    both = absolute(upward) + landing
-    rising = both / gravity
-    falling = 2.0 * height / where(both > 0.0, both, 1.0)
-    return where(upward >= 0.0, rising, falling), landing
+def _greatest_angle(friction: float, share: float, part: float, distance: float, height: float) -> float:
+    """Largest angle at which the speed of a level launch reaches the distance; `part` is r/s."""
+    slope = 2.0 * friction
+    room = maximum(slope - share, 0.0) * (slope + share)
+    flying = atan((slope + sqrt(maximum(room, 0.0))) * part)
+    slides = _slides_there(friction, share)
+    return where(share < 0.0, atan2(distance, height), where(slides, 2.0 * atan(friction), flying))
+
+
+def _slides_there(friction: float, share: float) -> bool:
+    """Whether a body launched at 2 atan μ still slides when it has landed."""
+    return sqrt(maximum(share, 0.0)) * hypot(1.0, friction) >= 2.0 * friction
+
+
+def _flight(slope: float, drop: float) -> tuple[float, float]:
+    """Vertical speed at landing and g times the time in the air, per forward speed; so is `drop`, √(2gH).
+
+    The time comes from whichever root does not cancel.
+    """
+    landing = hypot(slope, drop)
+    both = absolute(slope) + landing
+    return landing, where(slope >= 0.0, both, drop * (drop / where(both > 0.0, both, 1.0)))
+
+
+def _stop_advice(friction: float, share: float, greatest_angle: float) -> tuple[Advice, ...]:
+    if not single(friction, share) or (plain(share) >= 0.0 and _slides_there(friction, share)):
+        return ()
+    from_angle = plain(atan2(sqrt(maximum(share, 0.0)), sqrt(multiply_add(friction, friction, 1.0 - share))))
+    return (
+        Advice(
+            code="may-stop-at-landing",
+            message=f"launched at the greatest speed above {from_angle * DEGREES:.4g} degrees the body stops where it "
+            f"lands: that speed holds up to {plain(greatest_angle) * DEGREES:.4g} degrees, not 2 atan μ = "
+            f"{2.0 * plain(atan(friction)) * DEGREES:.4g} degrees",
+            severity="note",
+        ),
+    )
 
 
 def _angle_advice(launch_angle: float, greatest_angle: float) -> tuple[Advice, ...]:

@@ -193,6 +193,7 @@ def spin(
     if isinstance(drag, Rotation):
         rate = drag.rotation / time
     both = speed + end_speed
+    # crossing_time has refused speeds that underflowed, so both is zero only where there is no way
     lost = shed / where(both > 0.0, both, 1.0)
     return SpinLoss(
         speed=speed,
@@ -201,7 +202,9 @@ def spin(
         drag_factor=factor,
         time=time,
         mean_yaw_rate=rate,
-        checks=balance("energy balance", lost * (2.0 * end_speed + lost), shed, speed * speed),
+        checks=balance(
+            "energy balance", lost * (2.0 * end_speed + lost), shed, speed * speed, speed, factor, distance, gravity
+        ),
         advice=drag_advice(friction, grade, share) + _turn_advice(drag),
     )
 

@@ -1,7 +1,7 @@
 """A whole stop: reaction, rise of the deceleration, steady braking, and where the vehicle is at any time of it."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -189,18 +189,27 @@ def stop(
         drag_factor=drag,
         deceleration=deceleration,
         timeline=tuple(rows),
-        checks=balance("distance from mean speeds", by_means, way, way),
+        checks=balance(
+            "distance from mean speeds",
+            by_means,
+            way,
+            way,
+            speed,
+            reaction_time,
+            deceleration,
+            0.0 if build_up_time is None else build_up_time,
+        ),
         advice=drag_advice(friction, grade, braking),
     )
 
 
 def _build_up(speed: float, deceleration: float, build_up_time: float) -> tuple[float, float, float]:
     """Duration of the rise, the speed it takes and the speed it leaves; it ends early when the vehicle stops."""
-    full = deceleration * build_up_time <= 2.0 * speed
-    rise = where(full, build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
-    drop = where(full, 0.5 * deceleration * build_up_time, speed)
+    # at the corner, where rounding decides, each of the three keeps the error of the side not taken
+    rise = minimum(build_up_time, sqrt(2.0 * speed * build_up_time / deceleration))
+    drop = minimum(0.5 * deceleration * build_up_time, speed)
     rest = maximum(multiply_add(-0.5 * deceleration, build_up_time, speed), 0.0)
-    return rise, drop, where(full, rest, 0.0 * speed)
+    return rise, drop, rest
 
 
 # Rows between the ends of each phase; the ends are the results themselves.

@@ -4,7 +4,7 @@ from dynamics_cli.errors import UsageError, require
 from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, multiply_add, sin, sqrt, where
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Gravity, Length, RoadSpeed, Time
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import DEGREES, balance
+from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 
@@ -110,7 +110,7 @@ def vault_least_speed(
         flight_time=hypot(distance, up) / speed,
         landing_speed=landing,
         landing_angle=atan2(distance, up),
-        checks=_energy_check(speed, landing, rise, gravity),
+        checks=_energy_check(speed, landing, distance, rise, gravity),
         advice=advice,
     )
 
@@ -194,8 +194,8 @@ def vault_known_angle(
         flight_time=distance / (speed * cosine),
         landing_speed=landing,
         landing_angle=atan2(fall, cosine),
-        checks=_energy_check(speed, landing, rise, gravity),
-        advice=(),
+        checks=_energy_check(speed, landing, distance, rise, gravity),
+        advice=_sight_advice(take_off, over, hypot(distance, rise)),
     )
 
 
@@ -203,11 +203,31 @@ def _require_way(distance: float) -> None:
     require(distance > 0.0, "a flight over {0:.6g} m shows no speed", distance, code="no-way")
 
 
-def _energy_check(speed: float, landing: float, rise: float, gravity: float) -> tuple[Check, ...]:
+def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, ...]:
+    """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
+    if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
+        return ()
+    above = plain(over) / plain(slant) * DEGREES
+    return (
+        Advice(
+            code="near-line-of-sight",
+            message=f"the take-off points only {above:.3g} degrees above the landing point: an error of a tenth of "
+            f"that angle changes the speed by 5 %",
+            severity="serious",
+            mend="measure the take-off angle more closely, or leave it out for the least speed",
+        ),
+    )
+
+
+def _energy_check(speed: float, landing: float, distance: float, rise: float, gravity: float) -> tuple[Check, ...]:
     gained = 2.0 * gravity * rise
     return balance(
         "energy balance",
         speed * speed - landing * landing,
         gained,
         speed * speed + landing * landing + absolute(gained),
+        speed,
+        landing,
+        distance,
+        rise,
     )

@@ -12,7 +12,7 @@ from dynamics_cli.quantities import (
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single
 from dynamics_cli.skid.drag import secant
 
 
@@ -162,7 +162,10 @@ def yaw(
         mark_radius=mark_radius,
         lateral_acceleration=gravity * share,
         checks=_check(friction, superelevation, share),
-        advice=_arc_advice(path) + _bank_advice(lean),
+        advice=friction_advice(friction)
+        + grade_advice(superelevation, "superelevation")
+        + _arc_advice(path)
+        + _bank_advice(lean),
     )
 
 
@@ -183,7 +186,7 @@ def _check(friction: float, bank: float, share: float) -> tuple[Check, ...]:
     outward = share * (cosine - friction * sine)
     inward = sine + friction * cosine
     scale = share * (cosine + friction * absolute(sine)) + absolute(sine) + friction * cosine
-    return balance("forces across the path", outward, inward, scale)
+    return balance("forces across the path", outward, inward, scale, friction, bank, share)
 
 
 def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:

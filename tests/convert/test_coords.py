@@ -133,6 +133,13 @@ def test_on_the_axis_theta_is_zero_and_said_to_be(z: float) -> None:
     assert coords.spherical_to_cylindrical(2.0, 0.0, 1.0).theta == 0.0
 
 
+def test_off_the_axis_by_less_than_a_double_tells_theta_stays() -> None:
+    near = coords.spherical_to_cylindrical(1.16e-295, 1.2e-105, -1.676)
+    assert (near.r, near.theta, near.advice) == (0.0, -1.676, ())
+    assert coords.spherical_to_cylindrical(0.0, 1.0, -1.676).theta == 0.0
+    assert coords.spherical_to_cylindrical(0.0, 1.0, -1.676).advice
+
+
 def test_at_the_origin_both_angles_are_zero_and_said_to_be() -> None:
     for answer in (coords.cartesian_to_spherical(0.0, 0.0, 0.0), coords.cylindrical_to_spherical(0.0, 1.0, 0.0)):
         assert (answer.rho, answer.phi, answer.theta) == (0.0, 0.0, 0.0)
@@ -151,8 +158,10 @@ def test_minus_half_a_turn_is_half_a_turn() -> None:
         (lambda: coords.cylindrical_to_cartesian(-1.0, 0.0, 0.0), r"r is a distance and cannot be -1: .* 180 degrees"),
         (lambda: coords.cylindrical_to_spherical(-2.5, 0.0, 0.0), r"r is a distance and cannot be -2.5"),
         (lambda: coords.spherical_to_cartesian(-1.0, 0.0, 0.0), r"rho is a distance and cannot be -1"),
-        (lambda: coords.spherical_to_cylindrical(1.0, -0.1, 0.0), r"it cannot be -5.72958 degrees"),
-        (lambda: coords.spherical_to_cartesian(1.0, 3.2, 0.0), r"it cannot be 183.346 degrees"),
+        (lambda: coords.spherical_to_cylindrical(1.0, -0.1, 0.0), r"it cannot be -5.7295779\d* degrees"),
+        (lambda: coords.spherical_to_cartesian(1.0, 3.2, 0.0), r"it cannot be 183.34649444\d* degrees"),
+        (lambda: coords.spherical_to_cartesian(1.0, math.radians(180.0001), 0.0), r"it cannot be 180.0001 degrees"),
+        (lambda: coords.spherical_to_cylindrical(1.0, 3.1415926535897936, 0.0), r"\(3.1415926535897936 rad\)"),
         (lambda: coords.cartesian_to_spherical(1.7e308, 1.7e308, 0.0), r"exceeds the largest double, 1.79769e\+308"),
         (lambda: coords.cartesian_to_cylindrical(1.7e308, 1.7e308, 0.0), r"exceeds the largest double"),
     ],

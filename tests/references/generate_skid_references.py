@@ -111,6 +111,10 @@ def distances(generator: random.Random) -> Iterator[Case]:
         yield "hard", f"{v!r} to {end!r}", {**base, "speed": v, "end_speed": end}
     for grade in NEAR_ZERO:
         yield "hard", f"drag near zero, grade {grade!r}", {**base, "grade": grade, "speed": 30.0, "end_speed": 10.0}
+    # 32²/(2·16·0.5) = 64: a mark that ends at the stop, and one that misses it by half a millionth of a nanometre
+    stop = {**base, "speed": 32.0, "friction": 0.5, "gravity": 16.0, "end_speed": 0.0}
+    for mark in [64.0, 63.99999999999999, 63.999999]:
+        yield "hard", f"mark {mark!r} of a stop of 64", {**stop, "mark": mark}
     for mark in [65.5, 65.553, 65.55318, 1e-15]:
         yield "hard", f"mark {mark!r} near the stop", {**base, "speed": 30.0, "end_speed": 0.0, "mark": mark}
 
@@ -181,6 +185,7 @@ def drag_factors(generator: random.Random) -> Iterator[Case]:
     for change in [
         {"rear_braking": 0.0},
         {"cm_height": 1.599999999},
+        {"cm_height": 2.2857142857, "front_braking": 0.7},
         {"cm_height": 0.0},
         {"grade": -0.45},
         {"cm_position": 2.699999999999},
@@ -220,6 +225,9 @@ def stops(generator: random.Random) -> Iterator[Case]:
         {"build_up_time": 0.0},
         {"build_up_time": 5.8},
         {"build_up_time": 5.826944438860908},
+        {"build_up_time": 5.8269444388609065},
+        {"build_up_time": 5.826944438860909},
+        {"speed": 28.29286781753336, "friction": 1.1, "grade": -0.69, "braking": 0.63, "build_up_time": 1924.5},
         {"build_up_time": 8.0},
         {"reaction_time": 0.0, "build_up_time": 1e-12},
         {"speed": 1e-9, "build_up_time": 0.3},
@@ -317,6 +325,18 @@ def pedestrians(generator: random.Random) -> Iterator[Case]:
         {"friction": 1e-9, "launch_angle": 0.3},
         {"throw_distance": 1e200, "launch_height": 0.0, "launch_angle": 0.2},
         {"launch_angle": 1e-300},
+        {"launch_height": 0.0, "launch_angle": 0.95},
+        {"friction": 0.5773502691896257, "launch_height": 0.0},
+        {"friction": 0.5773502691896258, "launch_height": 0.0},
+        {"friction": 0.577, "launch_height": 0.0},
+        {"friction": 0.578, "launch_height": 0.0},
+        {"friction": 0.4, "throw_distance": 2.0},
+        {"friction": 3.0, "throw_distance": 60.0},
+        {"throw_distance": 1.32},
+        {"throw_distance": 1.3},
+        {"throw_distance": 1.34, "launch_angle": 1e-3},
+        {"friction": 0.2, "throw_distance": 1e4, "launch_angle": 1.3},
+        {"friction": 0.9, "launch_height": 0.3, "launch_angle": 0.8},
     ]:
         yield "hard", f"throw with {change}", {**base, **change}
 
@@ -354,6 +374,9 @@ def avoids(generator: random.Random) -> Iterator[Case]:
         {"grade": -0.7 + 1e-12},
         {"sight_distance": 1e-200},
         {"sight_distance": 1e200},
+        {"speed": 33.333333333333336},
+        {"speed": 33.33333333333333},
+        {"speed": 17.85427589},
     ]:
         yield "hard", f"avoid with {change}", {**base, **change}
 

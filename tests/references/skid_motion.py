@@ -224,7 +224,10 @@ def vault_least_speed(*, distance: Any, rise: Any, gravity: Any) -> Results:
 def pedestrian(
     *, throw_distance: Any, friction: Any, launch_height: Any, gravity: Any, launch_angle: Any = None
 ) -> Results:
-    """Speeds at which the simulated flight and slide end at the throw distance."""
+    """Speeds at which the simulated flight and slide end at the throw distance.
+
+    The greatest angle is where a launch at the greatest speed comes to fall short of it, found by halving.
+    """
 
     def landing(speed: Any, angle: Any) -> tuple[Any, Any, Any]:
         down = mp.sqrt((speed * mp.sin(angle)) ** 2 + 2 * gravity * launch_height)
@@ -241,11 +244,20 @@ def pedestrian(
         slope = (thrown(two, angle) - thrown(one, angle)) / 3
         return mp.sqrt((throw_distance - thrown(one, angle)) / slope + 1)
 
-    out = {
-        "least_speed": solve(mp.atan(friction)),
-        "greatest_speed": solve(mpf(0)),
-        "greatest_angle": 2 * mp.atan(friction),
-    }
+    def reached(speed: Any, angle: Any) -> Any:
+        _, flown, left = landing(speed, angle)
+        return flown + (left**2 / (2 * friction * gravity) if left > 0 else 0)
+
+    level = solve(mpf(0))
+    if landing(level, mpf(0))[2] < 0:
+        level = throw_distance / mp.sqrt(2 * launch_height / gravity)
+    with mp.workdps(100):
+        far, short = mp.atan(friction), mp.pi / 2
+        assert reached(level, far) > throw_distance
+        for _ in range(260):
+            middle = (far + short) / 2
+            far, short = (middle, short) if reached(level, middle) > throw_distance else (far, middle)
+    out = {"least_speed": solve(mp.atan(friction)), "greatest_speed": level, "greatest_angle": far}
     if launch_angle is not None:
         speed = solve(launch_angle)
         time, flown, left = landing(speed, launch_angle)

@@ -1,12 +1,14 @@
 """Avoidability: the sufficient speed stops exactly at the hazard, the speed at the hazard obeys energy, refusals."""
 
 import math
+from fractions import Fraction
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.skid.avoid import avoid
 from dynamics_cli.skid.stop import stop
 
@@ -24,7 +26,7 @@ def test_stops_and_impacts_obey_energy(v: float, sight: float, reaction: float, 
     travelled = answer.approaches[0]
     assert travelled.stopping_distance == pytest.approx(whole.stopping_distance, rel=1e-14)
     assert answer.margin == pytest.approx(sight - whole.stopping_distance, abs=1e-12 * whole.stopping_distance)
-    if sight <= v * reaction:
+    if Fraction(sight) <= Fraction(v) * Fraction(reaction):
         assert answer.impact_speed == v
         assert travelled.time == pytest.approx(sight / v, rel=1e-14)
     elif answer.avoidable:
@@ -34,7 +36,7 @@ def test_stops_and_impacts_obey_energy(v: float, sight: float, reaction: float, 
         assert answer.impact_speed**2 + lost == pytest.approx(v * v, rel=1e-12)
         braked = (v - answer.impact_speed) / whole.deceleration
         assert travelled.time == pytest.approx(reaction + braked, rel=1e-7)
-    assert answer.avoidable == (answer.margin >= 0.0)
+    assert answer.avoidable == (answer.margin >= 0.0) == (answer.impact_speed == 0.0)
     assert all(check.passed for check in answer.checks)
 
 
@@ -47,6 +49,19 @@ def test_the_sufficient_speed_stops_at_the_hazard(sight: float, reaction: float,
         answer = avoid(speed=enough * factor, sight_distance=sight, reaction_time=reaction, friction=mu, grade=grade)
         assert answer.avoidable is avoidable
         assert answer.impact_speed == pytest.approx(0.0, abs=1e-3 * enough)
+
+
+@given(SIGHT, TIME, FRICTION, GRADE)
+def test_the_answer_at_the_sufficient_speed_never_contradicts_itself(
+    sight: float, reaction: float, mu: float, grade: float
+) -> None:
+    given_ = {"sight_distance": sight, "reaction_time": reaction, "friction": mu, "grade": grade}
+    enough = avoid(speed=10.0, **given_).sufficient_speed
+    for step in (0.0, -math.inf, math.inf):
+        for v in (enough, math.nextafter(enough, step)):
+            answer = avoid(speed=v, **given_)
+            assert answer.avoidable == (answer.margin >= 0.0) == (answer.impact_speed == 0.0)
+            assert abs(answer.margin) <= 1e-14 * sight
 
 
 @given(SIGHT, TIME, FRICTION, st.floats(1.01, 2.0))
@@ -96,3 +111,15 @@ def test_refusals_give_the_deciding_number() -> None:
         avoid(speed=20.0, sight_distance=0.0, reaction_time=1.0, friction=0.7)
     with pytest.raises(InadmissibleError, match=r"drag factor -0.0980581"):
         avoid(speed=20.0, sight_distance=30.0, reaction_time=1.0, friction=0.1, grade=-0.2)
+
+
+def test_at_the_end_of_the_reaction_the_bound_covers_both_sides() -> None:
+    # v·t rounds up to the sight distance that it is half a unit in the last place short of
+    given_ = [0.034699316716686815, 0.04163918006002418, 1.2, 1.0631169876047193]
+    names = ("speed", "sight_distance", "reaction_time", "friction")
+    answer = avoid(**dict(zip(names, Tracked.inputs(given_), strict=True)))  # type: ignore[arg-type]
+    v, sight, reaction, friction = (Fraction(x) for x in given_)
+    squared = v * v - 2 * Fraction(9.80665) * friction * max(sight - v * reaction, Fraction(0))
+    own = answer.impact_speed
+    assert isinstance(own, Tracked)
+    assert Fraction(own.value - own.error) ** 2 <= squared <= Fraction(own.value + own.error) ** 2

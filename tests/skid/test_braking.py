@@ -7,7 +7,17 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.skid.avoid import avoid
 from dynamics_cli.skid.braking import Segment, distance, speed
+from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.drag import Sled, drag_factor
+from dynamics_cli.skid.friction import TestSkid as OneSkid
+from dynamics_cli.skid.friction import friction
+from dynamics_cli.skid.pedestrian import pedestrian
+from dynamics_cli.skid.spin import Share, spin
+from dynamics_cli.skid.vault import vault_known_angle
+from dynamics_cli.skid.yaw import Radius, yaw
 
 LENGTH = st.floats(0.1, 200.0)
 FRICTION = st.floats(0.1, 1.0)
@@ -122,6 +132,70 @@ def test_mark_that_exceeds_the_stop_is_refused_with_the_stop() -> None:
     assert caught.value.code == "mark-exceeds-stop"
     stop = distance(speed=20.0, friction=0.7).distance
     assert distance(speed=20.0, friction=0.7, mark=stop).exit_speed == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_mark_that_ends_at_the_stop_is_said_to_have_no_condition() -> None:
+    exact = {"speed": 32.0, "friction": 0.5, "gravity": 16.0}
+    at_stop = distance(**exact, mark=64.0)
+    assert (at_stop.exit_speed, at_stop.exit_time) == (0.0, 4.0)
+    assert [one.code for one in at_stop.advice] == ["mark-at-stop"]
+    short = distance(**exact, mark=math.nextafter(64.0, 0.0))
+    # √(2·8·2⁻⁴⁷), to the last bit
+    assert short.exit_speed == math.sqrt(16.0 * (64.0 - math.nextafter(64.0, 0.0)))
+    assert not short.advice
+
+
+def test_what_leaves_the_range_of_a_double_is_refused() -> None:
+    with pytest.raises(InadmissibleError, match="range of a double") as caught:
+        speed(segments=Segment(1e-200, 1e-200))
+    assert caught.value.code == "range"
+    assert speed(segments=Segment(1e-200, 1e-200), end_speed=3.0).speed == 3.0
+    for task, inputs in (
+        (avoid, {"speed": 1e-170, "sight_distance": 1.0, "reaction_time": 1.0, "friction": 0.7}),
+        (spin, {"drag": Share(1e-200), "distance": 1e-200, "friction": 0.7}),
+        (pedestrian, {"throw_distance": 1e-200, "friction": 1e-200}),
+    ):
+        with pytest.raises(InadmissibleError, match="range of a double"):
+            task(**inputs)
+
+
+def test_numbers_that_no_road_has_are_pointed_out() -> None:
+    def codes(**surface: float) -> list[tuple[str, str]]:
+        return [(one.code, one.severity) for one in speed(segments=Segment(distance=10.0, **surface)).advice]
+
+    assert codes(friction=0.7, grade=3.0) == [("steep-grade", "caution")]
+    assert codes(friction=70.0) == [("high-friction", "caution")]
+    assert codes(friction=70.0, grade=-3.0) == [("high-friction", "caution"), ("steep-grade", "caution")]
+    assert codes(friction=1.5, grade=0.3) == codes(friction=1.5, grade=-0.3) == []
+    several = speed(segments=(Segment(10.0, 0.7), Segment(10.0, 0.7, 3.0)))
+    assert several.advice[0].message.startswith("segments[1]: grade 3 is 300 %")
+    assert several.advice[0].mend == "write 3 % for three percent"
+    found = friction(skids=OneSkid(speed=48.0, distance=13.0)).advice
+    assert [one.code for one in found] == ["high-friction", "one-test-skid"]
+    assert yaw(path=Radius(30.0), friction=0.7, superelevation=-0.5).advice[0].message.startswith("superelevation -0.5")
+    assert pedestrian(throw_distance=20.0, friction=66.0).advice[0].code == "high-friction"
+
+
+def test_checks_keep_out_of_the_ends_of_the_range() -> None:
+    for answer in (
+        distance(speed=6.1e-101, friction=3.07e150, grade=0.0506),
+        avoid(speed=0.436, sight_distance=8.8e-150, reaction_time=2.2e300, friction=2.82),
+        speed(segments=Segment(5.5e99, 5.25e-323)),
+        drag_factor(measurement=Sled(pull=3.4e-19, weight=1.25e300)),
+        vault_known_angle(distance=2.1e-160, rise=-0.13, take_off=0.0),
+    ):
+        assert not answer.checks
+
+
+def test_a_check_fails_on_a_wrong_formula_and_allows_for_rounding() -> None:
+    assert balance("exact", 1.0, 1.0 + 1e-11, 1.0)[0].passed is False
+    one, other = Tracked.inputs([1.0, 1.0 + 1e-11])
+    assert balance("exact inputs", one, other, 1.0)[0].passed is False
+    blurred = Tracked(1.0 + 1e-11, 2e-11, (0.0, 1.0))
+    (check,) = balance("known only so far", one, blurred, 1.0)
+    assert check.passed
+    assert check.tolerance == pytest.approx(2e-11, rel=0.02)
+    assert not balance("known not at all", one, Tracked(1.0, math.inf, (0.0, 1.0)), 1.0)
 
 
 @given(SEGMENT, SPEED)

@@ -1,5 +1,6 @@
 """Every skid task against 40-digit references: its error, the bound stated for it, arrays and checks."""
 
+import math
 import subprocess
 import sys
 from pathlib import Path
@@ -16,6 +17,7 @@ MOST_ULPS = 4.0
 # Both sides of a square root's corner lie within the bound: nothing but exact arithmetic can tell a stop from a touch.
 CORNERS = {
     "equal test skids",
+    "mark 64.0 of a stop of 64",
     "avoid with {'speed': 17.85427588404575}",
     "avoid with {'speed': 17.854275884045748}",
     "avoid with {'speed': 17.854275884045752}",
@@ -86,6 +88,10 @@ def test_derivatives_are_those_of_the_answer(task: str) -> None:
                 ends.append(flat(TASKS[task](**build(case["inputs"], iter(moved), GROUPS))))
             for name, value in tracked.items():
                 slope = value.slopes[index] if isinstance(value, Tracked) else 0.0
+                if not math.isfinite(slope):
+                    # behind the corner of a square root, which is a zero of this same answer
+                    assert 0.0 in [getattr(other, "value", other) for other in tracked.values()]
+                    continue
                 estimate = (ends[1][name] - ends[0][name]) / (2.0 * step)
                 size = abs(ends[1][name]) / max(abs(number), 1e-2) + abs(slope)
                 assert slope == pytest.approx(estimate, abs=2e-6 * size + 1e-12), (case["name"], name, index)

@@ -6,8 +6,10 @@ from itertools import pairwise
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.skid.braking import distance
 from dynamics_cli.skid.stop import stop
 
@@ -81,6 +83,24 @@ def test_limits_of_the_build_up_are_met_from_both_sides(v: float, friction: floa
     assert ends[0].stopping_distance == pytest.approx(ends[1].stopping_distance, rel=1e-8)
     assert ends[1].braking_time == 0.0
     assert ends[1].braking_speed == 0.0
+
+
+@given(SPEED, FRICTION, st.integers(-3, 3))
+def test_at_the_corner_of_the_build_up_the_bounds_cover_both_sides(v: float, friction: float, ulps: int) -> None:
+    rise = 2.0 * v / (9.80665 * friction)
+    for _ in range(abs(ulps)):
+        rise = math.nextafter(rise, math.inf if ulps > 0 else 0.0)
+    one, mu, wait, grow, g = Tracked.inputs([v, friction, 0.0, rise, 9.80665])
+    answer = stop(speed=one, friction=mu, reaction_time=wait, build_up_time=grow, gravity=g)  # type: ignore[arg-type]
+    with mp.workdps(60):
+        full, start = mpf(9.80665) * mpf(friction), mpf(v)
+        duration = min(mpf(rise), mp.sqrt(2 * start * mpf(rise) / full))
+        left = max(start - full * mpf(rise) / 2, mpf(0))
+        truths = (duration, left, left / full, left * left / (2 * full))
+    names = ("build_up_duration", "braking_speed", "braking_time", "braking_distance")
+    for name, truth in zip(names, truths, strict=True):
+        own = getattr(answer, name)
+        assert abs(own.value - truth) <= own.error, name
 
 
 @given(SPEED, FRICTION, TIME, st.floats(0.01, 1.0))

@@ -82,4 +82,4 @@ def test_doubtful_measurements_are_pointed_out() -> None:
     assert codes(Chord(10.0, 0.1)) == [("short-middle-ordinate", "caution")]
     assert codes(Chord(10.0, 0.01)) == [("short-middle-ordinate", "serious")]
     assert codes(Chord(1.0, 30.0)) == [("beyond-half-circle", "caution")]
-    assert codes(Radius(30.0), 1.1) == [("near-self-holding-bank", "serious")]
+    assert codes(Radius(30.0), 1.1) == [("steep-grade", "caution"), ("near-self-holding-bank", "serious")]
