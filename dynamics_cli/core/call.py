@@ -23,6 +23,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "coverage": ("value", "P", "Probability of the intervals of uncertain results (95 %)."),
     "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
     "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
+    "drawing": ("value", "FILE", "The shape itself as DXF, SVG or CSV, where the task has one."),
     "model": ("value", "NAME", "Overrule the choice of model, where there are several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
@@ -62,6 +63,7 @@ class Settings:
         self.seed = self._whole(given, "seed", 2**63)
         self.coverage = self._text(given, "coverage")
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
+        self.drawing = self._text(given, "drawing")
         self.model = self._text(given, "model")
         self.explain = bool(given.get("explain"))
         self.timing = bool(given.get("timing"))
@@ -69,6 +71,11 @@ class Settings:
             raise UsageError("at most two parameters can be swept", parameter="sweep")
         if self.rows and self.sweep:
             raise UsageError("--rows and --sweep cannot be given together", parameter="rows", code="exclusive")
+        if self.drawing and (self.rows or self.sweep):
+            many = "rows" if self.rows else "sweep"
+            raise UsageError(
+                f"--drawing is for one case and --{many} for many", parameter="drawing", code="exclusive"
+            )
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 

@@ -55,7 +55,7 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
                 hint="this is a bug: please report it with the inputs",
             )
     if reader.uncertain or settings.correlate:
-        from dynamics_cli.core.uncertain_document import add_uncertainty
+        from dynamics_cli.core.uncertain.document import add_uncertainty
 
         start = _clock() if settings.timing else 0.0
         add_uncertainty(document, task, bound, answered, reader.uncertain, settings, display)

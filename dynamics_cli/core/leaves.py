@@ -139,7 +139,7 @@ def _is_distribution(raw: "Any") -> bool:
 
 
 def _uncertain(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
-    from dynamics_cli.core.uncertain_text import read_uncertain
+    from dynamics_cli.core.uncertain.text import read_uncertain
 
     bound, notes = read_uncertain(kind, raw, address, _default_unit(kind, raw, reader))
     reader.notes.extend(f"{address}: {note}" for note in notes)

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from typing import Any
 
-    from dynamics_cli.core.distributions import Distribution
     from dynamics_cli.core.specification import Node
+    from dynamics_cli.core.uncertain.distributions import Distribution
     from dynamics_cli.quantities import Kind
 
     Raw = Mapping[str, Any]

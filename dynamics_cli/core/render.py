@@ -78,7 +78,7 @@ def flatten(node: "Any", address: str = "") -> "list[tuple[str, Any, str]]":
     if is_quantity(node):
         value = node["value"]
         if "distribution" in node:
-            from dynamics_cli.core.uncertain_render import distribution_text
+            from dynamics_cli.core.uncertain.render import distribution_text
 
             value = distribution_text(node)
         return [(address, value, node.get("unit", ""))]
@@ -173,7 +173,7 @@ def to_table(document: "Document", digits: int) -> str:
     tails = {name: f"(error ≤ {_bound(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     uncertain = "uncertainty" in document["numerics"]
     if uncertain:
-        from dynamics_cli.core.uncertain_render import driver_lines, spread_tails
+        from dynamics_cli.core.uncertain.render import driver_lines, spread_tails
 
         tails |= spread_tails(document["results"], digits)
     lines += ["", *_aligned(flatten(document["results"]), digits, tails)]
@@ -259,7 +259,7 @@ def to_csv(document: "Document", table: str) -> str:
     node = results.get(table) if table else None
     plain = [] if node else _split_lists(flatten(results))
     if plain and "uncertainty" in document["numerics"]:
-        from dynamics_cli.core.uncertain_render import spread_columns
+        from dynamics_cli.core.uncertain.render import spread_columns
 
         plain += spread_columns(results)
     made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]

@@ -22,6 +22,7 @@ PLAIN_COUNT = Kind("count", "", form="whole", example="3", about="a whole number
 PLAIN_TEXT = Kind("text", "", form="text", about="words")
 FLAG = Kind("flag", "", form="flag", about="yes when given")
 EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
+DRAWING = Kind("drawing", "", form="drawing", about="outlines of ordered pieces")
 MEASURED = Kind("quantity", "", form="measured", about="a number with a unit of its own")
 
 _PLAIN = {
@@ -193,7 +194,7 @@ def _interpret_class(annotation: type) -> "Node":
     if issubclass(annotation, Choice):
         return Leaf(PLAIN_TEXT, annotation)
     if hasattr(annotation, "fields"):
-        return Record(annotation)
+        return Leaf(DRAWING) if hasattr(annotation, "is_drawing") else Record(annotation)
     raise SpecificationError(f"{annotation.__name__} has no meaning in a signature")
 
 

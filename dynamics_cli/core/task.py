@@ -62,6 +62,8 @@ class Task:
 
     `table` names the result table that CSV writes; `arrays` says that the function takes arrays for floats;
     `tracked` that it takes tracked numbers; `digits` is how many a table shows unless asked (17: all there are).
+    `writers` names, for endings of `--drawing` of the task's own, a function of the result record that gives the file's
+    text or bytes: `{"urdf": "module:function"}`.
     """
 
     def __init__(
@@ -74,6 +76,7 @@ class Task:
         arrays: bool = True,
         tracked: bool = True,
         digits: int = 6,
+        writers: "dict[str, str] | None" = None,
     ) -> None:
         self.name = name
         self.summary = summary
@@ -83,6 +86,7 @@ class Task:
         self.arrays = arrays
         self.tracked = tracked
         self.digits = digits
+        self.writers = writers or {}
         self.family = ""
         self._specification: Specification | None = None
         self._options: dict[str, Option] | None = None

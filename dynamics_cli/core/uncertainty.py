@@ -7,12 +7,12 @@ and, labelled apart, the range over the corners of all the inputs' intervals.
 
 import numpy as np
 
-from dynamics_cli.core.propagate_direction import integrate
-from dynamics_cli.core.propagate_goal import Goal, Outcome, direction_of
-from dynamics_cli.core.propagate_scanned import exceedance
-from dynamics_cli.core.propagate_shares import Shares, variance_shares
-from dynamics_cli.core.propagate_simple import Plain, Sample, linear, second_order, unscented
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.direction import integrate
+from dynamics_cli.core.uncertain.goal import Goal, Outcome, direction_of
+from dynamics_cli.core.uncertain.scanned import exceedance
+from dynamics_cli.core.uncertain.shares import Shares, variance_shares
+from dynamics_cli.core.uncertain.simple import Plain, Sample, linear, second_order, unscented
+from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.numerics import normal
 from dynamics_cli.numerics.lattice import DEFAULT_SEED, MOST_DIMENSIONS, lattice
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.distributions import Distribution
-    from dynamics_cli.core.propagate_space import Model
+    from dynamics_cli.core.uncertain.distributions import Distribution
+    from dynamics_cli.core.uncertain.space import Model
 
     Array = NDArray[Any]
 

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 class WholeFile:
     """A file that appears under its name only when everything has been written."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, parameter: str = "output") -> None:
+        self.parameter = parameter
         # A link stays a link: what it points to is replaced.
         self.name = name if os.path.isdir(name) else os.path.realpath(name)
         folder, last = os.path.split(self.name)
@@ -24,7 +25,7 @@ class WholeFile:
 
     def __enter__(self) -> "Self":
         if os.path.isdir(self.name):
-            raise OutputError(f"cannot write {self.name!r}: it is a directory", parameter="output")
+            raise OutputError(f"cannot write {self.name!r}: it is a directory", parameter=self.parameter)
         try:
             self._file = open(self._part, "wb")
         except OSError as error:
@@ -63,7 +64,54 @@ class WholeFile:
                 target.write(block)
 
     def _failure(self, error: OSError) -> OutputError:
-        return OutputError(f"cannot write {self.name!r}: {error.strerror or error}", parameter="output")
+        return OutputError(f"cannot write {self.name!r}: {error.strerror or error}", parameter=self.parameter)
+
+
+class Beforehand:
+    """Files written before what is done inside, and taken back should that fail: what was there before is there again."""
+
+    def __init__(self, files: "list[tuple[str, bytes]]", parameter: str) -> None:
+        self._files = files
+        self._parameter = parameter
+        self._before: list[tuple[str, bytes | None]] = []
+
+    def __enter__(self) -> "Self":
+        try:
+            for name, data in self._files:
+                before = self._read(name)
+                self._write(name, data)
+                self._before.append((name, before))
+        except BaseException:
+            self._take_back()
+            raise
+        return self
+
+    def __exit__(self, kind: "type[BaseException] | None", error: object, trace: "TracebackType | None") -> None:
+        # A reader that has seen enough closes the pipe: the files were written all the same.
+        if kind is not None and not issubclass(kind, BrokenPipeError):
+            self._take_back()
+
+    def _read(self, name: str) -> bytes | None:
+        if not os.path.isfile(name):
+            return None
+        try:
+            with open(name, "rb") as file:
+                return file.read()
+        except OSError as error:
+            message = f"cannot write {name!r}: what it holds cannot be kept ({error.strerror or error})"
+            raise OutputError(message, parameter=self._parameter) from None
+
+    def _write(self, name: str, data: bytes) -> None:
+        with WholeFile(name, self._parameter) as file:
+            file.write(data)
+
+    def _take_back(self) -> None:
+        while self._before:
+            name, data = self._before.pop()
+            if data is not None:
+                self._write(name, data)
+            elif os.path.isfile(name):
+                os.unlink(name)
 
 
 class StandardOutput:

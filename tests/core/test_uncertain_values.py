@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.uncertain_text import read_uncertain
+from dynamics_cli.core.uncertain.text import read_uncertain
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Friction, Kind, Length, Mass, Slope, Temperature
 

@@ -9,7 +9,15 @@ import pytest
 import uncertain_models as m
 from scipy import integrate, optimize, stats
 
-from dynamics_cli.core.distributions import Distribution, Empirical, Lognormal, Normal, StudentT, Truncated, Uniform
+from dynamics_cli.core.uncertain.distributions import (
+    Distribution,
+    Empirical,
+    Lognormal,
+    Normal,
+    StudentT,
+    Truncated,
+    Uniform,
+)
 from dynamics_cli.core.uncertainty import METHODS, Propagation, Spread, propagate
 from dynamics_cli.errors import InadmissibleError, UsageError
 

@@ -5,7 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from dynamics_cli.core.distributions import Distribution, Lognormal, Normal, StudentT, Triangular, Truncated, Uniform
+from dynamics_cli.core.uncertain.distributions import (
+    Distribution,
+    Lognormal,
+    Normal,
+    StudentT,
+    Triangular,
+    Truncated,
+    Uniform,
+)
 
 G = 9.80665
 Function = Callable[[dict[str, Any]], Any]

@@ -6,11 +6,11 @@ are in standard deviations of the result. The factors of the estimates were fitt
 that the true error stays below them; plain differences of levels or replicates do not achieve that.
 """
 
-from dynamics_cli.core.propagate_goal import Goal, Outcome
-from dynamics_cli.core.propagate_grids import grids
-from dynamics_cli.core.propagate_lattices import lattices
-from dynamics_cli.core.propagate_scanned import alone, scanned
-from dynamics_cli.core.propagate_space import Space, complement
+from dynamics_cli.core.uncertain.goal import Goal, Outcome
+from dynamics_cli.core.uncertain.grids import grids
+from dynamics_cli.core.uncertain.lattices import lattices
+from dynamics_cli.core.uncertain.scanned import alone, scanned
+from dynamics_cli.core.uncertain.space import Space, complement
 from dynamics_cli.numerics.lattice import MOST_DIMENSIONS
 
 TYPE_CHECKING = False

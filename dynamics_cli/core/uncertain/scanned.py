@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from dynamics_cli.core.propagate_goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, width_of
-from dynamics_cli.core.propagate_grids import rule
-from dynamics_cli.core.propagate_lattices import larger
-from dynamics_cli.core.propagate_lines import Lines
-from dynamics_cli.core.propagate_scan import Scan
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, width_of
+from dynamics_cli.core.uncertain.grids import rule
+from dynamics_cli.core.uncertain.lattices import larger
+from dynamics_cli.core.uncertain.lines import Lines
+from dynamics_cli.core.uncertain.scan import Scan
+from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.lattice import lattice
 from dynamics_cli.numerics.normal_arrays import quantile

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from dynamics_cli.core.propagate_goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, tail_direction, width_of
-from dynamics_cli.core.propagate_lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
-from dynamics_cli.core.propagate_space import Space, complement
+from dynamics_cli.core.uncertain.goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, tail_direction, width_of
+from dynamics_cli.core.uncertain.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
+from dynamics_cli.core.uncertain.space import Space, complement
 from dynamics_cli.numerics.lattice import MOST_POINTS, lattice
 from dynamics_cli.numerics.normal_arrays import probability, quantile
 

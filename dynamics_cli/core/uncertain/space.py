@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.distributions import Distribution
+    from dynamics_cli.core.uncertain.distributions import Distribution
 
     Array = NDArray[Any]
     Correlation = Mapping[tuple[str, str], float]

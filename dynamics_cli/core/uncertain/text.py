@@ -4,10 +4,10 @@ Every number is read as a certain value of its parameter would be, with its unit
 difference. A unit written last belongs to the numbers before it that have none.
 """
 
-from dynamics_cli.core import distributions as d
 from dynamics_cli.core.bound import Value
 from dynamics_cli.core.exact import nearest
 from dynamics_cli.core.grammar import ANGLE, read_amount, read_scalar, split_list, total
+from dynamics_cli.core.uncertain import distributions as d
 from dynamics_cli.core.units import NUMBER, conformable, explain_mismatch, parse_unit
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Kind

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.propagate_space import Space
+    from dynamics_cli.core.uncertain.space import Space
 
     Array = NDArray[Any]
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from dynamics_cli.core.propagate_lines import Lines, Roots
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.lines import Lines, Roots
+from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.numerics.lattice import MOST_DIMENSIONS, lattice
 from dynamics_cli.numerics.normal_arrays import quantile
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.propagate_scan import Scan
+    from dynamics_cli.core.uncertain.scan import Scan
 
     Array = NDArray[Any]
 

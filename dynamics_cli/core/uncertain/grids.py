@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from dynamics_cli.core.propagate_goal import FLOOR, Goal, Outcome, width_of
-from dynamics_cli.core.propagate_lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.goal import FLOOR, Goal, Outcome, width_of
+from dynamics_cli.core.uncertain.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
+from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.numerics import smolyak
 from dynamics_cli.numerics.hermite import gauss_hermite, tensor
 

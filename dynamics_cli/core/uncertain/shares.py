@@ -9,7 +9,7 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.numerics.hermite import gauss_hermite, polynomials, tensor
 from dynamics_cli.numerics.lattice import MOST_DIMENSIONS, lattice
 from dynamics_cli.numerics.normal_arrays import quantile

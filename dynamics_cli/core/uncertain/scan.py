@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.propagate_lines import Lines
+    from dynamics_cli.core.uncertain.lines import Lines
 
     Array = NDArray[Any]
     Index = NDArray[Any]

@@ -7,8 +7,8 @@ import numpy as np
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
-from dynamics_cli.core.uncertain_model import TaskModel, result_leaves
-from dynamics_cli.core.uncertain_text import read_correlations
+from dynamics_cli.core.uncertain.model import TaskModel, result_leaves
+from dynamics_cli.core.uncertain.text import read_correlations
 from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, METHODS, Propagation, Spread, propagate
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.lattice import DEFAULT_SEED
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
-    from dynamics_cli.core.distributions import Distribution
     from dynamics_cli.core.shown import Display, Shown
     from dynamics_cli.core.task import Task
+    from dynamics_cli.core.uncertain.distributions import Distribution
     from dynamics_cli.quantities import Kind
 
 # A formula called case by case is some hundred times slower than one on arrays.

@@ -5,8 +5,8 @@ The first three state what they cannot see themselves, their truncation, against
 
 import numpy as np
 
-from dynamics_cli.core.propagate_goal import FLOOR, Goal
-from dynamics_cli.core.propagate_space import Space
+from dynamics_cli.core.uncertain.goal import FLOOR, Goal
+from dynamics_cli.core.uncertain.space import Space
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
