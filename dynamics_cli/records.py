@@ -23,9 +23,13 @@ if TYPE_CHECKING:
 else:
     # dataclasses would cost two interpreter starts; this costs nothing measurable.
     def record(cls):
-        """Make a frozen record of an annotated class; fields in order, defaults from the class body."""
+        """Make a frozen record of an annotated class; fields in order, defaults from the class body.
+
+        `__post_init__`, where there is one, checks what was given.
+        """
         names = tuple(cls.__annotations__)
         defaults = {name: cls.__dict__[name] for name in names if name in cls.__dict__}
+        after = cls.__dict__.get("__post_init__")
 
         def __init__(self, *args, **kwargs):
             if len(args) > len(names):
@@ -38,6 +42,8 @@ else:
                 wrong = sorted(values.keys() ^ set(names))
                 raise TypeError(f"{cls.__name__}: missing or unknown fields: {', '.join(wrong)}")
             self.__dict__.update((name, values[name]) for name in names)
+            if after is not None:
+                after(self)
 
         def __setattr__(self, name, value):
             raise AttributeError(f"{cls.__name__} is frozen")

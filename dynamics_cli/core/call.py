@@ -73,9 +73,7 @@ class Settings:
             raise UsageError("--rows and --sweep cannot be given together", parameter="rows", code="exclusive")
         if self.drawing and (self.rows or self.sweep):
             many = "rows" if self.rows else "sweep"
-            raise UsageError(
-                f"--drawing is for one case and --{many} for many", parameter="drawing", code="exclusive"
-            )
+            raise UsageError(f"--drawing is for one case and --{many} for many", parameter="drawing", code="exclusive")
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 

@@ -6,7 +6,7 @@ from dynamics_cli import __version__
 from dynamics_cli.core.answer import Answer
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.shown import Display, Shown, plain, round_condition, round_up
-from dynamics_cli.core.specification import Leaf, Many, Record
+from dynamics_cli.core.specification import DEVIATION, Leaf, Many, Record
 from dynamics_cli.core.task import Task
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics
@@ -74,12 +74,27 @@ class _Walk:
             return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         if node.choice is not None or node.kind.form in ("text", "flag", "unit"):
             return value
+        if node.kind.form == "drawing":
+            return self._drawing(value, address)
         self.names.append(address)
         if node.kind.form == "whole":
             return {"value": value}
         if isinstance(value, tuple):
             return self._vector(value, node.kind, address)
         return self._scalar(value, node.kind, address, table=table)
+
+    def _drawing(self, value: "Any", address: str) -> "dict[str, Any]":
+        """What there is of a shape; the shape itself goes to `--drawing`."""
+        from dynamics_cli.core.drawing.scaled import round_bound
+
+        outlines = getattr(value, "outlines", (value,))
+        shown = self.display.of(f"{address}.deviation", DEVIATION)
+        self.names.append(f"{address}.deviation")
+        return {
+            "outlines": {"value": len(outlines)},
+            "pieces": {"value": sum(len(outline.pieces) for outline in outlines)},
+            "deviation": _quantity(round_bound(shown.width(value.deviation)), shown.text),
+        }
 
     def _many(self, value: "Any", node: Many, address: str) -> "Any":
         if isinstance(value, Columns):

@@ -1,6 +1,6 @@
 """A call carried out: gathered, read, answered, shown. The one path behind the direct route, typer and `run`."""
 
-from dynamics_cli.core.answer import answer
+from dynamics_cli.core.answer import answer, call_model
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.document import build
 from dynamics_cli.core.gather import Gathered, gather
@@ -12,6 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.drawing import File
     from dynamics_cli.core.terminal import Terminal
 
 
@@ -24,6 +25,7 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
         return run_rows(task, call, settings, terminal)
     gathered = gather(task, call, settings, terminal)
     status = ExitStatus.DONE
+    files: list[File] = []
     if settings.sweep:
         from dynamics_cli.core.sweep import sweep
 
@@ -31,14 +33,36 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
         status = ExitStatus.SOME_FAILED if failed else ExitStatus.DONE
         table = "sweep"
     else:
-        document = document_of(task, gathered, settings)
+        document, files = _answered(task, gathered, settings)
         table = task.table
-    _write(document, settings, terminal, task, table)
+    if not files:
+        _write(document, settings, terminal, task, table)
+        return status
+    from dynamics_cli.core.writing import Beforehand
+
+    with Beforehand(files, "drawing"):
+        _write(document, settings, terminal, task, table)
+        terminal.flush()
     return status
 
 
 def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":
-    """The result document of one case."""
+    """The result document of one case, its files written."""
+    document, files = _answered(task, gathered, settings)
+    if files:
+        from dynamics_cli.core.writing import Beforehand
+
+        with Beforehand(files, "drawing"):
+            pass
+    return document
+
+
+def _answered(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str, Any], list[File]]":
+    """The result document of one case, and the files it lists that are still to be written."""
+    if settings.drawing:
+        from dynamics_cli.core.drawing import check_asked
+
+        check_asked(task, settings.drawing, settings.output)
     reader = gathered.reader
     reader.uncertain = {}
     bound = reader.read(task.specification.fields, gathered.raw)
@@ -74,7 +98,15 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
         document["explanation"] = explanation(task, document, answered)
     if settings.timing:
         document["timing"] = {"value": took, "unit": "s"}
-    return document
+    if not settings.drawing:
+        return document, []
+    from dynamics_cli.core.drawing import files_of
+
+    # writers take plain numbers
+    record = call_model(task, answered.model, bound) if task.tracked else answered.record
+    files, entries = files_of(task, record, settings.drawing, settings.units)
+    document["files"] = [*document.get("files", ()), *entries]
+    return document, files
 
 
 def _clock() -> float:

@@ -187,6 +187,7 @@ def to_table(document: "Document", digits: int) -> str:
         lines.append(f"  {item['severity']}: {item['message']}{mend}")
     lines.append(f"  model: {model['name']}" + (f" ({model['why']})" if model.get("why") else ""))
     lines.append(f"  source: {model['source']}")
+    lines += [f"  written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
     if "timing" in document:
         lines.append(f"  computation: {document['timing']['value'] * 1e6:.0f} µs")
     if "explanation" in document:

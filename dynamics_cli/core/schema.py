@@ -151,12 +151,26 @@ def _result(node: object) -> "dict[str, Any]":
         return {"type": ["string", "null"]}
     if node.kind is FLAG:
         return {"type": "boolean"}
+    if node.kind.form == "drawing":
+        return _drawing_schema(node)
     value = {"type": "number"} if node.kind.form in _NUMBER_FORMS else {}
     properties: dict[str, Any] = {"value": value}
     if node.kind.si or node.kind.form == "measured":
         properties["unit"] = {"type": "string"}
     required = ["value", "unit"] if node.kind.unit else ["value"]
     return {"type": ["object", "null"], "properties": properties, "required": required, "x-kind": node.kind.name}
+
+
+def _drawing_schema(node: Leaf) -> "dict[str, Any]":
+    count = {"type": "object", "properties": {"value": {"type": "integer"}}, "required": ["value"]}
+    length = {"type": "object", "properties": {"value": {"type": "number"}, "unit": {"type": "string"}}}
+    return {
+        "type": ["object", "null"],
+        "description": node.kind.about,
+        "properties": {"outlines": count, "pieces": count, "deviation": {**length, "required": ["value", "unit"]}},
+        "required": ["outlines", "pieces", "deviation"],
+        "x-kind": node.kind.name,
+    }
 
 
 def _listed(schema: "dict[str, Any]") -> "dict[str, Any]":

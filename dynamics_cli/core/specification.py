@@ -23,6 +23,7 @@ PLAIN_TEXT = Kind("text", "", form="text", about="words")
 FLAG = Kind("flag", "", form="flag", about="yes when given")
 EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
 DRAWING = Kind("drawing", "", form="drawing", about="outlines of ordered pieces")
+DEVIATION = Kind("deviation", "m", si="mm", us="in", low=0.0, about="a bound on the distance from the exact curve")
 MEASURED = Kind("quantity", "", form="measured", about="a number with a unit of its own")
 
 _PLAIN = {

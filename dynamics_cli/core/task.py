@@ -1,6 +1,13 @@
 """Tasks and families: what a family's commands.py declares, from which everything a user touches is derived."""
 
-from dynamics_cli.core.specification import Option, Specification, SpecificationError, options, specification
+from dynamics_cli.core.specification import (
+    DRAWING,
+    Option,
+    Specification,
+    SpecificationError,
+    options,
+    specification,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -101,9 +108,14 @@ class Task:
         """What the signature of the first model says."""
         if self._specification is None:
             made = specification(self.models[0].call())
-            taken = sorted(set(options(made.fields)) & set(UNIVERSAL))
+            named = options(made.fields)
+            taken = sorted(set(named) & set(UNIVERSAL))
             if taken:
                 raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
+            if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
+                raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
+            if not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
+                raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
             self._specification = made
         return self._specification
 

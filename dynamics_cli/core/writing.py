@@ -68,7 +68,7 @@ class WholeFile:
 
 
 class Beforehand:
-    """Files written before what is done inside, and taken back should that fail: what was there before is there again."""
+    """Files written before what is done inside; should that fail, what was there before is there again."""
 
     def __init__(self, files: "list[tuple[str, bytes]]", parameter: str) -> None:
         self._files = files
@@ -111,7 +111,7 @@ class Beforehand:
             if data is not None:
                 self._write(name, data)
             elif os.path.isfile(name):
-                os.unlink(name)
+                os.unlink(os.path.realpath(name))
 
 
 class StandardOutput:

@@ -3,6 +3,7 @@
 from dynamics_cli.core.task import Family, Model, Task
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points, circle
 from dynamics_cli.quantities import (
     Angle,
     Area,
@@ -506,6 +507,80 @@ def mean(*, torques: tuple[Torque, ...], side: Size) -> Turned:
     return Turned(total / len(torques), side * side)
 
 
+@record
+class Plate:
+    """A plate to be cut.
+
+    Parameters
+    ----------
+    width : Size
+        Its width.
+    shape : Drawing
+        Its outlines.
+    """
+
+    width: Size
+    shape: Drawing | None
+    advice: tuple[Advice, ...] = ()
+
+
+def plate(*, width: Size, radius: Size = 0.01, thin: bool = False) -> Plate:
+    """Give a plate with a rounded edge, a bore, and an open score of many points.
+
+    Parameters
+    ----------
+    width : Size
+        Its width.
+    radius : Size
+        The radius of its round.
+    thin : bool
+        Nothing can be cut.
+    """
+    if thin:
+        return Plate(width, None, (Advice("thin", "it is too thin to cut", result="shape"),))
+    a, b, c = (0.0, 0.0), (width, 0.0), (width, 2.0 * radius)
+    edge = Outline(
+        (Line(a, b), Arc(b, c, 1.0), Cubic(c, (2.0 * width / 3.0, 0.1), (width / 3.0, -0.0), (0.1, 0.03)),
+         Points(((0.1, 0.03), (0.05, 1 / 30), (0.0, 0.03))), Line((0.0, 0.03), a)),
+        True, 1.25e-9, "edge",
+    )  # fmt: skip
+    bore = Outline(circle((width / 3.0, 0.01), 0.3 * radius, clockwise=True), True, 0.0, "bore ø")
+    score = Outline((Points(tuple((0.001 * i, 0.001 / (1 + i)) for i in range(20))),), False, 2e-7)
+    return Plate(width, Drawing((edge, bore, score), "a plate"))
+
+
+@record
+class Disc:
+    """A disc.
+
+    Parameters
+    ----------
+    radius : Size
+        Its radius.
+    rim : Outline
+        Its rim.
+    """
+
+    radius: Size
+    rim: Outline
+
+
+def disc(*, radius: Size) -> Disc:
+    """Give a disc.
+
+    Parameters
+    ----------
+    radius : Size
+        Its radius.
+    """
+    return Disc(radius, Outline(circle((0.0, 0.0), radius), True, 0.0, "rim"))
+
+
+def as_words(disc: Disc) -> str:
+    """A writer of the family's own: plain numbers."""
+    return f"disc of {disc.radius!r} m\n"
+
+
 def _task(name: str, *functions: str, **more: object) -> Task:
     models = [
         Model(f"model {function}", f"toys:{function}", source="a test", formula="", suffices=suffices)
@@ -528,5 +603,7 @@ FAMILIES = {
         _task("say", "say", tracked=False, arrays=False),
         _task("fall", "standing toys:from_rest", "fall"),
         _task("mean", "mean"),
+        _task("plate", "plate", tracked=False, arrays=False),
+        _task("disc", "disc", arrays=False, writers={"words": "toys:as_words"}),
     )
 }

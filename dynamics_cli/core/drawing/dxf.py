@@ -1,4 +1,4 @@
-"""DXF by ezdxf, the only module that imports it: LWPOLYLINE with bulges, SPLINE for cubics, nothing that changes by itself.
+"""DXF by ezdxf, which only this module imports: LWPOLYLINE with bulges, SPLINE for cubics, the same bytes every time.
 
 R2000, the version most machines read. A cubic is a spline of its own, which every reader draws alike; knots of higher
 multiplicity, which would join several, are read in several ways.

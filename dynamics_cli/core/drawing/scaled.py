@@ -1,9 +1,9 @@
 """A drawing in the unit of its file: coordinates rounded once, and the bound of all that the file adds to it."""
 
+from itertools import pairwise
 from math import hypot, ulp
 
 from dynamics_cli.core.exact import from_si
-from dynamics_cli.core.shown import round_up
 from dynamics_cli.core.units import parse_unit
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points
@@ -71,7 +71,7 @@ def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
         made: Piece
         if isinstance(piece, Points):
             points = [pair(point) for point in piece.points]
-            kept = [points[0], *(b for a, b in zip(points, points[1:], strict=False) if a != b)]
+            kept = [points[0], *(b for a, b in pairwise(points) if a != b)]
             if len(kept) > 1:
                 pieces.append(Points(tuple(kept)))
             continue
@@ -92,7 +92,7 @@ def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
         raise InadmissibleError(f"{name} is a single point: there is nothing to draw", code="no-drawing")
     rounding = 0.7072 * ulp(max(map(abs, known.values()))) if unit.numerator != unit.denominator else 0.0
     exact = outline.deviation * (unit.denominator / unit.numerator)
-    return Outline(tuple(pieces), outline.closed, _bound(exact + stretch * rounding), name)
+    return Outline(tuple(pieces), outline.closed, round_bound(exact + stretch * rounding), name)
 
 
 def quartered(drawing: Drawing) -> Drawing:
@@ -115,7 +115,7 @@ def _quartered_outline(outline: Outline) -> Outline:
     pieces: list[Piece] = []
     for piece in outline.pieces:
         pieces.extend(_halves(piece) if isinstance(piece, Arc) else (piece,))
-    return Outline(tuple(pieces), outline.closed, _bound(outline.deviation + HALVING * size), outline.name)
+    return Outline(tuple(pieces), outline.closed, round_bound(outline.deviation + HALVING * size), outline.name)
 
 
 def _halves(arc: Arc) -> "Iterator[Piece]":
@@ -156,9 +156,11 @@ def box(drawing: Drawing) -> "tuple[float, float, float, float]":
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def _bound(deviation: float) -> float:
-    """A bound in two digits, above what its own sums may have rounded away."""
-    return round_up(deviation * (1.0 + 1e-12))
+def round_bound(bound: float) -> float:
+    """A bound in four digits, never below itself nor below what its own sums may have rounded away."""
+    bound *= 1.0 + 1e-12
+    rounded = float(f"{bound:.3e}")
+    return rounded if rounded >= bound else float(f"{bound * 1.001:.3e}")
 
 
 def stated(outline: Outline, unit: FileUnit) -> str:

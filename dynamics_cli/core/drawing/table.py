@@ -1,5 +1,7 @@
 """CSV: a table of the pieces in order, every number the shortest text that reads back as the same double."""
 
+from itertools import pairwise
+
 from dynamics_cli.core.drawing.scaled import STRAIGHT
 from dynamics_cli.core.render import csv_cell
 from dynamics_cli.outlines import Arc, Cubic, Points
@@ -37,7 +39,7 @@ def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
 def _rows(piece: "Piece") -> "Iterator[tuple[str, float, tuple[float | None, ...]]]":
     nothing = (None,) * 4
     if isinstance(piece, Points):
-        for start, end in zip(piece.points, piece.points[1:], strict=False):
+        for start, end in pairwise(piece.points):
             yield "line", 0.0, (*start, *end, *nothing, None, None, None)
     elif isinstance(piece, Cubic):
         yield "cubic", 0.0, (*piece.start, *piece.end, *piece.control1, *piece.control2, None, None, None)

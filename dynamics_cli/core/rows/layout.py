@@ -147,7 +147,7 @@ class Layout:
             yield from self._measured(keys, steps, several=False)
         elif form == "flag" or leaf.choice is not None:
             yield Part(keys, steps, "flag" if form == "flag" else "word")
-        elif form in ("text", "unit", "file"):
+        elif form in ("text", "unit", "file", "drawing"):
             return
         elif form == "whole":
             self._known.append(address)
