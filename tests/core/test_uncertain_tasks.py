@@ -1,0 +1,40 @@
+"""Every skid task takes every one of its real inputs uncertain, in each documented example."""
+
+import shlex
+
+import pytest
+from harness import run
+
+from dynamics_cli import cli
+from dynamics_cli.core.uncertain.model import _FUNCTIONS
+from dynamics_cli.numerics.tracked import _RULES
+
+CASES = [
+    (example, option.name)
+    for task in cli.family("skid").tasks.values()
+    for example in task.examples
+    for option in task.options.values()
+    if f"--{option.name} " in example and option.leaf is not None and option.leaf.kind.form in ("scalar", "slope")
+]
+
+
+def test_samples_know_every_function_that_tracked_numbers_know() -> None:
+    assert set(_FUNCTIONS) == set(_RULES)
+
+
+@pytest.mark.parametrize(("example", "name"), CASES, ids=[f"{e.split()[2]} {n}" for e, n in CASES])
+def test_every_input_may_be_uncertain(example: str, name: str) -> None:
+    argv = shlex.split(example)[1:]
+    place = argv.index(f"--{name}") + 1
+    written = argv[place]
+    pure = written.replace(".", "").isdigit()
+    argv[place] = f"{written} ± 0.01" if pure else f"{written} ± {'0.5' if '%' in written else '1'} %"
+    outcome = run(*argv, "--json")
+    assert outcome.status == 0, outcome.err
+    results = outcome.document["results"].values()
+    spread = [result for result in results if isinstance(result, dict) and "interval" in result]
+    assert spread
+    for result in spread:
+        low, high = result["interval"]
+        assert low <= result["median"] <= high
+        assert result["std"] is None or result["std"] >= 0.0
