@@ -75,11 +75,13 @@ class _Failures:
         self._found: dict[tuple[str, str | None], list[Any]] = {}
 
     def add(self, index: int, error: DynamicsError) -> None:
+        """Count a point without an answer under its reason."""
         one = error.all()[0]
         entry = self._found.setdefault((one.code, one.parameter), [0, index, one])
         entry[0] += 1
 
     def warnings(self) -> "list[dict[str, Any]]":
+        """One warning for each reason: how many points, and where first."""
         made = []
         for count, index, error in self._found.values():
             places = zip(self._points.axes, self._points.places(index), strict=True)

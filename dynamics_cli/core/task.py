@@ -1,5 +1,6 @@
 """Tasks and families: what a family's commands.py declares, from which everything a user touches is derived."""
 
+from dynamics_cli.core.call import UNIVERSAL_OPTIONS
 from dynamics_cli.core.specification import (
     DRAWING,
     Option,
@@ -14,11 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# Names every task has, or will have; no parameter may use one.
-UNIVERSAL = (
-    "json", "format", "output", "units", "to", "digits", "input", "rows", "sweep", "method", "samples", "seed",
-    "coverage", "correlate", "limit", "explain", "timing", "plot", "drawing", "model", "jobs", "help", "version",
-)  # fmt: skip
+# No parameter may use the name of an option that every task has, or will have.
+UNIVERSAL = (*UNIVERSAL_OPTIONS, "plot", "jobs", "help", "version")
 
 
 def load(reference: str) -> "Any":
