@@ -68,7 +68,8 @@ class Task:
     `table` names the result table that CSV writes; `arrays` says that the function takes arrays for floats;
     `tracked` that it takes tracked numbers; `digits` is how many a table shows unless asked (17: all there are).
     `writers` names, for endings of `--drawing` of the task's own, a function of the result record that gives the file's
-    text or bytes: `{"urdf": "module:function"}`.
+    text or bytes: `{"urdf": "module:function"}`. `plot` names the function that makes the picture of `--plot`: it takes
+    the result record and then the task's own parameters by name.
     """
 
     def __init__(
@@ -82,9 +83,11 @@ class Task:
         tracked: bool = True,
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
+        plot: str = "",
     ) -> None:
         self.name = name
         self.summary = summary
+        self.plot = plot
         self.models = models
         self.examples = examples
         self.table = table

@@ -1,0 +1,1 @@
+"""Cam motions, profiles, sizes and forces."""

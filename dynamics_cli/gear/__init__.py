@@ -1,0 +1,1 @@
+"""Gear geometry, measurement, trains and ratios."""

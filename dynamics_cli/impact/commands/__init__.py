@@ -1,0 +1,13 @@
+"""The tasks of `dynamics impact`."""
+
+from dynamics_cli.core.task import Family
+from dynamics_cli.impact.commands import particles, rigid
+
+FAMILIES = {
+    "impact": Family(
+        "impact",
+        "Impacts, from two balls to a two-car crash with friction, with a certificate.",
+        *particles.TASKS,
+        *rigid.TASKS,
+    )
+}

@@ -1,0 +1,5 @@
+"""Tasks of `dynamics impact`: particles."""
+
+from dynamics_cli.core.task import Task  # noqa: TC001
+
+TASKS: "tuple[Task, ...]" = ()
