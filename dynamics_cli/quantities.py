@@ -11,7 +11,7 @@ class Kind:
     """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
-    "tensor", "whole" (a whole number), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
+    "tensor", "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
     "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
@@ -164,6 +164,7 @@ if TYPE_CHECKING:
     PlanarVelocity = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ExactRatio = tuple[int, int]
+    WholeRange = tuple[int, int]
     Text = str
     Unit = str
     InputFile = str
@@ -320,6 +321,7 @@ else:
         about="a symmetric tensor, as its matrix or as moments and products",
     )
     ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
+    WholeRange = Kind("range", "", form="range", low=0.0, example="12..120", about="whole numbers from one to another")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
     InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")

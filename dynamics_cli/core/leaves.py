@@ -12,7 +12,7 @@ from dynamics_cli.core.grammar import (
     total,
 )
 from dynamics_cli.errors import UsageError
-from dynamics_cli.quantities import Kind
+from dynamics_cli.quantities import Count, Kind
 from dynamics_cli.records import ExactQuantity
 
 TYPE_CHECKING = False
@@ -153,6 +153,18 @@ def _whole(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     return Constant(int(reading.si), {"value": reading.value})
 
 
+def _range(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+    ends = raw if isinstance(raw, list) else _text_of(kind, raw).split("..")
+    if len(ends) != 2:
+        raise UsageError(f"read {_brief(raw)}, wanted {kind.about}", code="range", hint=f"for example {kind.example}")
+    first, last = (int(read_scalar(_text_of(kind, end).strip(), Count).si) for end in ends)  # type: ignore[arg-type]
+    if first > last:
+        raise UsageError(
+            f"read {first}..{last}, which ends below its start", code="range", hint=f"for example {last}..{first}"
+        )
+    return Constant((first, last), f"{first}..{last}")
+
+
 def _flag(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     if not isinstance(raw, bool):
         raise UsageError(f"read {_brief(raw)}, wanted true or false")
@@ -270,6 +282,7 @@ _FORMS: "dict[str, Callable[[Kind, Any, str, Reader], Bound]]" = {
     "scalar": _scalar,
     "slope": _scalar,
     "whole": _whole,
+    "range": _range,
     "flag": _flag,
     "text": _text,
     "unit": _text,

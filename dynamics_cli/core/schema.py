@@ -106,7 +106,7 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
         return {"enum": [*leaf.choice.names, *leaf.choice.aliases]}
     if kind is FLAG:
         return {"type": "boolean"}
-    if kind.form in ("text", "file", "unit", "fraction"):
+    if kind.form in ("text", "file", "unit", "fraction", "range"):
         return {"type": "string", **({"examples": [kind.example]} if kind.example else {})}
     value: dict[str, Any] = {"type": "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":

@@ -28,6 +28,19 @@ class TestCommandLine:
         argv = ("--law", "harmonic", "--note", "hello", "--teeth", "365.2422/27.3217", "--loud")
         assert answer("toy", "say", *argv)["results"]["said"].startswith("MODIFIED-SINE HELLO (")
 
+    def test_a_range_of_whole_numbers(self) -> None:
+        document = answer("toy", "say", "--law", "linear", "--times", "12..120")
+        assert document["results"]["said"] == "linear  None (12, 120)"
+        assert document["inputs"]["times"] == "12..120"
+        again = run("toy", "say", "--input", "-", "--json", stdin='{"law": "linear", "times": [12, 120]}')
+        assert again.document["results"] == document["results"]
+
+    @pytest.mark.parametrize("text", ["12", "12..", "2..1", "1.5..2", "1..2..3", "-1..2"])
+    def test_what_is_no_range_is_refused(self, text: str) -> None:
+        outcome = run("toy", "say", "--law", "linear", "--times", text, "--json")
+        assert outcome.status == 2
+        assert outcome.error["parameter"] == "times"
+
     @pytest.mark.parametrize("law", ["Modified Sine", "modified_sine", "MODIFIED-SINE"])
     def test_a_choice_is_read_in_any_case_and_with_any_joint(self, law: str) -> None:
         assert answer("toy", "say", "--law", law)["results"]["said"].startswith("modified-sine")

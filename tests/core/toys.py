@@ -26,6 +26,7 @@ from dynamics_cli.quantities import (
     Text,
     Torque,
     Volume,
+    WholeRange,
 )
 from dynamics_cli.records import Advice, Check, Choice, Columns, ErrorBound, Numerics, record, tagged
 
@@ -404,7 +405,13 @@ class Words:
 
 
 def say(
-    *, law: Law, note: Text = "", teeth: ExactRatio | None = None, loud: bool = False, file: InputFile = ""
+    *,
+    law: Law,
+    note: Text = "",
+    teeth: ExactRatio | None = None,
+    times: WholeRange = (1, 1),
+    loud: bool = False,
+    file: InputFile = "",
 ) -> Words:
     """Say it.
 
@@ -416,12 +423,14 @@ def say(
         A note.
     teeth : ExactRatio
         A ratio.
+    times : WholeRange
+        How often, from and to.
     loud : bool
         Loudly.
     file : InputFile
         A file.
     """
-    text = f"{law} {note} {teeth} {file.rpartition('/')[2]}".strip()
+    text = f"{law} {note} {teeth} {'' if times == (1, 1) else times} {file.rpartition('/')[2]}".strip()
     return Words(text.upper() if loud else text)
 
 
