@@ -24,6 +24,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
     "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
     "drawing": ("value", "FILE", "The shape itself as DXF, SVG or CSV, where the task has one."),
+    "plot": ("value", "FILE", "A picture as SVG, PNG or PDF; - draws a small one in the terminal."),
     "model": ("value", "NAME", "Overrule the choice of model, where there are several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
@@ -64,6 +65,7 @@ class Settings:
         self.coverage = self._text(given, "coverage")
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.drawing = self._text(given, "drawing")
+        self.plot = self._text(given, "plot")
         self.model = self._text(given, "model")
         self.explain = bool(given.get("explain"))
         self.timing = bool(given.get("timing"))
@@ -74,6 +76,8 @@ class Settings:
         if self.drawing and (self.rows or self.sweep):
             many = "rows" if self.rows else "sweep"
             raise UsageError(f"--drawing is for one case and --{many} for many", parameter="drawing", code="exclusive")
+        if self.plot and self.rows:
+            raise UsageError("--plot is for one case and --rows for many", parameter="plot", code="exclusive")
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 # No parameter may use the name of an option that every task has, or will have.
-UNIVERSAL = (*UNIVERSAL_OPTIONS, "plot", "jobs", "help", "version")
+UNIVERSAL = (*UNIVERSAL_OPTIONS, "jobs", "help", "version")
 
 
 def load(reference: str) -> "Any":

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.shown import Display, Shown
     from dynamics_cli.core.task import Task
     from dynamics_cli.core.uncertain.distributions import Distribution
+    from dynamics_cli.pictures import Picture
     from dynamics_cli.quantities import Kind
 
 # A formula called case by case is some hundred times slower than one on arrays.
@@ -42,8 +43,8 @@ def add_uncertainty(
     distributions: "Mapping[str, Distribution]",
     settings: "Settings",
     display: "Display",
-) -> None:
-    """Propagate the inputs' distributions through the task's model and say what comes of it."""
+) -> "Picture | None":
+    """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
     model = TaskModel(task, answered.model, bound, answered.record)
     kinds = {name: kind for name, kind, _ in result_leaves(answered.record, model.spec)}
     limits = read_limits(task, answered, settings) if settings.limit else []
@@ -61,6 +62,7 @@ def add_uncertainty(
         seed=settings.seed or DEFAULT_SEED,
         limits=wanted,
         slopes=_slopes(answered, model),
+        curve=bool(settings.plot),
     )
     shown = {name: display.of(name, kind) for name, kind in kinds.items()}
     _add_results(document["results"], made, shown)
@@ -72,6 +74,11 @@ def add_uncertainty(
     if limits:
         document["limits"] = _limit_entries(limits, made, kinds, shown)
     document["warnings"] += _warnings(made)
+    if not settings.plot:
+        return None
+    from dynamics_cli.core.plot.made import of_spread
+
+    return of_spread(task.path, made, kinds, wanted)
 
 
 def read_coverage(text: str) -> float:
