@@ -15,6 +15,7 @@ from dynamics_cli.errors import DynamicsError, ExitStatus, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
     from dynamics_cli.core.rows.group import Group, Groups
@@ -23,8 +24,10 @@ if TYPE_CHECKING:
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
 FIRST_ARRAY_ROWS = 1000
 ARRAY_ROWS = 64
-# Rows in which bare numbers are looked for.
+# Rows in which bare numbers and uncertain values are looked for.
 LOOKED_AT = 50
+# What uncertain values have in them: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
+UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -93,6 +96,7 @@ def _begin(
         source = _csv_input(case, first, terminal)
     _settle_unit(case, source, lines[:LOOKED_AT])
     case.check()
+    case.take_spread(_readable(source, lines[:LOOKED_AT]))
     return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
 
 
@@ -105,6 +109,16 @@ def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None
                 return
         except UsageError:
             continue  # what is wrong with this row is told in its place
+
+
+def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str, Any]]":
+    """Those of the lines that may hold an uncertain value, read; what is wrong with one is told in its place."""
+    for line in lines:
+        if line is not None and any(mark in line for mark in UNCERTAIN_MARKS):
+            try:
+                yield source.read(line)
+            except UsageError:
+                continue
 
 
 def _is_header(case: Case, line: bytes) -> bool:
@@ -162,7 +176,8 @@ class _Stream:
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
-        self._by_arrays: bool | None = None if case.task.arrays or case.measure[0] else False
+        suited = (case.task.arrays and not case.layout.spread) or case.measure[0]
+        self._by_arrays: bool | None = None if suited else False
 
     def block(self, lines: "list[bytes | None]") -> bytes:
         """The rows of one block, answered."""

@@ -34,6 +34,7 @@ class _Points(Case):
     def __init__(self, task: Task, gathered: Gathered, settings: Settings, axes: "list[Axis]") -> None:
         self.task = task
         self.asked = settings.model
+        self.settings = settings
         self.base = {}
         self.fixed = {}
         self.default_unit = ""
@@ -106,13 +107,14 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     template, index = _template(points)
     files += [file for file in gathered.reader.files if file not in files]
     notes = list(gathered.reader.notes)
+    points.take_spread((points.point(index),))
     failures = _Failures(points)
     rows: list[list[Any] | None] = [None] * points.count
     models: dict[str, tuple[Any, str]] = {}
     if template is not None:
         model, why = choose(task, template, settings.model)
         models[model.name] = (model, why)
-        if points.count >= ARRAY_POINTS and task.arrays:
+        if points.count >= ARRAY_POINTS and task.arrays and not points.layout.spread:
             _by_arrays(points, index, rows)
     for place, row in enumerate(rows):
         if row is None:
@@ -123,6 +125,10 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
         from dynamics_cli.core.hashes import once
 
         document["files"] = once(files)
+    if points.layout.spread:
+        from dynamics_cli.core.uncertain.document import read_coverage
+
+        document["numerics"]["uncertainty"] = {"coverage": read_coverage(settings.coverage), "seed": settings.seed or 1}
     if settings.timing:
         document["timing"] = {"value": _clock() - start, "unit": "s"}
     return document, bool(failures)
@@ -141,7 +147,7 @@ def _template(points: _Points) -> "tuple[Fields | None, int]":
     tried = sorted({0, points.count - 1, points.count // 2, *range(0, points.count, points.count // 50 + 1)})
     for index in tried:
         try:
-            bound = points.bind(points.point(index))
+            bound = points.bind(points.point(index), uncertain=True)
         except DynamicsError as error:
             for one in error.all():
                 if one.parameter not in names or one.code not in OF_THE_POINT:
@@ -157,9 +163,9 @@ def _single(
     points: _Points, place: int, models: "dict[str, tuple[Any, str]]", failures: _Failures
 ) -> "list[Any] | None":
     try:
-        bound = points.bind(points.point(place))
+        bound = points.bind(points.point(place), uncertain=True)
         model, why = choose(points.task, bound, points.asked)
-        values = points.layout.values(call_model(points.task, model, bound))
+        values = points.shown(model, bound, call_model(points.task, model, bound))
     except DynamicsError as error:
         failures.add(place, error)
         return None

@@ -59,6 +59,17 @@ class Spread:
         self.corners: tuple[float, float] | None = None
         self.tornado: list[tuple[float, float]] = []
 
+    @property
+    def varies(self) -> bool:
+        """Whether the result has a distribution at all."""
+        return self.interval[0] < self.interval[1]
+
+    def number(self, which: str) -> float:
+        """One of mean, median, std, low and high."""
+        if which in ("low", "high"):
+            return self.interval[which == "high"]
+        return float(getattr(self, which))
+
 
 class Propagation:
     """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results."""

@@ -20,7 +20,11 @@ def of_sweep(document: "dict[str, Any]") -> "Picture | None":
     """Every result of a sweep over the swept parameter; of two, a curve for each value of the second."""
     table: dict[str, Any] = document["results"]["sweep"]
     axes: list[str] = [axis["parameter"] for axis in document["inputs"]["sweep"]]
-    names = [name for name in table if name not in axes and _numbers(table[name]["value"])]
+    names = [
+        name
+        for name in table
+        if name not in axes and name.rpartition(".")[0] not in table and _numbers(table[name]["value"])
+    ]
     panels = tuple(_swept(table, axes, name) for name in names[:MOST_SWEPT])
     return Picture(panels, f"dynamics {document['command']}") if panels else None
 
@@ -40,7 +44,12 @@ def _swept(table: "dict[str, Any]", axes: "list[str]", name: str) -> Panel:
     first = table[axes[0]]["value"]
     values = [math.nan if value is None else value for value in table[name]["value"]]
     if len(axes) == 1:
-        return Panel(titled(axes[0]), titled(name), (Curve(first, values, role=0),))
+        items = [Curve(first, values, role=0)]
+        for end in (f"{name}.low", f"{name}.high"):
+            if end in table:
+                ends = [math.nan if value is None else value for value in table[end]["value"]]
+                items.append(Curve(first, ends, "" if end.endswith("high") else "ends of the interval", "dashed", 0))
+        return Panel(titled(axes[0]), titled(name), tuple(items))
     second = table[axes[1]]
     curves = []
     for level in dict.fromkeys(second["value"]):

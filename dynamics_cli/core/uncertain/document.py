@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
     from dynamics_cli.core.shown import Display, Shown
-    from dynamics_cli.core.task import Task
+    from dynamics_cli.core.task import Model, Task
     from dynamics_cli.core.uncertain.distributions import Distribution
     from dynamics_cli.pictures import Picture
     from dynamics_cli.quantities import Kind
@@ -45,25 +45,13 @@ def add_uncertainty(
     display: "Display",
 ) -> "Picture | None":
     """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
-    model = TaskModel(task, answered.model, bound, answered.record)
-    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, model.spec)}
+    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
     for key, _, _, reading in limits:
         wanted.setdefault(key, []).append(reading.si)
-    made = propagate(
-        model,
-        distributions,
-        read_correlations(settings.correlate, list(distributions)),
-        coverage=read_coverage(settings.coverage),
-        method=_method(settings.method),
-        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
-        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
-        seed=settings.seed or DEFAULT_SEED,
-        limits=wanted,
-        slopes=_slopes(answered, model),
-        curve=bool(settings.plot),
-    )
+    more = {"limits": wanted, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
+    made = spread_of(task, answered.model, bound, answered.record, distributions, settings, shares=True, more=more)
     shown = {name: display.of(name, kind) for name, kind in kinds.items()}
     _add_results(document["results"], made, shown)
     document["numerics"]["uncertainty"] = _method_entry(made)
@@ -79,6 +67,32 @@ def add_uncertainty(
     from dynamics_cli.core.plot.made import of_spread
 
     return of_spread(task.path, made, kinds, wanted)
+
+
+def spread_of(
+    task: "Task",
+    model: "Model",
+    bound: "Fields",
+    record: "Any",
+    distributions: "Mapping[str, Distribution]",
+    settings: "Settings",
+    *,
+    shares: bool = False,
+    more: "Mapping[str, Any] | None" = None,
+) -> Propagation:
+    """The distributions of a task's results, by the settings of the call."""
+    return propagate(
+        TaskModel(task, model, bound, record),
+        distributions,
+        read_correlations(settings.correlate, list(distributions)),
+        coverage=read_coverage(settings.coverage),
+        method=_method(settings.method),
+        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
+        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+        seed=settings.seed or DEFAULT_SEED,
+        shares=shares,
+        **(more or {}),
+    )
 
 
 def read_coverage(text: str) -> float:
@@ -104,12 +118,12 @@ def _method(text: str) -> str:
     return name
 
 
-def _slopes(answered: "Answer", model: TaskModel) -> "dict[str, dict[str, float]] | None":
+def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | None":
     """Derivatives by the inputs, as the formula carried them at the means."""
     if not answered.leaves:
         return None
     made = {}
-    for name, _, value in result_leaves(answered.record, model.spec):
+    for name, _, value in result_leaves(answered.record, task.specification.result):
         slopes = getattr(value, "slopes", None)
         if slopes is not None:
             made[name] = {leaf: slope for (leaf, _), slope in zip(answered.leaves, slopes, strict=True)}
