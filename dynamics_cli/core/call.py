@@ -16,6 +16,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "digits": ("value", "N", "Significant digits in tables (6)."),
     "input": ("value", "FILE", "Parameters from JSON or TOML (- for standard input); options win."),
     "rows": ("value", "FILE", "A stream of cases, NDJSON or CSV (- for standard input); one row out per row in."),
+    "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
     "samples": ("value", "N", "At most so many evaluations for uncertainty; the sample of Monte Carlo."),
@@ -57,6 +58,7 @@ class Settings:
         self.digits = self._digits(given)
         self.input = self._text(given, "input")
         self.rows = self._text(given, "rows")
+        self.jobs = self._jobs(given)
         self.sweep = _pairs("sweep", given)
         self.limit = self._limits(given)
         self.method = self._text(given, "method")
@@ -98,6 +100,17 @@ class Settings:
         if name not in FORMATS:
             raise _unknown("format", name, FORMATS)
         return name
+
+    def _jobs(self, given: "Mapping[str, str | bool | list[str]]") -> int:
+        text = self._text(given, "jobs")
+        if not text:
+            return 1
+        if not (self.rows or "sweep" in given):
+            message = "--jobs spreads a stream or a sweep, and this is one case"
+            raise UsageError(message, parameter="jobs", code="exclusive", hint="give --rows or --sweep with it")
+        from dynamics_cli.core.jobs import read_jobs
+
+        return read_jobs(text)
 
     def _digits(self, given: "Mapping[str, str | bool | list[str]]") -> int:
         text = self._text(given, "digits")
