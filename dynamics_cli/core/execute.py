@@ -89,7 +89,7 @@ def _answered(
         from dynamics_cli.core.uncertain.document import add_uncertainty
 
         start = _clock() if settings.timing else 0.0
-        spread = add_uncertainty(document, task, bound, answered, reader.uncertain, settings, display)
+        spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
         took += _clock() - start if settings.timing else 0.0
     elif settings.limit:
         from dynamics_cli.core.limits import add_limits

@@ -46,6 +46,7 @@ class _Points(Case):
         self.default_unit = ""
         self.measure = ("", "")
         self.reader = gathered.reader
+        self.origins = dict(self.reader.origins)
         self.layout = Layout(task.specification.result, Display(settings.units, settings.to))
         self.start = gathered.raw
         for axis in axes:

@@ -72,13 +72,17 @@ class Spread:
 
 
 class Propagation:
-    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results."""
+    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results.
+
+    `correlated` says which inputs were taken to be.
+    """
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
         self.inputs = space.names
         self.coverage = coverage
         self.seed = seed
         self.spreads: dict[str, Spread] = {}
+        self.correlated: dict[tuple[str, str], float] = {}
         self.correlation: Array | None = None
         self.shares_method = ""
         self.shares_error = 0.0
@@ -122,6 +126,7 @@ def propagate(
     p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
     goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed, curve=curve)
     made = Propagation(space, coverage, seed)
+    made.correlated = dict(correlation or {})
     if space.size == 0:
         _certain(space, made)
         return made

@@ -31,6 +31,7 @@ class Case:
         gathered = gather(task, call, settings, terminal, rows=True)
         self.base: Raw = gathered.raw
         self.reader: Reader = gathered.reader
+        self.origins = dict(self.reader.origins)
         # What the command line itself says wins over the rows; what its files say does not.
         self.fixed, _ = read_words(task.specification.fields, call.words, rows=True)
         for name, value in call.options.items():
@@ -120,6 +121,7 @@ class Case:
         reader = self.reader
         reader.uncertain = {} if uncertain else None
         reader.errors, reader.notes, reader.files = [], [], []
+        reader.origins = dict(self.origins)
         return reader.read(self.task.specification.fields, self.raw(row))
 
     def values(self, row: "Raw") -> "list[Any]":
@@ -131,8 +133,7 @@ class Case:
     def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
         """What a row shows of a record, distributions included where inputs are uncertain."""
         values = self.layout.values(record)
-        distributions = self.reader.uncertain
-        if not distributions:
+        if not self.reader.uncertain:
             return values
         if not self.layout.spread:
             raise UsageError(
@@ -142,7 +143,7 @@ class Case:
             )
         from dynamics_cli.core.uncertain.document import spread_of
 
-        made = spread_of(self.task, model, bound, record, distributions, self.settings)
+        made = spread_of(self.task, model, bound, record, self.reader, self.settings)
         for place, part in enumerate(self.layout.parts):
             spread = made.spreads.get(part.of_result) if isinstance(part, SpreadPart) else None
             if spread is not None and spread.varies and isinstance(part, SpreadPart):

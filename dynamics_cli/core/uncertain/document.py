@@ -7,6 +7,7 @@ import numpy as np
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
+from dynamics_cli.core.uncertain.carried import carried
 from dynamics_cli.core.uncertain.model import TaskModel, result_leaves
 from dynamics_cli.core.uncertain.text import read_correlations
 from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, METHODS, Propagation, Spread, propagate
@@ -21,9 +22,9 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.reading import Reader
     from dynamics_cli.core.shown import Display, Shown
     from dynamics_cli.core.task import Model, Task
-    from dynamics_cli.core.uncertain.distributions import Distribution
     from dynamics_cli.pictures import Picture
     from dynamics_cli.quantities import Kind
 
@@ -40,7 +41,7 @@ def add_uncertainty(
     task: "Task",
     bound: "Fields",
     answered: "Answer",
-    distributions: "Mapping[str, Distribution]",
+    reader: "Reader",
     settings: "Settings",
     display: "Display",
 ) -> "Picture | None":
@@ -51,7 +52,7 @@ def add_uncertainty(
     for key, _, _, reading in limits:
         wanted.setdefault(key, []).append(reading.si)
     more = {"limits": wanted, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
-    made = spread_of(task, answered.model, bound, answered.record, distributions, settings, shares=True, more=more)
+    made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more)
     shown = {name: display.of(name, kind) for name, kind in kinds.items()}
     _add_results(document["results"], made, shown)
     document["numerics"]["uncertainty"] = _method_entry(made)
@@ -74,17 +75,21 @@ def spread_of(
     model: "Model",
     bound: "Fields",
     record: "Any",
-    distributions: "Mapping[str, Distribution]",
+    reader: "Reader",
     settings: "Settings",
     *,
     shares: bool = False,
     more: "Mapping[str, Any] | None" = None,
 ) -> Propagation:
     """The distributions of a task's results, by the settings of the call."""
+    distributions = reader.uncertain or {}
+    asked = read_correlations(settings.correlate, list(distributions))
+    come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
+    come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
     return propagate(
         TaskModel(task, model, bound, record),
         distributions,
-        read_correlations(settings.correlate, list(distributions)),
+        {**come, **asked},
         coverage=read_coverage(settings.coverage),
         method=_method(settings.method),
         accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
@@ -161,6 +166,8 @@ def _method_entry(made: Propagation) -> "dict[str, Any]":
                 entry["admissible"] = spread.admissible
             results[name] = entry
     out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
+    if made.correlated:
+        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in made.correlated.items()}
     if made.shares_method:
         out["shares"] = {"method": made.shares_method}
         if math.isfinite(made.shares_error):
