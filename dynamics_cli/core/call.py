@@ -30,6 +30,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
 }
+METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 FORMATS = ("table", "json", "ndjson", "csv", "markdown")
 SYSTEMS = ("si", "us", "base")
 

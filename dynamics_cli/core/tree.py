@@ -11,8 +11,10 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from typer.exceptions import Abort
 
 from dynamics_cli import __version__
-from dynamics_cli.core.call import FORMATS, SYSTEMS, UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.about import COMMANDS, completions, text_of
+from dynamics_cli.core.call import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.help import command_help, describe_options, option_help, placeholder
+from dynamics_cli.core.manual import FORMS
 from dynamics_cli.core.specification import Leaf, Option, Tagged
 from dynamics_cli.core.task import Family, Task
 from dynamics_cli.errors import UsageError
@@ -67,7 +69,8 @@ def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "
         'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
         params=[_version_option(terminal), _completion_option(terminal)],
     )
-    group.commands["schema"] = _schema_command(find, families, terminal)
+    for name in COMMANDS:
+        group.commands[name] = _about_command(name, find, families, terminal)
     return group
 
 
@@ -128,7 +131,7 @@ class _TaskCommand(TyperCommand):
             self.help = command_help(self.task)
             texts = describe_options(self.task)
             own = [_option(option, texts) for option in self.task.options.values()]
-            self.params = [*_arguments(self.task), *own, *_universal_options()]
+            self.params = [*_arguments(self.task), *own, *_universal_options(self.task)]
             self.callback = self._carry_out
 
     def make_context(self, *args: "Any", **kwargs: "Any") -> "Any":
@@ -240,14 +243,21 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]") -> TyperOpti
     )
 
 
-def _universal_options() -> "list[TyperOption]":
+def _universal_options(task: Task) -> "list[TyperOption]":
     made = []
+    known = {
+        "format": FORMATS,
+        "units": SYSTEMS,
+        "method": METHODS,
+        "model": tuple(model.key for model in task.models),
+        "jobs": ("all",),
+    }
     for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
         decls = [_variable("setting", name), f"--{name}"]
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
-            names = {"format": FORMATS, "units": SYSTEMS}.get(name, ())
+            names = known.get(name, ())
             made.append(
                 TyperOption(
                     param_decls=decls,
@@ -304,39 +314,31 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
     )
 
 
-def _schema_command(find: "Finder", families: "Mapping[str, Any]", terminal: "Terminal") -> TyperCommand:
-    def show(words: "tuple[str, ...]") -> int:
-        from dynamics_cli.core.render import to_pretty_json
-        from dynamics_cli.core.schema import schema
+def _about_command(
+    name: str, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
+) -> TyperCommand:
+    metavar, text, example = COMMANDS[name]
 
-        terminal.write(to_pretty_json(schema(_named_task(find, families, words))))
+    def show(words: "tuple[str, ...]", form: str | None = None) -> int:
+        terminal.write(text_of(name, words, form or "", families, find))
         return 0
 
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        before = context.params.get("words") or context.args
+        return [word for word in completions(name, before, families, find) if word.startswith(incomplete)]
+
+    words = TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar=metavar, autocompletion=complete)
+    form = TyperOption(
+        param_decls=["form", "--format"],
+        type=str,
+        metavar="FORMAT",
+        help="markdown (the default) or man.",
+        autocompletion=_completer(FORMS),
+    )
     return TyperCommand(
-        "schema",
-        help="Print the JSON Schema of a task's inputs and outputs.\n\nExample: dynamics schema skid speed",
-        params=[TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar="FAMILY [TASK]")],
+        name,
+        help=f"{text}\n\nExample: {example}",
+        params=[words, form] if name == "reference" else [words],
         callback=show,
         rich_markup_mode=None,
     )
-
-
-def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str, ...]") -> Task:
-    from dynamics_cli.core.words import nearest_words
-
-    if not words:
-        raise UsageError(
-            "a family and its task are missing", code="missing", hint="for example: dynamics schema skid speed"
-        )
-    name = words[0]
-    if name not in families:
-        near = nearest_words(name, families)
-        hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"
-        raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
-    family = find(name)
-    task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
-    if len(words) > (1 if family.alone else 2):
-        raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
-    if task is None:
-        raise UsageError(f"{name} has no such task", code="unknown-command", hint=f"there is {', '.join(family.tasks)}")
-    return task

@@ -7,6 +7,7 @@ and, labelled apart, the range over the corners of all the inputs' intervals.
 
 import numpy as np
 
+from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.uncertain.direction import integrate
 from dynamics_cli.core.uncertain.goal import Goal, Outcome, direction_of
 from dynamics_cli.core.uncertain.scanned import exceedance
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 DEFAULT_ACCURACY = 1e-4
 # Model evaluations for one result, unless asked: about a second of a formula's time.
 DEFAULT_POINTS = 3_000_000

@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 
+from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain.carried import carried
 from dynamics_cli.core.uncertain.model import TaskModel, result_leaves
 from dynamics_cli.core.uncertain.text import read_correlations
-from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, METHODS, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, Propagation, Spread, propagate
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.lattice import DEFAULT_SEED
 
