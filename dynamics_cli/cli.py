@@ -59,8 +59,9 @@ def program(argv: "list[str]", terminal: Terminal) -> int:
 
                 return execute(task, call, terminal)
     from dynamics_cli.core.tree import run_tree
+    from dynamics_cli.report import REPORT
 
-    return run_tree(argv, FAMILIES, family, terminal)
+    return run_tree(argv, FAMILIES, family, (REPORT,), terminal)
 
 
 def run_argv(argv: "list[str]", terminal: Terminal) -> int:

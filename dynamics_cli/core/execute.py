@@ -36,7 +36,7 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
         table = "sweep"
         files, picture = _with_picture(document, [], _picture_of_sweep(document, settings), settings, task)
     else:
-        document, files, picture = _answered(task, gathered, settings)
+        document, files, picture = answered_case(task, gathered, settings)
         table = task.table
     if files:
         from dynamics_cli.core.writing import Beforehand
@@ -56,7 +56,7 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
 def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":
     """The result document of one case, its files written."""
     _check_files(task, settings)
-    document, files, _ = _answered(task, gathered, settings)
+    document, files, _ = answered_case(task, gathered, settings)
     if files:
         from dynamics_cli.core.writing import Beforehand
 
@@ -65,7 +65,7 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
     return document
 
 
-def _answered(
+def answered_case(
     task: Task, gathered: Gathered, settings: Settings
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
     """The result document of one case, the files it lists that are still to be written, and the picture asked for."""

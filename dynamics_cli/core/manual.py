@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     Row = tuple[str, str]
 
-FORMS = ("markdown", "man")
 _STATUS = (
     (ExitStatus.DONE, "done"),
     (ExitStatus.FAULT, "a fault of ours: a bug"),

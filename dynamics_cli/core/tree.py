@@ -11,10 +11,9 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from typer.exceptions import Abort
 
 from dynamics_cli import __version__
-from dynamics_cli.core.about import COMMANDS, completions, text_of
+from dynamics_cli.core.about import COMMANDS, Command, completions
 from dynamics_cli.core.call import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.help import command_help, describe_options, option_help, placeholder
-from dynamics_cli.core.manual import FORMS
 from dynamics_cli.core.specification import Leaf, Option, Tagged
 from dynamics_cli.core.task import Family, Task
 from dynamics_cli.errors import UsageError
@@ -31,10 +30,16 @@ if TYPE_CHECKING:
 SHELLS = ("bash", "zsh", "fish")
 
 
-def run_tree(argv: "list[str]", families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> int:
-    """Carry out a call through typer; typer's own complaints become UsageError."""
+def run_tree(
+    argv: "list[str]",
+    families: "Mapping[str, tuple[str, str]]",
+    find: "Finder",
+    others: "tuple[Command, ...]",
+    terminal: "Terminal",
+) -> int:
+    """Carry out a call through typer; typer's own complaints become UsageError. `others` are commands, no tasks."""
     completion_init()
-    root = _root(families, find, terminal)
+    root = _root(families, find, others, terminal)
     try:
         with terminal.own_stdout():
             status = root.main(args=argv, prog_name="dynamics", standalone_mode=False)
@@ -60,7 +65,9 @@ def _try_help(error: "Any") -> str | None:
     return f"try: {context.command_path} --help" if context is not None else None
 
 
-def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> TyperGroup:
+def _root(
+    families: "Mapping[str, tuple[str, str]]", find: "Finder", others: "tuple[Command, ...]", terminal: "Terminal"
+) -> TyperGroup:
     group = _Families(
         families,
         find,
@@ -69,8 +76,8 @@ def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "
         'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
         params=[_version_option(terminal), _completion_option(terminal)],
     )
-    for name in COMMANDS:
-        group.commands[name] = _about_command(name, find, families, terminal)
+    for command in (*COMMANDS, *others):
+        group.commands[command.name] = _plain_command(command, find, families, terminal)
     return group
 
 
@@ -310,35 +317,41 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         is_eager=True,
         expose_value=False,
         callback=show,
-        help="Print the completion script of bash, zsh or fish, to be sourced.",
+        help="Print the completion script of bash, zsh or fish.",
     )
 
 
-def _about_command(
-    name: str, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
+def _plain_command(
+    command: Command, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
 ) -> TyperCommand:
-    metavar, text, example = COMMANDS[name]
+    """A command that is no task."""
 
-    def show(words: "tuple[str, ...]", form: str | None = None) -> int:
-        terminal.write(text_of(name, words, form or "", families, find))
+    def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
+        options = {name: _single(name, value, "value") for name, value in given.items() if value}
+        command.carry_out(words, options, families, find, terminal)
         return 0
 
     def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
         before = context.params.get("words") or context.args
-        return [word for word in completions(name, before, families, find) if word.startswith(incomplete)]
+        return [word for word in completions(command, before, families, find) if word.startswith(incomplete)]
 
-    words = TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar=metavar, autocompletion=complete)
-    form = TyperOption(
-        param_decls=["form", "--format"],
-        type=str,
-        metavar="FORMAT",
-        help="markdown (the default) or man.",
-        autocompletion=_completer(FORMS),
-    )
+    words = TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar=command.metavar, autocompletion=complete)
+    options = [
+        TyperOption(
+            param_decls=[option.name, f"--{option.name}"],
+            multiple=True,
+            type=str,
+            metavar=option.metavar,
+            help=option.text,
+            autocompletion=_completer(option.names),
+        )
+        for option in command.options
+    ]
     return TyperCommand(
-        name,
-        help=f"{text}\n\nExample: {example}",
-        params=[words, form] if name == "reference" else [words],
-        callback=show,
+        command.name,
+        help="\n\n".join(filter(None, (command.line, command.more, f"Example: {command.example}"))),
+        short_help=command.line,
+        params=[words, *options],
+        callback=carry_out,
         rich_markup_mode=None,
     )
