@@ -2,7 +2,7 @@
 
 import io
 
-from dynamics_cli.core.plot.axes import Scale
+from dynamics_cli.core.plot.axes import Scale, finite
 from dynamics_cli.errors import UsageError
 from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Mark
 
@@ -18,6 +18,7 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 WIDTH = 6.6
 HEIGHT = 3.0
 EQUAL_HEIGHT = 5.0
+LEAST_HEIGHT = 1.8
 RESOLUTION = 160
 _STYLES: "dict[str, dict[str, Any]]" = {
     "solid": {"linestyle": "-", "linewidth": 1.5},
@@ -93,9 +94,24 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
 
 def _height(panel: "Panel") -> float:
     if panel.equal:
-        return EQUAL_HEIGHT
+        return min(EQUAL_HEIGHT, max(LEAST_HEIGHT, 0.7 + 0.85 * WIDTH * _slenderness(panel)))
     bars = [len(item.names) for item in panel.items if isinstance(item, Bars)]
     return max(1.2, 0.6 + 0.28 * max(bars)) if bars else HEIGHT
+
+
+def _slenderness(panel: "Panel") -> float:
+    """Height over width of what a panel of equal axes shows."""
+    across: list[float] = []
+    up: list[float] = []
+    for item in panel.items:
+        if isinstance(item, Curve):
+            across += finite(item.x)
+            up += finite(item.y)
+        elif isinstance(item, Mark | Arrow):
+            across.append(item.x)
+            up.append(item.y)
+    width = max(across, default=1.0) - min(across, default=0.0)
+    return (max(up, default=1.0) - min(up, default=0.0)) / width if width > 0.0 else 1.0
 
 
 def _panel(axes: "Any", panel: "Panel", system: str) -> None:
