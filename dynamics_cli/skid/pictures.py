@@ -1,6 +1,7 @@
 """What there is to look at in a skid: speed along the road, flights, test skids and curves, as data."""
 
 import math
+from itertools import pairwise
 
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Friction, Length, RoadSpeed, Time
@@ -63,7 +64,7 @@ def _along(rows: "list[Any]", key: str) -> "tuple[list[float], list[float]]":
         return [getattr(row, key) for row in rows], [row.speed for row in rows]
     x: list[float] = []
     y: list[float] = []
-    for one, other in zip(rows, rows[1:], strict=False):
+    for one, other in pairwise(rows):
         part, speeds = slowing(one.speed, other.speed, one.distance, other.distance - one.distance)
         x, y = [*x, *part], [*y, *speeds]
     return x, y
@@ -129,8 +130,8 @@ def pedestrian(
     speeds = [
         math.sqrt(2.0 * friction * gravity * reach) / (math.cos(angle) + friction * math.sin(angle)) for angle in angles
     ]
-    items: list[Any] = [
-        Curve(angles, speeds, role=0),
-        Band(made.least_speed, made.least_speed, "least", vertical=False),
-    ]
+    items: list[Any] = [Curve(angles, speeds, role=0)]
+    items.append(Band(made.least_speed, made.least_speed, "least", vertical=False))
+    if launch_angle is not None and made.speed is not None:
+        items.append(Mark(launch_angle, made.speed, "as launched"))
     return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
