@@ -139,3 +139,12 @@ def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
         if UNIVERSAL_OPTIONS[name][0] == "many" and isinstance(value, str):
             asked[name] = [value]
     return document_of(found[0], Gathered(raw, Reader(terminal.environ)), Settings(asked, terminal.environ))
+
+
+def answer_rows(command: str, rows: bytes, words: "tuple[str, ...]") -> bytes:
+    """The rows that a stream of cases becomes, for Python callers."""
+    from io import BytesIO
+
+    sink = BytesIO()
+    program([*command.split(), *words, "--rows", "-"], Terminal(BytesIO(rows), sink))
+    return sink.getvalue()
