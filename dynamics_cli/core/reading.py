@@ -32,7 +32,7 @@ class Reader:
         self.units = units or {}
         self.errors: list[DynamicsError] = []
         self.notes: list[str] = []
-        self.files: list[dict[str, str]] = []
+        self.files: list[dict[str, Any]] = []
         # Distributions by address; None where only certain values are taken.
         self.uncertain: dict[str, Distribution] | None = None
         # Which inputs are results of earlier documents: file, address there, and its covariance.
