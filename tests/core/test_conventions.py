@@ -294,6 +294,25 @@ def test_both_routes_are_byte_identical(argv: tuple[str, ...]) -> None:
     assert run(*argv) == run(*argv, route="tree")
 
 
+class TestScenesByOptions:
+    def test_a_scene_needs_no_file(self) -> None:
+        document = answer("toy", "assembly", "--shape", "ball", "--radius", "2 m")
+        assert document["results"]["volume"] == {"value": 32e9, "unit": "mm³"}
+
+    def test_options_stand_over_the_file(self, tmp_path: Path) -> None:
+        scene = tmp_path / "scene.toml"
+        scene.write_text('shape = "ball"\nradius = "2 m"\n')
+        assert value(answer("toy", "assembly", str(scene)), "volume") == 32e9
+        assert value(answer("toy", "assembly", str(scene), "--radius", "1 m"), "volume") == 4e9
+
+    def test_its_options_are_those_of_its_fields_once(self) -> None:
+        from dynamics_cli import cli
+
+        names = list(cli.family("toy").tasks["assembly"].options)
+        assert "position" in names
+        assert "radius" in names
+
+
 class TestFilesThatAFamilyReads:
     @pytest.mark.parametrize("size", [10, (1 << 24) + 5])
     def test_are_named_with_their_hash_large_or_small(self, tmp_path: Path, size: int) -> None:
