@@ -119,6 +119,7 @@ if TYPE_CHECKING:
     ArealDensity = float
     LinearDensity = float
     Inertia = float
+    ProductOfInertia = float
     SecondMoment = float
     # time and motion
     Time = float
@@ -160,6 +161,13 @@ if TYPE_CHECKING:
     Direction = tuple[float, float, float]
     Velocity = tuple[float, float, float]
     AngularVelocity = tuple[float, float, float]
+    AngularAccelerationVector = tuple[float, float, float]
+    AccelerationVector = tuple[float, float, float]
+    PartPosition = tuple[float, float, float]
+    TorqueVector = tuple[float, float, float]
+    ForceVector = tuple[float, float, float]
+    AngularMomentumVector = tuple[float, float, float]
+    Quaternion = tuple[float, float, float, float]
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
@@ -206,6 +214,14 @@ else:
         low=0.0,
         example="2500 kg*m^2",
         about="a moment of inertia",
+    )
+    ProductOfInertia = Kind(
+        "product of inertia",
+        "kg*m^2",
+        si="kg*m^2",
+        us="slug*ft^2",
+        example="-0.2 kg*m^2",
+        about="a product of inertia, of either sign",
     )
     SecondMoment = Kind(
         "second moment of area", "m^4", si="mm^4", us="in^4", example="1e4 mm^4", about="a second moment of area"
@@ -296,6 +312,72 @@ else:
         us="rad/s",
         example="0, 0, 2 rad/s",
         about="an angular velocity",
+    )
+    AngularAccelerationVector = Kind(
+        "angular acceleration vector",
+        "rad/s^2",
+        form="vector",
+        size=3,
+        example="0, 0, 5 rad/s^2",
+        about="an angular acceleration",
+    )
+    AccelerationVector = Kind(
+        "acceleration vector",
+        "m/s^2",
+        form="vector",
+        size=3,
+        si="m/s^2",
+        us="ft/s^2",
+        example="0, 0, 3 m/s^2",
+        about="an acceleration",
+    )
+    PartPosition = Kind(
+        "part position",
+        "m",
+        form="vector",
+        size=3,
+        si="mm",
+        us="in",
+        example="10, 0, 25 mm",
+        about="a point of a machine part",
+    )
+    TorqueVector = Kind(
+        "torque vector",
+        "N*m",
+        form="vector",
+        size=3,
+        si="N*m",
+        us="lbf*ft",
+        example="0, 0, 5 N*m",
+        about="a torque",
+    )
+    ForceVector = Kind(
+        "force vector",
+        "N",
+        form="vector",
+        size=3,
+        si="N",
+        us="lbf",
+        example="0, 0, 5 N",
+        about="a force",
+    )
+    AngularMomentumVector = Kind(
+        "angular momentum vector",
+        "N*m*s",
+        form="vector",
+        size=3,
+        si="N*m*s",
+        us="lbf*ft*s",
+        example="0, 0, 5 N*m*s",
+        about="an angular momentum",
+    )
+    Quaternion = Kind(
+        "quaternion",
+        "",
+        form="vector",
+        size=4,
+        example="0.92388, 0, 0, 0.382683",
+        about="a rotation as the quaternion w, x, y, z, its scalar first",
     )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
