@@ -115,6 +115,7 @@ if TYPE_CHECKING:
     Curvature = float
     # mass and its densities
     Mass = float
+    SignedMass = float
     Density = float
     ArealDensity = float
     LinearDensity = float
@@ -197,6 +198,7 @@ else:
     Curvature = Kind("curvature", "1/m", si="1/m", us="1/ft", example="0.01 1/m", about="a curvature")
     # mass and its densities
     Mass = Kind("mass", "kg", si="kg", us="lb", low=0.0, example="1500 kg", about="a mass")
+    SignedMass = Kind("mass", "kg", si="kg", us="lb", example="-2 kg", about="a mass, negative when it is taken away")
     Density = Kind(
         "density", "kg/m^3", si="kg/m^3", us="lb/ft^3", low=0.0, example="7850 kg/m^3", about="mass per volume"
     )

@@ -32,19 +32,31 @@ def symmetric(xx: float, yy: float, zz: float, xy: float = 0.0, yz: float = 0.0,
     return (xx, xy, zx), (xy, yy, yz), (zx, yz, zz)
 
 
+def minus(x: float) -> float:
+    """The opposite number; the opposite of zero is plain zero, with its slopes turned."""
+    opposite = -x
+    if type(opposite) is float:
+        return opposite + 0.0
+    if opposite == 0.0 and hasattr(opposite, "slopes"):
+        opposite.value = 0.0
+    return opposite
+
+
 def tensor_of(second: "Matrix") -> "Matrix":
     """The inertia tensor tr(S)·1 − S, each moment the sum of two second moments."""
     (xx, xy, zx), (_, yy, yz), (_, _, zz) = second
-    return (yy + zz, -xy, -zx), (-xy, zz + xx, -yz), (-zx, -yz, xx + yy)
+    a, b, c = minus(xy), minus(yz), minus(zx)
+    return (yy + zz, a, c), (a, zz + xx, b), (c, b, xx + yy)
 
 
 def second_of(tensor: "Matrix") -> "Matrix":
     """The second moments of an inertia tensor: half the trace less each moment."""
     (xx, xy, zx), (_, yy, yz), (_, _, zz) = tensor
+    a, b, c = minus(xy), minus(yz), minus(zx)
     return (
-        (0.5 * ((yy - xx) + zz), -xy, -zx),
-        (-xy, 0.5 * ((zz - yy) + xx), -yz),
-        (-zx, -yz, 0.5 * ((xx - zz) + yy)),
+        (0.5 * ((yy - xx) + zz), a, c),
+        (a, 0.5 * ((zz - yy) + xx), b),
+        (c, b, 0.5 * ((xx - zz) + yy)),
     )
 
 

@@ -6,6 +6,7 @@ from dynamics_cli.inertia.lump import (
     Lump,
     about,
     less,
+    minus,
     tensor_of,
     turned,
 )
@@ -21,6 +22,7 @@ from dynamics_cli.quantities import (
     PartPosition,
     ProductOfInertia,
     Ratio,
+    SignedMass,
     Size,
     Text,
     Volume,
@@ -55,14 +57,14 @@ class Shaft:
 
     Parameters
     ----------
-    shaft_direction : Direction
+    direction : Direction
         Direction of the shaft, in the given axes, of any length [-].
-    shaft_point : PartPosition
+    point : PartPosition
         A point of the shaft; the origin when not given [m].
     """
 
-    shaft_direction: Direction
-    shaft_point: PartPosition = (0.0, 0.0, 0.0)
+    direction: Direction
+    point: PartPosition = (0.0, 0.0, 0.0)
 
 
 @record
@@ -91,6 +93,69 @@ class ShaftMoment:
     wr2: Measured
     gd2: Measured
     inertia_lbf_in_s2: Measured
+
+
+@record
+class PartShare:
+    """What one part brings.
+
+    Parameters
+    ----------
+    part : Text
+        Its name, after those of the assemblies it is in.
+    mass : SignedMass
+        Its mass, negative for what is cut out [kg].
+    centroid : PartPosition
+        Its mass centre, in the given axes [m].
+    moments : tuple of ProductOfInertia
+        What it adds to the moments xx, yy, zz, its offset from the reference point included [kg*m^2].
+    """
+
+    part: Text
+    mass: SignedMass
+    centroid: PartPosition
+    moments: tuple[ProductOfInertia, ...]
+
+
+@record
+class Cancellation:
+    """How much of what the parts bring cancels: the sum of sizes over the size of the sum; digits are lost by it.
+
+    Parameters
+    ----------
+    mass : Ratio
+        Of the mass [-].
+    moments : tuple of Ratio
+        Of the moments xx, yy, zz about the reference point [-].
+    """
+
+    mass: Ratio
+    moments: tuple[Ratio, ...]
+
+
+@record
+class Deviation:
+    """Standard uncertainties that those of the measured parts lead to, in first order, the parts independent.
+
+    Parameters
+    ----------
+    mass : Mass
+        Of the mass [kg].
+    centroid : PartPosition
+        Of the mass centre's coordinates [m].
+    moments : tuple of Inertia
+        Of the moments xx, yy, zz about the mass centre, in the given axes [kg*m^2].
+    products : tuple of Inertia
+        Of the products xy, yz, zx about the mass centre, in the given axes [kg*m^2].
+    principal_moments : tuple of Inertia
+        Of the principal moments, their axes held [kg*m^2].
+    """
+
+    mass: Mass
+    centroid: PartPosition
+    moments: tuple[Inertia, ...]
+    products: tuple[Inertia, ...]
+    principal_moments: tuple[Inertia, ...]
 
 
 @record
@@ -143,6 +208,12 @@ class MassProperties:
         Sides along the principal axes of the solid box of the same mass and inertia [m].
     shaft : ShaftMoment
         What turning about the shaft takes, when one is given.
+    cancellation : Cancellation
+        How much cancels between material and holes, when something is cut out.
+    standard_uncertainty : Deviation
+        Standard uncertainties, when parts were measured with some.
+    parts : tuple of PartShare
+        What each part of an assembly brings.
     """
 
     mass: Mass
@@ -167,6 +238,9 @@ class MassProperties:
     equivalent_ellipsoid: tuple[Size, ...]
     equivalent_box: tuple[Size, ...]
     shaft: ShaftMoment | None = None
+    cancellation: Cancellation | None = None
+    standard_uncertainty: Deviation | None = None
+    parts: tuple[PartShare, ...] | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -268,7 +342,7 @@ def moment_about(lump: Lump, point: "Vector", direction: "Vector") -> "tuple[flo
 
 def shaft_moment(lump: Lump, shaft: Shaft) -> ShaftMoment:
     """Moment about a shaft in the units that people who turn shafts read."""
-    moment, distance = moment_about(lump, shaft.shaft_point, shaft.shaft_direction)
+    moment, distance = moment_about(lump, shaft.point, shaft.direction)
     number = getattr(moment, "value", moment)
     return ShaftMoment(
         moment=moment,
@@ -288,6 +362,9 @@ def properties(
     area: float | None = None,
     length: float | None = None,
     spread: Spread | None = None,
+    cancellation: Cancellation | None = None,
+    standard_uncertainty: Deviation | None = None,
+    parts: tuple[PartShare, ...] | None = None,
     checks: tuple[Check, ...] = (),
     advice: tuple[Advice, ...] = (),
     numerics: Numerics | None = None,
@@ -305,8 +382,9 @@ def properties(
     point = lump.centroid if view.point is None else view.point
     at_point = lump.second if view.point is None else about(lump, view.point)
     tensor = tensor_of(turned(at_point, rotation))
-    sign = -1.0 if view.product_sign == "positive" else 1.0
     moments = tuple(tensor[i][i] for i in range(3))
+    products = (tensor[0][1], tensor[1][2], tensor[2][0])
+    flipped = view.product_sign == "positive"
     return MassProperties(
         mass=lump.mass,
         volume=volume,
@@ -316,9 +394,9 @@ def properties(
         about=view.about,
         reference_point=point,
         axes=words,
-        product_sign=f"{view.product_sign}: Ixy = {'-' if sign > 0.0 else '+'}∫ x y dm",
+        product_sign=f"{view.product_sign}: Ixy = {'+' if flipped else '-'}∫ x y dm",
         moments=moments,
-        products=(sign * tensor[0][1], sign * tensor[1][2], sign * tensor[2][0]),
+        products=tuple(minus(part) for part in products) if flipped else products,
         tensor=tensor,
         radii_of_gyration=tuple(root(moment / lump.mass) for moment in moments),
         second_moments=turned(lump.second, rotation),
@@ -326,10 +404,13 @@ def properties(
         principal_axes=own.axes,
         degeneracy=own.degeneracy,
         principal_radii=tuple(root(moment / lump.mass) for moment in own.moments),
-        ellipsoid_axes=_ellipsoid(own.moments),
+        ellipsoid_axes=ellipsoid(own.moments),
         equivalent_ellipsoid=tuple(root(5.0 * part / lump.mass) for part in own.seconds),
         equivalent_box=tuple(root(12.0 * part / lump.mass) for part in own.seconds),
         shaft=None if view.shaft is None else shaft_moment(lump, view.shaft),
+        cancellation=cancellation,
+        standard_uncertainty=standard_uncertainty,
+        parts=parts,
         checks=checks,
         advice=advice,
         numerics=numerics,
@@ -344,7 +425,7 @@ def _axes(view: View, own: Spread) -> "tuple[str, Matrix]":
     return "given", IDENTITY
 
 
-def _ellipsoid(moments: "tuple[float, ...]") -> "tuple[float, ...]":
+def ellipsoid(moments: "tuple[float, ...]") -> "tuple[float, ...]":
     """Semi-axes 1/√I over the longest; a body without inertia about an axis has an ellipsoid that is a line."""
     least = moments[0]
     if not least > 0.0:

@@ -2,14 +2,11 @@
 
 from dynamics_cli.inertia.lump import turned
 from dynamics_cli.inertia.principal import principal
+from dynamics_cli.numerics.symmetric import ROUNDINGS, UNIT_ROUNDOFF
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.lump import Matrix, Vector
-
-# Jacobi's rotations leave elements this many roundings of the norm away from those of the exact eigenvalues.
-ROUNDINGS = 16.0
-
 
 class Spread:
     """Second moments along the principal axes, the moments about them (smallest first), the axes, what is undetermined."""
@@ -36,18 +33,42 @@ def spread_of(second: "Matrix") -> Spread:
     """
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
     found = principal(matrix)  # type: ignore[arg-type]
-    seconds = tuple(_carried(own, axis, second, matrix) for own, axis in zip(found.seconds, found.axes, strict=True))
-    return Spread(seconds, found.axes, found.degeneracy)  # type: ignore[arg-type]
+    if not any(hasattr(x, "slopes") for row in second for x in row):
+        return Spread(found.seconds, found.axes, found.degeneracy)
+    share = share_of(second)
+    seconds = [
+        carried(own, axis, second, bound, share)
+        for own, axis, bound in zip(found.seconds, found.axes, found.bounds, strict=True)
+    ]
+    return Spread((seconds[0], seconds[1], seconds[2]), found.axes, found.degeneracy)
 
 
-def _carried(own: float, axis: "Vector", second: "Matrix", matrix: "Matrix") -> float:
-    """An eigenvalue with the slopes and the bound of its Rayleigh quotient."""
+def share_of(second: "Matrix") -> float:
+    """The greatest error of an element over the geometric mean of its diagonal elements; 0 for a diagonal matrix."""
+    if all(plain(second[i][j]) == 0.0 == getattr(second[i][j], "error", 0.0) for i in range(3) for j in range(i)):
+        return 0.0
+    worst = 0.0
+    for i in range(3):
+        for j in range(i + 1):
+            error = getattr(second[i][j], "error", 0.0)
+            mean = (abs(plain(second[i][i])) ** 0.5) * (abs(plain(second[j][j])) ** 0.5)
+            worst = max(worst, error / mean if mean > 0.0 else (float("inf") if error else 0.0))
+    return worst
+
+
+def carried(own: float, axis: "Vector", second: "Matrix", bound: float, share: float) -> float:
+    """An eigenvalue with its slopes and its bound.
+
+    The solver's bound is so many roundings of the smaller of the norm and of the scaled condition times the
+    eigenvalue; errors of the elements, as shares of the diagonal's geometric means, act through the same factor
+    (Demmel and Veselić 1992, theorem 2.3), three to a row.
+    """
+    from dynamics_cli.numerics.tracked import Tracked
+
     along = turned(second, (axis, axis, axis))[0][0]
     if not hasattr(along, "slopes"):
         return own
-    from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
-
-    diagonal = all(matrix[i][j] == 0.0 for i in range(3) for j in range(i))
-    norm = max(abs(x) for row in matrix for x in row)
-    error = along.error + abs(along.value - own) + (0.0 if diagonal else ROUNDINGS * UNIT_ROUNDOFF * norm)
+    if bound == 0.0:
+        return along
+    error = bound * (1.0 + 3.0 * share / (ROUNDINGS * UNIT_ROUNDOFF))
     return Tracked(own, error, along.slopes)  # type: ignore[return-value]
