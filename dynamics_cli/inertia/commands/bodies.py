@@ -84,4 +84,23 @@ TORQUE = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (SHAPE, SHAPES, MATERIALS, TENSOR, TORQUE)
+BODY = Task(
+    "body",
+    "Mass, centroid and inertia of an assembly of parts and holes, from a scene file.",
+    Model(
+        "composition",
+        HERE + "assembly:body",
+        source=BOOK + "sections 7.6 to 7.9; uncertainties: SAWE paper 3360",
+        formula="S = Σ Rᵢ·Sᵢ·Rᵢᵀ + mᵢ·(cᵢ − c)(cᵢ − c)ᵀ, I = tr(S)·1 − S",
+        assumptions=("parts are rigid and of one density each", "a hole lies within its body"),
+    ),
+    arrays=False,
+    tracked=False,
+    table="parts",
+    examples=(
+        "dynamics inertia body examples/flywheel.toml --shaft-direction 0,0,1",
+        "dynamics inertia body examples/payload.toml --about origin --product-sign positive",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (SHAPE, SHAPES, BODY, MATERIALS, TENSOR, TORQUE)
