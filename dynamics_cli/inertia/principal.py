@@ -32,7 +32,7 @@ class Principal:
         return b + c, c + a, a + b
 
 
-def principal(second_moments: "Matrix", uncertainty: float = 0.0) -> Principal:
+def principal(second_moments: "Matrix", uncertainty: float = 0.0, frame: "Matrix | None" = None) -> Principal:
     """Principal second moments and axes of a body.
 
     Equation
@@ -45,6 +45,8 @@ def principal(second_moments: "Matrix", uncertainty: float = 0.0) -> Principal:
         Symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2].
     uncertainty : Inertia
         How far the moments may be off, when more than rounding is known [kg*m^2].
+    frame : tuple of rows
+        The axes of the second moments, seen in the input axes, when they are others [-].
 
     Returns
     -------
@@ -73,7 +75,8 @@ def principal(second_moments: "Matrix", uncertainty: float = 0.0) -> Principal:
     norm = max(abs(value) for value in found.values)
     a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in found.values)
     tolerance = max(EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b), uncertainty)
-    axes, words = _axes(found.vectors, a - b <= tolerance, b - c <= tolerance, beyond=uncertainty >= tolerance > 0.0)
+    vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
+    axes, words = _axes(vectors, a - b <= tolerance, b - c <= tolerance, beyond=uncertainty >= tolerance > 0.0)
     return Principal(seconds, axes, words, found.bounds)  # type: ignore[arg-type]
 
 
@@ -96,6 +99,12 @@ def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tupl
         return (first, second, third), f"axes 2 and 3 are any two in the plane across axis 1: {why}"
     first, second = _positive(vectors[0]), _positive(vectors[1])
     return (first, second, _cross(first, second)), "none: the principal moments are different"
+
+
+def _in_input_axes(vectors: "Matrix", frame: "Matrix") -> "Matrix":
+    """Vectors given in the axes of a frame, seen in the input axes."""
+    columns = tuple(zip(*frame, strict=True))
+    return tuple(tuple(v[0] * c[0] + v[1] * c[1] + v[2] * c[2] for c in columns) for v in vectors)  # type: ignore[return-value]
 
 
 def _positive(v: "Vector") -> "Vector":
