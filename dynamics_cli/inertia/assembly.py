@@ -96,8 +96,8 @@ def body(
     >>> ball = Part(amount=OfMass(mass=1.0), position=(1.0, 0.0, 0.0))
     >>> other = Part(amount=OfMass(mass=3.0), position=(5.0, 0.0, 0.0))
     >>> answer = body(Assembly(parts=(ball, other)))
-    >>> answer.centroid, answer.moments
-    ((4.0, 0.0, 0.0), (0.0, 12.0, 12.0))
+    >>> answer.moments
+    AxisMoments(xx=0.0, yy=12.0, zz=12.0)
     """
     whole = compose_scene(scene)
     words, point = named_point(about, about_point, whole.origins)

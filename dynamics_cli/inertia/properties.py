@@ -10,6 +10,7 @@ from dynamics_cli.inertia.lump import (
     tensor_of,
     turned,
 )
+from dynamics_cli.inertia.mesh.surface import Surface
 from dynamics_cli.inertia.spread import Spread, spread_of
 from dynamics_cli.numerics.elementary import hypot, sqrt
 from dynamics_cli.quantities import (
@@ -93,6 +94,63 @@ class ShaftMoment:
     wr2: Measured
     gd2: Measured
     inertia_lbf_in_s2: Measured
+
+
+@record
+class AxisMoments:
+    """Moments of inertia about three axes.
+
+    Parameters
+    ----------
+    xx : Inertia
+        About x [kg*m^2].
+    yy : Inertia
+        About y [kg*m^2].
+    zz : Inertia
+        About z [kg*m^2].
+    """
+
+    xx: Inertia
+    yy: Inertia
+    zz: Inertia
+
+
+@record
+class AxisProducts:
+    """Products of inertia of three axes.
+
+    Parameters
+    ----------
+    xy : ProductOfInertia
+        Of x and y [kg*m^2].
+    yz : ProductOfInertia
+        Of y and z [kg*m^2].
+    zx : ProductOfInertia
+        Of z and x [kg*m^2].
+    """
+
+    xy: ProductOfInertia
+    yz: ProductOfInertia
+    zx: ProductOfInertia
+
+
+@record
+class PrincipalMoments:
+    """Principal moments of inertia, the smallest first.
+
+    Parameters
+    ----------
+    first : Inertia
+        The smallest [kg*m^2].
+    second : Inertia
+        The one between [kg*m^2].
+    third : Inertia
+        The greatest [kg*m^2].
+    """
+
+    first: Inertia
+    second: Inertia
+    third: Inertia
 
 
 @record
@@ -182,18 +240,18 @@ class MassProperties:
         The axes of moments, products, tensor and second moments.
     product_sign : Text
         What the products mean.
-    moments : tuple of Inertia
-        Moments of inertia xx, yy, zz about the reference point [kg*m^2].
-    products : tuple of ProductOfInertia
-        Products of inertia xy, yz, zx about the reference point, of the sign that `product_sign` says [kg*m^2].
+    moments : AxisMoments
+        Moments of inertia about the reference point.
+    products : AxisProducts
+        Products of inertia about the reference point, of the sign that `product_sign` says.
     tensor : InertiaTensor
         The inertia tensor (the matrix of the inertia dyadic) about the reference point; off the diagonal −∫ x y dm [kg*m^2].
     radii_of_gyration : tuple of Size
         √(moment/mass) about the three axes through the reference point [m].
     second_moments : InertiaTensor
         The matrix ∫ r rᵀ dm about the mass centre, in the same axes [kg*m^2].
-    principal_moments : tuple of Inertia
-        Principal moments about the mass centre, the smallest first [kg*m^2].
+    principal_moments : PrincipalMoments
+        Principal moments about the mass centre.
     principal_axes : tuple of Direction
         Unit vectors along the principal axes, in the given axes, one a row [-].
     degeneracy : Text
@@ -214,6 +272,8 @@ class MassProperties:
         Standard uncertainties, when parts were measured with some.
     parts : tuple of PartShare
         What each part of an assembly brings.
+    surface : Surface
+        The surface that bounds the body, when it was read from a mesh.
     """
 
     mass: Mass
@@ -225,12 +285,12 @@ class MassProperties:
     reference_point: PartPosition
     axes: Text
     product_sign: Text
-    moments: tuple[Inertia, ...]
-    products: tuple[ProductOfInertia, ...]
+    moments: AxisMoments
+    products: AxisProducts
     tensor: InertiaTensor
     radii_of_gyration: tuple[Size, ...]
     second_moments: InertiaTensor
-    principal_moments: tuple[Inertia, ...]
+    principal_moments: PrincipalMoments
     principal_axes: tuple[Direction, ...]
     degeneracy: Text
     principal_radii: tuple[Size, ...]
@@ -241,6 +301,7 @@ class MassProperties:
     cancellation: Cancellation | None = None
     standard_uncertainty: Deviation | None = None
     parts: tuple[PartShare, ...] | None = None
+    surface: Surface | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -395,12 +456,12 @@ def properties(
         reference_point=point,
         axes=words,
         product_sign=f"{view.product_sign}: Ixy = {'+' if flipped else '-'}∫ x y dm",
-        moments=moments,
-        products=tuple(minus(part) for part in products) if flipped else products,
+        moments=AxisMoments(*moments),
+        products=AxisProducts(*(minus(part) if flipped else part for part in products)),
         tensor=tensor,
         radii_of_gyration=tuple(root(moment / lump.mass) for moment in moments),
         second_moments=turned(lump.second, rotation),
-        principal_moments=own.moments,
+        principal_moments=PrincipalMoments(*own.moments),
         principal_axes=own.axes,
         degeneracy=own.degeneracy,
         principal_radii=tuple(root(moment / lump.mass) for moment in own.moments),

@@ -5,7 +5,6 @@ from dynamics_cli.inertia.properties import (
     Cancellation,
     MassProperties,
     PartShare,
-    ShaftMoment,
     View,
     properties,
 )
@@ -31,9 +30,6 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     rows, cancels = _shares(whole, view, answer)
     bounds: list[ErrorBound] = []
     values = {name: _stated(name, getattr(answer, name), bounds) for name in answer.fields}  # type: ignore[attr-defined]
-    if answer.shaft is not None:
-        parts = {name: _stated(f"shaft.{name}", getattr(answer.shaft, name), bounds) for name in answer.shaft.fields}  # type: ignore[attr-defined]
-        values["shaft"] = ShaftMoment(**parts)
     values |= {
         "parts": rows,
         "cancellation": cancels,
@@ -46,12 +42,15 @@ def reported(whole: "Composed", view: View) -> MassProperties:
 
 def _stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
     """A scalar bare, its relative bound stated; a vector as it is, each component with its own bound."""
+    if hasattr(value, "fields"):
+        return type(value)(**{part: _stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
     error = getattr(value, "error", None)
     if error is None:
         return value
     size = abs(value.value)
-    if size > 2.0 * error or error == 0.0:
-        bounds.append(ErrorBound(name, error / (size - error) if error else 0.0))
+    if size == 0.0 and error > 0.0:
+        return value
+    bounds.append(ErrorBound(name, (error / (size - error) if size > 2.0 * error else error / size) if error else 0.0))
     return value.value
 
 

@@ -69,7 +69,7 @@ def shape(
     >>> from dynamics_cli.inertia.amount import OfMass
     >>> from dynamics_cli.inertia.shapes import Rod
     >>> shape(Rod(length=2.0), amount=OfMass(mass=3.0)).moments
-    (0.0, 1.0, 1.0)
+    AxisMoments(xx=0.0, yy=1.0, zz=1.0)
     """
     own = shape.unit()
     mass = mass_of(amount, own.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[attr-defined]

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.lump import minus, second_of, symmetric, turned
 from dynamics_cli.inertia.principal import principal
-from dynamics_cli.inertia.properties import ProductSign, ellipsoid, root, unit
+from dynamics_cli.inertia.properties import PrincipalMoments, ProductSign, ellipsoid, root, unit
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.spread import carried, plain, share_of
 from dynamics_cli.numerics.symmetric import eigen
@@ -80,8 +80,8 @@ class TensorProperties:
 
     Parameters
     ----------
-    principal_moments : tuple of Inertia
-        Principal moments, the smallest first [kg*m^2].
+    principal_moments : PrincipalMoments
+        Principal moments.
     principal_axes : tuple of Direction
         Unit vectors along the principal axes, one a row [-].
     degeneracy : Text
@@ -110,7 +110,7 @@ class TensorProperties:
         Sides along the principal axes of the solid box of the same mass and inertia, when the mass is given [m].
     """
 
-    principal_moments: tuple[Inertia, ...]
+    principal_moments: PrincipalMoments
     principal_axes: tuple[Direction, ...]
     degeneracy: Text
     slack: Ratio
@@ -179,7 +179,7 @@ def tensor(
     --------
     >>> answer = tensor(inertia=Parts(moments=(2.0, 2.0, 3.0), products=(-0.5, 0.0, 0.0)))
     >>> answer.principal_moments
-    (1.5, 2.5, 3.0)
+    PrincipalMoments(first=1.5, second=2.5, third=3.0)
     """
     matrix = inertia.matrix()
     moments, axes, words = require_tensor(matrix, tolerance)
@@ -199,7 +199,7 @@ def tensor(
         seconds = (c - a + b, c - b + a, a - (c - b))
         box = tuple(root(6.0 * part / mass) for part in seconds)
     return TensorProperties(
-        principal_moments=moments,
+        principal_moments=PrincipalMoments(*moments),
         principal_axes=axes,
         degeneracy=words,
         slack=slack,
