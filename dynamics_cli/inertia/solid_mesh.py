@@ -15,7 +15,7 @@ def mesh_lump(file: str, metres: float) -> "tuple[float, Vector, Matrix]":
     InadmissibleError
         When the file is damaged or the surface open, inside out or without volume.
     """
-    from dynamics_cli.inertia.mesh.task import measured, require_closed
+    from dynamics_cli.inertia.mesh.measured import measured, require_closed
 
     found = measured(file, shell=False)
     require_closed(found, allowed=False)

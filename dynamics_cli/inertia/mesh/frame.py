@@ -3,8 +3,8 @@
 Turning by plain products leaves errors of a rounding of the longest side in every coordinate, which a needle or a plate
 has no room for. Here the axes and the corners are split on grids so coarse that the leading product is exact whatever
 its order of operations (Ozaki, Ogita, Oishi & Rump, Error-free transformations of matrix multiplication, Numer.
-Algorithms 59 (2012) 95); the rest is 2⁻²⁶ of it and may be rounded. The axes need be orthogonal only to rounding: second
-moments R S Rᵀ have the eigenvalues of S but for the factor by which R stretches (Ostrowski).
+Algorithms 59 (2012) 95); the rest is 2⁻²⁶ of it and may be rounded. The axes need be orthogonal only to rounding:
+second moments R S Rᵀ have the eigenvalues of S but for the factor by which R stretches (Ostrowski).
 """
 
 from math import frexp, ldexp
@@ -35,8 +35,18 @@ class Frame:
         self._grid = ldexp(1.5, frexp(size)[1] + 52 - _BITS)
         self._x, self._lost, self._lead, self._seen = np.empty((4, 9 * BLOCK))
 
+    def excess(self) -> "Array":
+        """Length of each axis less one, of their very doubles."""
+        out = []
+        for row in self.rows.tolist():
+            pairs = [part.as_integer_ratio() for part in row]
+            common = max(down for _, down in pairs)
+            square = sum((up * (common // down)) ** 2 for up, down in pairs)
+            out.append((square - common * common) / (2 * common * common))
+        return np.array(out)
+
     def seen(self, corners: "Array") -> "Array":
-        """A block of corner coordinates as coordinates by vectors a, e, f by triangles, in these axes from this point."""
+        """A block as coordinates by vectors a, e, f by triangles, seen in these axes from this point."""
         size = corners.shape[1]
         x, lost, lead, out = (
             room[: 9 * size].reshape(3, 3, size) for room in (self._x, self._lost, self._lead, self._seen)
@@ -55,7 +65,7 @@ class Frame:
 
 
 def _difference(a: "Array", b: "Array", x: "Array", lost: "Array") -> None:
-    """a − b, and what rounding lost of it."""
+    """A − b, and what rounding lost of it."""
     np.subtract(a, b, out=x)
     virtual = x - a
     np.subtract(a - (x - virtual), b + virtual, out=lost)

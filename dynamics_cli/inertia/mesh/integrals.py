@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums; the sums themselves are compensated from block to block.
-ROUNDINGS = 6.0
+ROUNDINGS, ROUNDINGS_SECOND = 3.0, 2.0
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
 # What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|, Σ |nₖ|.
@@ -49,7 +49,9 @@ class Moments:
         scale = (2.0, 2.0, 2.0) if sums.shell else (6.0, 8.0, 10.0)
         self.shell = sums.shell
         self.frame = None if frame is None else frame.rows
-        self.measure = sums.total / scale[0]
+        # how much longer than one the axes are, to first order: a solid is given back what they stretched
+        longer = np.zeros(3) if frame is None or sums.shell else frame.excess()
+        self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
         first = sums.first / scale[1]
         xx, yy, zz, xy, yz, zx = sums.second / scale[2]
         second = np.array(((xx, xy, zx), (xy, yy, yz), (zx, yz, zz)))
@@ -66,11 +68,12 @@ class Moments:
             self.second = second
             self.centre_error = self.second_error = extent * 0.0
             return
-        centre = first / self.measure
+        centre = first * (1.0 - float(longer.sum())) / self.measure
         self.centre = centre
-        self.second = second - self.measure * np.outer(centre, centre)
+        second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
+        self.second = second * (1.0 - (longer[:, None] + longer))
         self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
-        self.second_error = unit * (weight / scale[2]) * np.outer(extent, extent)
+        self.second_error = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) * np.outer(extent, extent)
 
     @property
     def centroid(self) -> "Array":
@@ -80,7 +83,7 @@ class Moments:
 
 
 class Sums:
-    """Everything that one pass over the triangles adds up; `by_axis` adds Σ |nₖ|, which tells thin axes from long ones."""
+    """Everything that one pass over the triangles adds up; Σ |nₖ|, which tells thin axes, when `by_axis` says so."""
 
     def __init__(self, *, shell: bool, by_axis: bool, boundary: "Boundary | None" = None) -> None:
         self.shell = shell

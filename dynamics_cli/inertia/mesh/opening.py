@@ -47,7 +47,7 @@ def _by_trimesh(name: str, ending: str) -> "Source":
     try:
         mesh = trimesh.load(name, force="mesh", process=False)
         vertices, faces = mesh.vertices, mesh.faces
-    except Exception as error:  # noqa: BLE001, RUF100 - its readers raise whatever their parsers do
+    except Exception as error:  # its readers raise whatever their parsers do
         raise InadmissibleError(
             f"trimesh cannot read it as {ending}: {str(error) or type(error).__name__}", code="form"
         ) from None

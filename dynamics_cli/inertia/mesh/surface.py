@@ -38,7 +38,7 @@ class Faults:
     open_edges : Count
         Edges of one triangle only.
     clashing_edges : Count
-        Edges whose triangles go along them unequally often each way: beside a flipped triangle, or where more than two meet.
+        Edges of two triangles or more, gone along unequally often each way: beside a flipped triangle, for one.
     flipped : Count
         Triangles turned against most of their piece.
     duplicated : Count
@@ -81,7 +81,7 @@ class Surface:
     high : PartPosition
         Greatest coordinates [m].
     quantisation : Volume
-        What rounding of the corners to single precision does to the volume, by order of magnitude, standard deviation [m^3].
+        Standard deviation of the volume from rounding corners to single precision, by order of magnitude [m^3].
     faults : Faults
         The diagnosis, when asked for.
     """
