@@ -123,7 +123,7 @@ def compose_scene(scene: Assembly) -> "Composed":
     walk = Walk()
     walk.into(parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     require(walk.leaves, "the assembly has no body", code="empty")
-    return composed(walk, bounded=bounded)
+    return composed(walk, tracked=bounded)
 
 
 def _count(parts: "tuple[Part, ...]") -> int:

@@ -4,7 +4,8 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.lump import IDENTITY, Lump, joined, less, plus, product, scaled, times, turned
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.rotation import departure
-from dynamics_cli.inertia.spread import Spread, carried, plain, share_of, spread_of
+from dynamics_cli.inertia.spread import Spread, bounded, plain, spread_of
+from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ class Composed:
         self.bounded = bounded
 
 
-def composed(walk: "Walk", *, bounded: bool) -> Composed:
+def composed(walk: "Walk", *, tracked: bool) -> Composed:
     """Put the leaves of a walk together.
 
     Raises
@@ -43,7 +44,7 @@ def composed(walk: "Walk", *, bounded: bool) -> Composed:
     spread = _second_pass(leaves, base, first)  # type: ignore[arg-type]
     lump = Lump(whole.mass, centroid, whole.second)
     placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
-    return Composed(walk, lump, spread, placed, bounded=bounded)
+    return Composed(walk, lump, spread, placed, bounded=tracked)
 
 
 def _piece(leaf: "Leaf", base: "Vector", frame: "Matrix") -> Lump:
@@ -100,13 +101,11 @@ def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     whole = _sum(leaves, [_piece(leaf, base, frame) for leaf in leaves])
     matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
     found = principal(matrix)  # type: ignore[arg-type]
-    share = share_of(whole.second)
+    seconds = found.seconds
+    if not any(hasattr(x, "slopes") for row in whole.second for x in row):
+        return Spread(seconds, product(found.axes, frame), first.degeneracy)
+    seconds = bounded(whole.second, seconds, eigen(matrix).vectors)  # type: ignore[arg-type]
     # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
-    seconds = []
-    for own, axis, bound in zip(found.seconds, found.axes, found.bounds, strict=True):
-        one = carried(own, axis, whole.second, bound, share)
-        if hasattr(one, "slopes"):
-            one = type(one)(one.value, one.error + stretch * abs(one.value), one.slopes)
-        seconds.append(one)
-    return Spread((seconds[0], seconds[1], seconds[2]), product(found.axes, frame), first.degeneracy)
+    seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
+    return Spread(seconds, product(found.axes, frame), first.degeneracy)

@@ -2,7 +2,7 @@
 
 from dynamics_cli.inertia.lump import turned
 from dynamics_cli.inertia.principal import principal
-from dynamics_cli.numerics.symmetric import ROUNDINGS, UNIT_ROUNDOFF
+from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,40 +35,38 @@ def spread_of(second: "Matrix") -> Spread:
     found = principal(matrix)  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in second for x in row):
         return Spread(found.seconds, found.axes, found.degeneracy)
-    share = share_of(second)
-    seconds = [
-        carried(own, axis, second, bound, share)
-        for own, axis, bound in zip(found.seconds, found.axes, found.bounds, strict=True)
-    ]
-    return Spread((seconds[0], seconds[1], seconds[2]), found.axes, found.degeneracy)
+    return Spread(bounded(second, found.seconds, eigen(matrix).vectors), found.axes, found.degeneracy)  # type: ignore[arg-type]
 
 
-def share_of(second: "Matrix") -> float:
-    """The greatest error of an element over the geometric mean of its diagonal elements; 0 for a diagonal matrix."""
-    if all(plain(second[i][j]) == 0.0 == getattr(second[i][j], "error", 0.0) for i in range(3) for j in range(i)):
-        return 0.0
-    worst = 0.0
-    for i in range(3):
-        for j in range(i + 1):
-            error = getattr(second[i][j], "error", 0.0)
-            mean = (abs(plain(second[i][i])) ** 0.5) * (abs(plain(second[j][j])) ** 0.5)
-            worst = max(worst, error / mean if mean > 0.0 else (float("inf") if error else 0.0))
-    return worst
+def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
+    """Eigenvalues of a tracked matrix with the slopes of their Rayleigh quotients and bounds proved afterwards.
 
-
-def carried(own: float, axis: "Vector", second: "Matrix", bound: float, share: float) -> float:
-    """An eigenvalue with its slopes and its bound.
-
-    The solver's bound is so many roundings of the smaller of the norm and of the scaled condition times the
-    eigenvalue; errors of the elements, as shares of the diagonal's geometric means, act through the same factor
-    (Demmel and Veselić 1992, theorem 2.3), three to a row.
+    Along its axes the matrix is T = V S Vᵀ. Gershgorin's disc about T's element k holds an eigenvalue; scaled so that
+    the others stay apart, its radius is Σ 2 tₖⱼ²/gapₖⱼ over the elements beside it, tₖⱼ itself where there is no gap
+    (Wilkinson, The Algebraic Eigenvalue Problem, 2.15). The axes are unit vectors to a few roundings, which turns
+    every eigenvalue by as many of its own (Ostrowski).
     """
-    from dynamics_cli.numerics.tracked import Tracked
+    from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
-    along = turned(second, (axis, axis, axis))[0][0]
-    if not hasattr(along, "slopes"):
-        return own
-    if bound == 0.0:
-        return along
-    error = bound * (1.0 + 3.0 * share / (ROUNDINGS * UNIT_ROUNDOFF))
-    return Tracked(own, error, along.slopes)  # type: ignore[return-value]
+    along = turned(second, axes)
+    off = [[abs(plain(x)) + getattr(x, "error", 0.0) for x in row] for row in along]
+    found = []
+    for k in range(3):
+        mine = along[k][k]
+        slopes = getattr(mine, "slopes", None)
+        radius = 0.0
+        for j in range(3):
+            gap = abs(values[k] - values[j]) - getattr(mine, "error", 0.0) - getattr(along[j][j], "error", 0.0)
+            if j != k and off[k][j] > 0.0:
+                radius += off[k][j] * min(1.0, 2.0 * off[k][j] / gap if gap > 0.0 else 1.0)
+        error = getattr(mine, "error", 0.0) + abs(plain(mine) - values[k]) + radius
+        if any(x not in (0.0, 1.0, -1.0) for row in axes for x in row):
+            error += 8.0 * UNIT_ROUNDOFF * abs(values[k])
+        found.append(Tracked(values[k], error, slopes if slopes is not None else _no_slopes(second)))
+    return found[0], found[1], found[2]  # type: ignore[return-value]
+
+
+def _no_slopes(second: "Matrix") -> "tuple[float, ...]":
+    """As many zeros as the tracked elements of a matrix have slopes."""
+    count = next(len(x.slopes) for row in second for x in row if hasattr(x, "slopes"))
+    return (0.0,) * count

@@ -5,7 +5,7 @@ from dynamics_cli.inertia.lump import minus, second_of, symmetric, turned
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.properties import PrincipalMoments, ProductSign, ellipsoid, root, unit
 from dynamics_cli.inertia.rotation import Turn, matrix_of
-from dynamics_cli.inertia.spread import carried, plain, share_of
+from dynamics_cli.inertia.spread import bounded, plain
 from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.quantities import (
     Direction,
@@ -258,11 +258,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
     own = principal(second_of(bare))  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in matrix for x in row):
         return values, own.axes, own.degeneracy
-    share = share_of(matrix)
-    moments = tuple(
-        carried(value, axis, matrix, bound, share)
-        for value, axis, bound in zip(values, own.axes, found.bounds[::-1], strict=True)
-    )
+    moments = bounded(matrix, values, found.vectors[::-1])
     return moments, own.axes, own.degeneracy
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from mpmath import cos, mp, mpf, pi, sin, sqrt
 
-mp.dps = 60
+mp.dps = 90
 Point = tuple[Any, Any, Any]
 Patch = tuple[str, Callable[..., tuple[Point, Any]], int]
 

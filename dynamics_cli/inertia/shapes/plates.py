@@ -185,10 +185,10 @@ class Sector:
         half = half_angle(self.angle)
         square = self.radius * self.radius
         short, double = one_less_sinc(half), one_less_sinc(2.0 * half)
-        along = 1.0 / 18.0 - 0.25 * double + (4.0 / 9.0) * short * (2.0 - short)
+        along = (1.0 - 4.5 * double + 8.0 * short * (2.0 - short)) / 18.0
         return Unit(
             0.5 * self.angle * square,
-            ((2.0 / 3.0) * self.radius * (1.0 - short), 0.0, 0.0),
+            (2.0 * self.radius * (1.0 - short) / 3.0, 0.0, 0.0),
             square * along,
             0.25 * square * double,
             0.0,

@@ -42,8 +42,8 @@ def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: 
     _require_simple(corners)
     area, x, y = _first_moments(corners)
     require(area > 0.0 or area < 0.0, "the polygon has no area", code="polygon", hint="check the order of the corners")
-    middle = (x / (3.0 * area), y / (3.0 * area))
-    # seen from the centroid nothing large is subtracted; what its rounding leaves is taken off in second order
+    # seen from near the centroid nothing large is subtracted; any point serves, so this one is a mere number
+    middle = (plain(x / (3.0 * area)), plain(y / (3.0 * area)))
     seen = [(px - middle[0], py - middle[1]) for px, py in corners]
     area, x, y = _first_moments(seen)
     rest = (x / (3.0 * area), y / (3.0 * area))
@@ -63,6 +63,11 @@ def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: 
         height * height / 12.0,
         xy=xy / scale - rest[0] * rest[1],
     )
+
+
+def plain(x: float) -> float:
+    """The number inside a tracked number; a float as it is."""
+    return getattr(x, "value", x)
 
 
 def _sides(corners: "list[Pair]") -> "list[tuple[Pair, Pair]]":

@@ -149,7 +149,7 @@ class Pyramid:
     def unit(self) -> Unit:
         """Of mass one."""
         a, b, c = self.width, self.depth, self.height
-        return Unit(a * b * c / 3.0, (0.0, 0.0, 0.25 * c), a * a / 20.0, b * b / 20.0, 0.0375 * c * c)
+        return Unit(a * b * c / 3.0, (0.0, 0.0, 0.25 * c), a * a / 20.0, b * b / 20.0, 3.0 * c * c / 80.0)
 
 
 @tagged("shape")

@@ -114,7 +114,7 @@ class ConicalShell:
         wall = slant / total
         own = 0.25 * r * r
         away = r / total if self.base else 0.0
-        return Unit(PI * r * total, (0.0, 0.0, wall * h / 3.0), own, own, h * h * wall * (1.0 / 18.0 + away / 9.0))
+        return Unit(PI * r * total, (0.0, 0.0, wall * h / 3.0), own, own, h * h * wall * (1.0 + 2.0 * away) / 18.0)
 
 
 @tagged("shape")

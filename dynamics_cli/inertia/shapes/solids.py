@@ -193,13 +193,13 @@ class Cone:
     def unit(self) -> Unit:
         """Of mass one."""
         square = self.radius * self.radius
-        own = 0.15 * square
+        own = 3.0 * square / 20.0
         return Unit(
             PI * square * self.height / 3.0,
             (0.0, 0.0, 0.25 * self.height),
             own,
             own,
-            0.0375 * self.height * self.height,
+            3.0 * self.height * self.height / 80.0,
         )
 
 
@@ -234,13 +234,13 @@ class Frustum:
         # the factored form of ∫z² less the square of the mean: no term is negative
         spread = a * a * (a * a + 4.0 * a * b + 10.0 * b * b) + b * b * (4.0 * a * b + b * b)
         fourth = a * a * (a * a + a * b + b * b) + b * b * (a * b + b * b)
-        own = 0.15 * fourth / size
+        own = 3.0 * fourth / size / 20.0
         return Unit(
             PI * self.height * size / 3.0,
             (0.0, 0.0, 0.25 * self.height * first / size),
             own,
             own,
-            0.0375 * self.height * self.height * (spread / size / size),
+            3.0 * self.height * self.height * (spread / size / size) / 80.0,
         )
 
 

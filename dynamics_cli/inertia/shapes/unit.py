@@ -32,9 +32,10 @@ class Unit:
         yz: float = 0.0,
         zx: float = 0.0,
     ) -> None:
-        self.measure = measure
-        self.centroid = centroid
-        self.second = symmetric(xx, yy, zz, xy, yz, zx)
+        # dividing by one changes no bit and counts a rounding: that of the constants in the formulas, of π above all
+        self.measure = measure / 1.0 / 1.0
+        self.centroid = (centroid[0] / 1.0, centroid[1] / 1.0, centroid[2] / 1.0)
+        self.second = symmetric(xx / 1.0, yy / 1.0, zz / 1.0, xy / 1.0, yz / 1.0, zx / 1.0)
 
     def lump(self, mass: float) -> Lump:
         """The shape with a mass."""
