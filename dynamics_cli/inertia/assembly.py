@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.compose import composed
 from dynamics_cli.inertia.parts import Part, Walk, each_number
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point
-from dynamics_cli.inertia.lump import IDENTITY, transposed
+from dynamics_cli.inertia.lump import IDENTITY
 from dynamics_cli.inertia.report import reported
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.quantities import PartPosition, Text
@@ -105,7 +105,7 @@ def body(
         words,
         point,
         axes=axes,
-        rotation=None if turn is None else transposed(matrix_of(turn)),
+        rotation=None if turn is None else matrix_of(turn),
         product_sign=product_sign,
         shaft=shaft,
     )

@@ -3,11 +3,13 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.amount import Amount, OfMass, mass_of
 from dynamics_cli.inertia.lump import IDENTITY, NOTHING, Lump, plus, product, second_of, times
+from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.shapes import Shape
+from dynamics_cli.inertia.spread import plain
 from dynamics_cli.inertia.tensor import require_tensor
 from dynamics_cli.quantities import InertiaTensor, InputFile, Mass, PartPosition, Text
-from dynamics_cli.records import Choice, record
+from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,13 +20,6 @@ if TYPE_CHECKING:
 
 # A measured tensor is written with few digits; one further off than this is wrong.
 MEASURED_TOLERANCE = 1e-3
-
-
-class LengthUnit(Choice):
-    """The unit of a mesh file's numbers."""
-
-    names = ("mm", "cm", "m", "in", "ft")
-    metres = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048}  # noqa: RUF012
 
 
 @record
@@ -42,7 +37,7 @@ class Part:
     mesh : InputFile
         A closed mesh instead of a shape.
     length_unit : LengthUnit
-        Unit of the mesh file's numbers.
+        Unit of the mesh file's numbers; it has to be given, as the file does not say it.
     tensor : InertiaTensor
         Inertia tensor of a measured part about its mass centre, in the part's own axes [kg*m^2].
     centroid : PartPosition
@@ -67,7 +62,7 @@ class Part:
     shape: Shape | None = None
     amount: Amount | None = None
     mesh: InputFile = ""
-    length_unit: LengthUnit = LengthUnit("mm")  # noqa: RUF009
+    length_unit: LengthUnit | None = None
     tensor: InertiaTensor | None = None
     centroid: PartPosition | None = None
     mass_std: Mass | None = None
@@ -223,20 +218,34 @@ def _weighed(part: Part, own: str) -> "tuple[Lump, Any]":
 
 
 def _meshed(part: Part, own: str) -> "tuple[Lump, Any]":
-    from dynamics_cli.inertia.solid_mesh import mesh_lump
+    from dynamics_cli.inertia.mesh.lift import Lift
+    from dynamics_cli.inertia.mesh.measured import measured, require_closed
 
-    volume, middle, second = mesh_lump(part.mesh, LengthUnit.metres[part.length_unit])
+    require(
+        part.length_unit is not None,
+        "{0} is a mesh without a unit of length",
+        own,
+        code="missing",
+        hint='length_unit = "mm", for example',
+    )
+    found = measured(part.mesh, shell=False)
+    require_closed(found, allowed=False)
+    require(found.moments.measure != 0.0, "the mesh of {0} encloses nothing", own, code="no-volume")
+    lift = Lift(found, part.length_unit, 0)  # type: ignore[arg-type]
+    volume = lift.measure()
     mass = mass_of(_amount(part, own), volume, 3, own)
-    share = mass / volume
-    return Lump(mass, middle, tuple(tuple(share * x for x in row) for row in second)), (3, volume)  # type: ignore[arg-type]
+    lump = Lump(mass, lift.centroid(), lift.second(mass / volume))
+    if hasattr(part.position[0], "error"):
+        return lump, (3, volume)
+    return each_number(lump, plain, type(volume)), (3, plain(volume))
 
 
-def each_number(tree: "Any", change: "Callable[[float], Any]") -> "Any":
-    """A tree of records and tuples with every float changed."""
-    if type(tree) is float:
+def each_number(tree: "Any", change: "Callable[[Any], Any]", kind: type = float) -> "Any":
+    """A tree of records and tuples with every number of a kind changed."""
+    if type(tree) is kind:
         return change(tree)
     if isinstance(tree, tuple):
-        return tuple(each_number(item, change) for item in tree)
+        return tuple(each_number(item, change, kind) for item in tree)
     if hasattr(tree, "fields"):
-        return type(tree)(**{name: each_number(getattr(tree, name), change) for name in tree.fields})
+        return type(tree)(**{name: each_number(getattr(tree, name), change, kind) for name in tree.fields})
     return tree

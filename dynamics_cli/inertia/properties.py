@@ -8,6 +8,7 @@ from dynamics_cli.inertia.lump import (
     less,
     minus,
     tensor_of,
+    transposed,
     turned,
 )
 from dynamics_cli.inertia.mesh.surface import Surface
@@ -310,7 +311,7 @@ class MassProperties:
 class View:
     """How a body is looked at: about which point, in which axes, with which sign of products, and about which shaft.
 
-    `rotation` has the axes looked along as its rows; None keeps the given ones.
+    `rotation` is that of the axes looked along, its columns, from the given ones; None keeps these.
     """
 
     def __init__(
@@ -332,7 +333,7 @@ class View:
         self.about = about
         self.point = point
         self.axes = axes
-        self.rotation = rotation
+        self.rotation = None if rotation is None else transposed(rotation)
         self.product_sign = product_sign
         self.shaft = shaft
 

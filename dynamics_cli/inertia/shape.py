@@ -1,7 +1,6 @@
 """Mass properties of one shape."""
 
 from dynamics_cli.inertia.amount import Amount, mass_of
-from dynamics_cli.inertia.lump import transposed
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point, properties
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.shapes import Shape
@@ -78,7 +77,7 @@ def shape(
         words,
         point,
         axes=axes,
-        rotation=None if turn is None else transposed(matrix_of(turn)),
+        rotation=None if turn is None else matrix_of(turn),
         product_sign=product_sign,
         shaft=shaft,
     )
