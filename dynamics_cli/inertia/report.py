@@ -29,7 +29,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     answer = properties(whole.lump, view, spread=whole.spread, **measures)
     rows, cancels = _shares(whole, view, answer)
     bounds: list[ErrorBound] = []
-    values = {name: _stated(name, getattr(answer, name), bounds) for name in answer.fields}  # type: ignore[attr-defined]
+    values = {name: stated(name, getattr(answer, name), bounds) for name in answer.fields}  # type: ignore[attr-defined]
     values |= {
         "parts": rows,
         "cancellation": cancels,
@@ -40,10 +40,10 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     return MassProperties(**values)
 
 
-def _stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
+def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
     """A scalar bare, its relative bound stated; a vector as it is, each component with its own bound."""
     if hasattr(value, "fields"):
-        return type(value)(**{part: _stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
+        return type(value)(**{part: stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
     error = getattr(value, "error", None)
     if error is None:
         return value

@@ -4,6 +4,10 @@ from dynamics_cli.core.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 HERE = "dynamics_cli.inertia."
+WRITERS = {
+    ending: HERE + "writers:" + name
+    for ending, name in (("urdf", "urdf"), ("sdf", "sdf"), ("mjcf", "mjcf"), ("xml", "mjcf"), ("md", "markdown"))
+}
 RIGID = "the body is rigid and of one density"
 
 SHAPE = Task(
@@ -17,6 +21,7 @@ SHAPE = Task(
         assumptions=(RIGID, "rods, laminae and shells have no thickness"),
     ),
     arrays=False,
+    writers=WRITERS,
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --density "2700 kg/m^3" --about origin',
@@ -98,10 +103,27 @@ BODY = Task(
     arrays=False,
     tracked=False,
     table="parts",
+    writers=WRITERS,
     examples=(
         "dynamics inertia body examples/flywheel.toml --shaft-direction 0,0,1",
         "dynamics inertia body examples/payload.toml --about origin --product-sign positive",
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (SHAPE, SHAPES, BODY, MATERIALS, TENSOR, TORQUE)
+COMPARE = Task(
+    "compare",
+    "Two bodies compared: mass, mass centre, moments, and how far their principal axes are turned.",
+    Model(
+        "composition",
+        HERE + "compare:compare",
+        source=BOOK + "sections 7.6 to 7.9",
+        assumptions=("both bodies are in one frame",),
+        method="composition of each; Jacobi rotations",
+    ),
+    arrays=False,
+    tracked=False,
+    table="moments",
+    examples=("dynamics inertia compare examples/compare_plates.toml",),
+)
+
+TASKS: "tuple[Task, ...]" = (SHAPE, SHAPES, BODY, COMPARE, MATERIALS, TENSOR, TORQUE)
