@@ -122,6 +122,7 @@ if TYPE_CHECKING:
     Inertia = float
     ProductOfInertia = float
     SecondMoment = float
+    SectionModulus = float
     # time and motion
     Time = float
     Speed = float
@@ -227,6 +228,9 @@ else:
     )
     SecondMoment = Kind(
         "second moment of area", "m^4", si="mm^4", us="in^4", example="1e4 mm^4", about="a second moment of area"
+    )
+    SectionModulus = Kind(
+        "section modulus", "m^3", si="mm^3", us="in^3", low=0.0, example="5000 mm^3", about="an elastic section modulus"
     )
     # time and motion
     Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
