@@ -26,4 +26,25 @@ MESH = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (MESH,)
+SECTION = Task(
+    "section",
+    "Area, centroid, second moments, principal axes and section moduli of a plane section with holes.",
+    Model(
+        "exact area integrals",
+        "dynamics_cli.inertia.section.task:section",
+        source=BOOK + "chapter 7 and appendix II; Mohr's circle: section 7.9",
+        formula="{area|A} = ½·Σ (xᵢ·yⱼ − xⱼ·yᵢ), Ix = Σ (xᵢ·yⱼ − xⱼ·yᵢ)·(yᵢ² + yᵢ·yⱼ + yⱼ²)/12 − A·ȳ², "
+        "{principal.i1|I₁} = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²)",
+        assumptions=("one material: all of the area counts alike", "bending moduli are elastic"),
+        method="exact rational arithmetic, rounded once",
+    ),
+    arrays=False,
+    tracked=False,
+    examples=(
+        'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
+        'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',
+        "dynamics inertia section --input examples/channel.toml",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (MESH, SECTION)
