@@ -19,39 +19,23 @@ def require_sound(found: "list[Contour]") -> None:
     """
     _require_no_crossing(found)
     for contour in found:
-        if contour.sign > 0:
-            continue
-        within = [other for other in found if other is not contour and _holds(other, contour)]
-        material = [other for other in within if other.sign > 0]
+        around = [other for other in found if other is not contour and _holds(other, contour)]
+        depth = sum(other.sign for other in around)
+        if contour.sign < 0:
+            require(
+                depth > 0,
+                "{0} does not lie within material",
+                contour.name,
+                code="hole-outside",
+                hint="a hole lies within one piece, and not within another hole",
+            )
         require(
-            len(material) == 1,
-            "{0} lies in {1} pieces of material",
-            contour.name,
-            len(material) or "no",
-            code="hole-outside",
-            hint="a hole lies within one piece",
-        )
-        outer = [other for other in within if other.sign < 0]
-        require(
-            not outer,
-            "{0} lies within {1}",
-            contour.name,
-            outer[0].name if outer else "",
-            code="holes-overlap",
-            hint="leave out the inner hole, or add a piece around it",
-        )
-    pieces = [contour for contour in found if contour.sign > 0]
-    for contour in pieces:
-        around = [other for other in pieces if other is not contour and _holds(other, contour)]
-        free = [
-            other for other in around if not any(h.sign < 0 and _holds(other, h) and _holds(h, contour) for h in found)
-        ]
-        require(
-            not free,
+            depth == (contour.sign < 0),
             "{0} lies within {1}: its material would count twice",
             contour.name,
-            free[0].name if free else "",
+            " and ".join(other.name for other in around),
             code="pieces-overlap",
+            hint="draw what overlaps as one polygon",
         )
 
 
@@ -78,6 +62,18 @@ def _require_no_crossing(found: "list[Contour]") -> None:
                 hint="give corners in order along the contour",
             )
         open_.append(side)
+    for outer in found:
+        for inner in found:
+            if outer is not inner and not (outer.diameter or inner.diameter):
+                places = _all_places(outer, inner)
+                require(
+                    min(places) >= 0 or max(places) <= 0,
+                    "{0} crosses {1}",
+                    inner.name,
+                    outer.name,
+                    code="polygon",
+                    hint="draw both as one polygon",
+                )
     _require_circles_clear(found)
 
 
@@ -113,33 +109,25 @@ def _holds(outer: "Contour", inner: "Contour") -> bool:
         (x, y), d = outer.corners[0], outer.diameter
         if inner.diameter:
             room = d - inner.diameter
-            return (
-                room >= 0
-                and 4 * _square(inner.corners[0], (x, y)) <= room * room
-                and room + d > 0
-                and inner.diameter < d
-            )
+            return room >= 0 and 4 * _square(inner.corners[0], (x, y)) <= room * room
         return all(4 * _square(corner, (x, y)) <= d * d for corner in inner.corners)
     if inner.diameter:
         return _places(outer, inner.corners[0]) > 0 and _bigger(outer, inner)
-    found = [_places(outer, corner) for corner in inner.corners]
-    if any(found):
-        return max(found, key=abs) > 0
-    # all corners are on the outline: the middles of the sides decide
-    doubled = [(2 * x, 2 * y) for x, y in outer.corners]
-    outer_twice = type(outer)(outer.name, outer.sign, doubled)
-    middles = [_places(outer_twice, (a[0] + b[0], a[1] + b[1])) for a, b in inner.sides()]
-    return all(place >= 0 for place in middles) and _area2(inner) < _area2(outer)
+    return min(_all_places(outer, inner)) >= 0
+
+
+def _all_places(outer: "Contour", inner: "Contour") -> "list[int]":
+    """Where the corners of one polygon, and the middles of its sides, are to another."""
+    twice = type(outer)(outer.name, outer.sign, [(2 * x, 2 * y) for x, y in outer.corners])
+    points = [(2 * x, 2 * y) for x, y in inner.corners]
+    points += [(a[0] + b[0], a[1] + b[1]) for a, b in inner.sides()]
+    return [_places(twice, point) for point in points]
 
 
 def _bigger(outer: "Contour", circle: "Contour") -> bool:
     """Whether a polygon around a circle's centre has every side outside the circle."""
     (x, y), d = circle.corners[0], circle.diameter
     return any(4 * _square(corner, (x, y)) >= d * d for corner in outer.corners)
-
-
-def _area2(contour: "Contour") -> int:
-    return abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in contour.sides()))
 
 
 def _places(outer: "Contour", point: "Point") -> int:

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 UNIT_ROUNDOFF = 2.0**-53
 # Moments closer than this share of the greatest are equal as far as the doubles given can tell.
 EQUAL = 8.0 * 2.0**-52
+# Second moments of anything smaller would leave the range of a double.
+SMALLEST = 1e-140
 METHOD = "exact rational arithmetic, rounded once"
 
 
@@ -175,8 +177,8 @@ def section(
 
     Equation
     --------
-    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1; about the centroid less A ȳ²;
-    I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
+    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
+    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
 
     Parameters
     ----------
@@ -222,6 +224,8 @@ def section(
     require_sound(found)
     sums = Integrals(found, power)
     require(sums.area > 0, "the holes leave no material", code="no-area")
+    up, down = sums.moment(sums.area, 2)
+    require(up / down > SMALLEST, "an area of {0:.3g} m² is out of range", up / down, code="range")
     return _Report(found, sums).made()
 
 
