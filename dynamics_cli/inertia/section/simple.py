@@ -21,11 +21,12 @@ def require_sound(found: "list[Contour]") -> None:
     for contour in found:
         around = [other for other in found if other is not contour and _holds(other, contour)]
         depth = sum(other.sign for other in around)
-        if contour.sign < 0:
+        if contour.sign < 0 or depth < 0:
+            holes = [contour] if contour.sign < 0 else [other for other in around if other.sign < 0]
             require(
-                depth > 0,
+                contour.sign < 0 < depth,
                 "{0} does not lie within material",
-                contour.name,
+                holes[0].name,
                 code="hole-outside",
                 hint="a hole lies within one piece, and not within another hole",
             )
