@@ -68,7 +68,7 @@ class ByMatrix:
     Parameters
     ----------
     rotation_matrix : tuple of Vector
-        Its three rows; its columns are the turned axes [-].
+        Its three rows, on the command line in parentheses; its columns are the turned axes [-].
     """
 
     rotation_matrix: tuple[Vector, ...]
