@@ -33,6 +33,8 @@ LARGEST = 1e55
 _SECOND, _FIRST, _CLOSURE, _SQUARES, _TOTAL, _AREA, _NORMALS = (
     slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20),
 )  # fmt: skip
+# Bits of the reference point's coordinates, as many as single precision has.
+_REFERENCE_BITS = 24
 _PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
@@ -205,7 +207,8 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 def _reference(corners: "Array") -> "Array":
     """A point near the first triangles, on a coarse grid so that differences from it are mostly exact."""
     mean = corners.reshape(3, 3, -1).mean(axis=(0, 2), dtype=np.float64)
-    return mean.astype(np.float32).astype(np.float64)[:, None]  # type: ignore[no-any-return]
+    share, exponent = np.frexp(mean)
+    return np.ldexp(np.round(share * 2.0**_REFERENCE_BITS), exponent - _REFERENCE_BITS)[:, None]  # type: ignore[no-any-return]
 
 
 def _box(corners: "Array", before: int) -> "tuple[Array, Array]":
