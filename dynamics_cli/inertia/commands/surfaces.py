@@ -1,6 +1,7 @@
 """Tasks of `dynamics inertia`: surfaces."""
 
 from dynamics_cli.core.task import Model, Task
+from dynamics_cli.inertia.commands.bodies import WRITERS
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 
@@ -19,6 +20,7 @@ MESH = Task(
         method="divergence theorem over triangles, in blocks",
     ),
     arrays=False,
+    writers=WRITERS,
     examples=(
         "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
         'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',

@@ -63,7 +63,10 @@ def vertex_hashes(corners: "Array", words: "Array", h: "Array", spare: "Array", 
         np.right_shift(bits, _SINGLE, out=words)
         np.multiply(words, _MIX, out=words)
     else:
-        np.multiply(bits, _MIX, out=words)
+        # signs and exponents are the topmost bits, which a product would push out: they are folded down first
+        np.right_shift(bits, _HALF, out=words)
+        np.bitwise_xor(words, bits, out=words)
+        np.multiply(words, _MIX, out=words)
     np.add(words[0::3], words[1::3], out=h)
     np.add(h, words[2::3], out=h)
     np.right_shift(h, _HALF, out=spare)
