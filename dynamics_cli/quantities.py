@@ -166,6 +166,8 @@ if TYPE_CHECKING:
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
     PartPosition = tuple[float, float, float]
+    PartLengths = tuple[float, float, float]
+    InertiaTriple = tuple[float, float, float]
     TorqueVector = tuple[float, float, float]
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
@@ -346,6 +348,26 @@ else:
         us="in",
         example="10, 0, 25 mm",
         about="a point of a machine part",
+    )
+    PartLengths = Kind(
+        "part lengths",
+        "m",
+        form="vector",
+        size=3,
+        si="mm",
+        us="in",
+        example="10, 20, 30 mm",
+        about="three lengths of a machine part",
+    )
+    InertiaTriple = Kind(
+        "moments of inertia",
+        "kg*m^2",
+        form="vector",
+        size=3,
+        si="kg*m^2",
+        us="slug*ft^2",
+        example="2, 3, 4 kg*m^2",
+        about="three moments or products of inertia",
     )
     TorqueVector = Kind(
         "torque vector",

@@ -1,10 +1,10 @@
-"""Mass properties of an assembly: shapes, meshes, measured parts, point masses and holes, composed about their own mass centre."""
+"""Mass properties of an assembly of shapes, meshes, measured parts, point masses and holes."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.compose import composed
+from dynamics_cli.inertia.lump import IDENTITY
 from dynamics_cli.inertia.parts import Part, Walk, each_number
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point
-from dynamics_cli.inertia.lump import IDENTITY
 from dynamics_cli.inertia.report import reported
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.quantities import PartPosition, Text
@@ -113,7 +113,7 @@ def body(
 
 
 def compose_scene(scene: Assembly) -> "Composed":
-    """Walk an assembly and put its parts together, on numbers that carry their rounding where there are not too many."""
+    """Put an assembly together, on numbers that carry their rounding where there are not too many."""
     from dynamics_cli.numerics.tracked import Tracked
 
     parts = scene.parts

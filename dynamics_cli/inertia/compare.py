@@ -160,9 +160,7 @@ def _numbers(a: "Composed", b: "Composed") -> "list[tuple[str, float, float]]":
     one, two = tensor_of(a.lump.second), tensor_of(b.lump.second)
     names = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
     rows = [(name, one[i][j], two[i][j]) for name, i, j in names]
-    for k in range(3):
-        rows.append((f"principal {k + 1}", a.spread.moments[k], b.spread.moments[k]))
-    return rows
+    return rows + [(f"principal {k + 1}", a.spread.moments[k], b.spread.moments[k]) for k in range(3)]
 
 
 def _row(name: str, first: float, second: float) -> MomentRow:

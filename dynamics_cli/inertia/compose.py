@@ -86,7 +86,7 @@ def _require_body(whole: Lump, spread: Spread) -> None:
     room = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))
     require(
         plain(least) >= -room,
-        "what is left has the second moment {0:.6g} kg·m² along an axis: a hole is larger than its body or lies outside",
+        "the second moment {0:.6g} kg·m² is left along an axis: a hole is larger than its body or lies outside",
         least,
         code="hole",
         hint="check positions and sizes of what is subtracted",

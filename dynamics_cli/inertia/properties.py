@@ -1,43 +1,44 @@
 """Mass properties as every task of this family reports them: one record, made of a lump and of how it is looked at."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.lines import shaft_moment
 from dynamics_cli.inertia.lump import (
     IDENTITY,
     Lump,
     about,
-    less,
     minus,
     tensor_of,
     transposed,
     turned,
 )
 from dynamics_cli.inertia.mesh.surface import Surface
-from dynamics_cli.inertia.spread import Spread, spread_of
-from dynamics_cli.numerics.elementary import hypot, sqrt
+from dynamics_cli.inertia.results import (
+    AxisMoments,
+    AxisProducts,
+    Cancellation,
+    Deviation,
+    PartShare,
+    PrincipalMoments,
+    ShaftMoment,
+)
+from dynamics_cli.inertia.spread import Spread, ellipsoid, root, spread_of
 from dynamics_cli.quantities import (
     Area,
     Direction,
     Distance,
-    Inertia,
     InertiaTensor,
     Mass,
+    PartLengths,
     PartPosition,
-    ProductOfInertia,
-    Ratio,
-    SignedMass,
-    Size,
     Text,
+    Vector,
     Volume,
 )
-from dynamics_cli.records import Advice, Check, Choice, Measured, Numerics, record
+from dynamics_cli.records import Advice, Check, Choice, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.inertia.lump import Matrix, Vector
-
-# One avoirdupois pound [kg], one foot and one inch [m], one pound-force second squared per inch [kg]; the last is lbf·s²/in.
-POUND, FOOT, INCH = 0.45359237, 0.3048, 0.0254
-SNAIL = POUND * 9.80665 / INCH
+    from dynamics_cli.inertia.lump import Matrix
 
 
 class Axes(Choice):
@@ -70,154 +71,6 @@ class Shaft:
 
 
 @record
-class ShaftMoment:
-    """What a shaft feels of a body.
-
-    Parameters
-    ----------
-    moment : Inertia
-        Moment of inertia about the shaft [kg*m^2].
-    radius_of_gyration : Size
-        Radius of gyration about the shaft [m].
-    eccentricity : Size
-        Distance of the mass centre from the shaft [m].
-    wr2 : Measured
-        WR², weight times radius of gyration squared, as motor tables give it [lb*ft^2].
-    gd2 : Measured
-        GD² = 4 J, weight times diameter of gyration squared, as older metric tables give it [kg*m^2].
-    inertia_lbf_in_s2 : Measured
-        The moment in lbf·in·s², as motion control catalogues give it.
-    """
-
-    moment: Inertia
-    radius_of_gyration: Size
-    eccentricity: Size
-    wr2: Measured
-    gd2: Measured
-    inertia_lbf_in_s2: Measured
-
-
-@record
-class AxisMoments:
-    """Moments of inertia about three axes.
-
-    Parameters
-    ----------
-    xx : Inertia
-        About x [kg*m^2].
-    yy : Inertia
-        About y [kg*m^2].
-    zz : Inertia
-        About z [kg*m^2].
-    """
-
-    xx: Inertia
-    yy: Inertia
-    zz: Inertia
-
-
-@record
-class AxisProducts:
-    """Products of inertia of three axes.
-
-    Parameters
-    ----------
-    xy : ProductOfInertia
-        Of x and y [kg*m^2].
-    yz : ProductOfInertia
-        Of y and z [kg*m^2].
-    zx : ProductOfInertia
-        Of z and x [kg*m^2].
-    """
-
-    xy: ProductOfInertia
-    yz: ProductOfInertia
-    zx: ProductOfInertia
-
-
-@record
-class PrincipalMoments:
-    """Principal moments of inertia, the smallest first.
-
-    Parameters
-    ----------
-    first : Inertia
-        The smallest [kg*m^2].
-    second : Inertia
-        The one between [kg*m^2].
-    third : Inertia
-        The greatest [kg*m^2].
-    """
-
-    first: Inertia
-    second: Inertia
-    third: Inertia
-
-
-@record
-class PartShare:
-    """What one part brings.
-
-    Parameters
-    ----------
-    part : Text
-        Its name, after those of the assemblies it is in.
-    mass : SignedMass
-        Its mass, negative for what is cut out [kg].
-    centroid : PartPosition
-        Its mass centre, in the given axes [m].
-    moments : tuple of ProductOfInertia
-        What it adds to the moments xx, yy, zz, its offset from the reference point included [kg*m^2].
-    """
-
-    part: Text
-    mass: SignedMass
-    centroid: PartPosition
-    moments: tuple[ProductOfInertia, ...]
-
-
-@record
-class Cancellation:
-    """How much of what the parts bring cancels: the sum of sizes over the size of the sum; digits are lost by it.
-
-    Parameters
-    ----------
-    mass : Ratio
-        Of the mass [-].
-    moments : tuple of Ratio
-        Of the moments xx, yy, zz about the reference point [-].
-    """
-
-    mass: Ratio
-    moments: tuple[Ratio, ...]
-
-
-@record
-class Deviation:
-    """Standard uncertainties that those of the measured parts lead to, in first order, the parts independent.
-
-    Parameters
-    ----------
-    mass : Mass
-        Of the mass [kg].
-    centroid : PartPosition
-        Of the mass centre's coordinates [m].
-    moments : tuple of Inertia
-        Of the moments xx, yy, zz about the mass centre, in the given axes [kg*m^2].
-    products : tuple of Inertia
-        Of the products xy, yz, zx about the mass centre, in the given axes [kg*m^2].
-    principal_moments : tuple of Inertia
-        Of the principal moments, their axes held [kg*m^2].
-    """
-
-    mass: Mass
-    centroid: PartPosition
-    moments: tuple[Inertia, ...]
-    products: tuple[Inertia, ...]
-    principal_moments: tuple[Inertia, ...]
-
-
-@record
 class MassProperties:
     """Mass, mass centre and inertia of a body.
 
@@ -246,8 +99,8 @@ class MassProperties:
     products : AxisProducts
         Products of inertia about the reference point, of the sign that `product_sign` says.
     tensor : InertiaTensor
-        The inertia tensor (the matrix of the inertia dyadic) about the reference point; off the diagonal −∫ x y dm [kg*m^2].
-    radii_of_gyration : tuple of Size
+        The inertia tensor (the dyadic's matrix) about the reference point; off the diagonal −∫ x y dm [kg*m^2].
+    radii_of_gyration : PartLengths
         √(moment/mass) about the three axes through the reference point [m].
     second_moments : InertiaTensor
         The matrix ∫ r rᵀ dm about the mass centre, in the same axes [kg*m^2].
@@ -257,13 +110,13 @@ class MassProperties:
         Unit vectors along the principal axes, in the given axes, one a row [-].
     degeneracy : Text
         Which principal axes are not determined because moments are equal, or that all are.
-    principal_radii : tuple of Size
+    principal_radii : PartLengths
         Radii of gyration about the principal axes [m].
-    ellipsoid_axes : tuple of Ratio
+    ellipsoid_axes : Vector
         Semi-axes 1/√I of the inertia ellipsoid along the principal axes, as shares of the longest [-].
-    equivalent_ellipsoid : tuple of Size
+    equivalent_ellipsoid : PartLengths
         Semi-axes along the principal axes of the solid ellipsoid of the same mass and inertia [m].
-    equivalent_box : tuple of Size
+    equivalent_box : PartLengths
         Sides along the principal axes of the solid box of the same mass and inertia [m].
     shaft : ShaftMoment
         What turning about the shaft takes, when one is given.
@@ -289,15 +142,15 @@ class MassProperties:
     moments: AxisMoments
     products: AxisProducts
     tensor: InertiaTensor
-    radii_of_gyration: tuple[Size, ...]
+    radii_of_gyration: PartLengths
     second_moments: InertiaTensor
     principal_moments: PrincipalMoments
     principal_axes: tuple[Direction, ...]
     degeneracy: Text
-    principal_radii: tuple[Size, ...]
-    ellipsoid_axes: tuple[Ratio, ...]
-    equivalent_ellipsoid: tuple[Size, ...]
-    equivalent_box: tuple[Size, ...]
+    principal_radii: PartLengths
+    ellipsoid_axes: Vector
+    equivalent_ellipsoid: PartLengths
+    equivalent_box: PartLengths
     shaft: ShaftMoment | None = None
     cancellation: Cancellation | None = None
     standard_uncertainty: Deviation | None = None
@@ -364,58 +217,6 @@ def named_point(
     return about, None if about == "centroid" else (0.0, 0.0, 0.0)
 
 
-def root(x: float) -> float:
-    """√x, zero where rounding made a zero negative."""
-    return sqrt(x) if x > 0.0 else 0.0
-
-
-def unit(direction: "Vector") -> "Vector":
-    """The unit vector along a direction; a vector along an axis keeps its exact zeros."""
-    length = hypot(hypot(direction[0], direction[1]), direction[2])
-    require(length > 0.0, "the direction has no length", code="direction")
-    return direction[0] / length, direction[1] / length, direction[2] / length
-
-
-def complement(u: "Vector") -> "tuple[Vector, Vector]":
-    """Two unit vectors across `u` and across each other; exact for an axis."""
-    x, y, z = u
-    size = tuple(abs(part) for part in u)
-    if size[0] <= size[1] and size[0] <= size[2]:
-        first = (0.0, z, -y)
-    elif size[1] <= size[2]:
-        first = (-z, 0.0, x)
-    else:
-        first = (y, -x, 0.0)
-    a, b, c = first = unit(first)
-    return first, (y * c - z * b, z * a - x * c, x * b - y * a)
-
-
-def moment_about(lump: Lump, point: "Vector", direction: "Vector") -> "tuple[float, float]":
-    """Moment of inertia about a line, as the sum of two second moments across it, and the mass centre's distance."""
-    moment = distance = 0.0
-    d = less(lump.centroid, point)
-    for e in complement(unit(direction)):
-        along = turned(lump.second, (e, e, e))[0][0]
-        off = e[0] * d[0] + e[1] * d[1] + e[2] * d[2]
-        moment = moment + along + lump.mass * off * off
-        distance = hypot(distance, off)
-    return moment, distance
-
-
-def shaft_moment(lump: Lump, shaft: Shaft) -> ShaftMoment:
-    """Moment about a shaft in the units that people who turn shafts read."""
-    moment, distance = moment_about(lump, shaft.point, shaft.direction)
-    number = getattr(moment, "value", moment)
-    return ShaftMoment(
-        moment=moment,
-        radius_of_gyration=root(moment / lump.mass),
-        eccentricity=distance,
-        wr2=Measured(number / (POUND * FOOT * FOOT), "lb*ft^2"),
-        gd2=Measured(4.0 * number, "kg*m^2"),
-        inertia_lbf_in_s2=Measured(number / (SNAIL * INCH * INCH), "lbf*in*s^2"),
-    )
-
-
 def properties(
     lump: Lump,
     view: View,
@@ -431,7 +232,7 @@ def properties(
     advice: tuple[Advice, ...] = (),
     numerics: Numerics | None = None,
 ) -> MassProperties:
-    """Report a body as `view` looks at it; `spread` when the principal second moments are known better than `lump` says.
+    """Report a body as `view` looks at it; `spread` when principal second moments are known better than by `lump`.
 
     Raises
     ------
@@ -485,11 +286,3 @@ def _axes(view: View, own: Spread) -> "tuple[str, Matrix]":
     if view.rotation is not None:
         return "turned", view.rotation
     return "given", IDENTITY
-
-
-def ellipsoid(moments: "tuple[float, ...]") -> "tuple[float, ...]":
-    """Semi-axes 1/√I over the longest; a body without inertia about an axis has an ellipsoid that is a line."""
-    least = moments[0]
-    if not least > 0.0:
-        return tuple(1.0 if not moment > 0.0 else 0.0 for moment in moments)
-    return tuple(root(least / moment) for moment in moments)

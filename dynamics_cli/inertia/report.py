@@ -1,13 +1,8 @@
 """An assembly reported: a row for each part, what cancels, standard uncertainties, and the bounds of it all."""
 
 from dynamics_cli.inertia.lump import Lump, about, tensor_of, turned
-from dynamics_cli.inertia.properties import (
-    Cancellation,
-    MassProperties,
-    PartShare,
-    View,
-    properties,
-)
+from dynamics_cli.inertia.properties import MassProperties, View, properties
+from dynamics_cli.inertia.results import Cancellation, PartShare
 from dynamics_cli.inertia.rollup import deviation
 from dynamics_cli.inertia.spread import plain
 from dynamics_cli.records import Advice, ErrorBound, Numerics
@@ -35,7 +30,9 @@ def reported(whole: "Composed", view: View) -> MassProperties:
         "cancellation": cancels,
         "standard_uncertainty": deviation(whole),
         "advice": _advice(cancels, whole),
-        "numerics": Numerics("composition about the running mass centre; Jacobi rotations in two passes", tuple(bounds)),
+        "numerics": Numerics(
+            "composition about the running mass centre; Jacobi rotations in two passes", tuple(bounds)
+        ),
     }
     return MassProperties(**values)
 

@@ -1,7 +1,7 @@
 """Standard uncertainties of measured parts rolled up to the assembly, in first order and for independent parts."""
 
 from dynamics_cli.inertia.lump import IDENTITY, less, product
-from dynamics_cli.inertia.properties import Deviation
+from dynamics_cli.inertia.results import Deviation
 from dynamics_cli.inertia.spread import plain
 
 TYPE_CHECKING = False
@@ -26,7 +26,6 @@ def deviation(whole: "Composed") -> Deviation | None:
     ]
     if not leaves:
         return None
-    mass = centroid = [0.0] * 3
     total = plain(whole.lump.mass)
     middle = tuple(plain(x) for x in whole.lump.centroid)
     mass_variance = 0.0

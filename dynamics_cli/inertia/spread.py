@@ -2,14 +2,16 @@
 
 from dynamics_cli.inertia.lump import turned
 from dynamics_cli.inertia.principal import principal
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.lump import Matrix, Vector
 
+
 class Spread:
-    """Second moments along the principal axes, the moments about them (smallest first), the axes, what is undetermined."""
+    """Second moments along the principal axes, moments about them (smallest first), axes, what is undetermined."""
 
     __slots__ = ("axes", "degeneracy", "moments", "seconds")
 
@@ -23,6 +25,19 @@ class Spread:
 def plain(x: float) -> float:
     """The number inside a tracked number; a float as it is."""
     return getattr(x, "value", x)
+
+
+def root(x: float) -> float:
+    """√x, zero where rounding made a zero negative."""
+    return sqrt(x) if x > 0.0 else 0.0
+
+
+def ellipsoid(moments: "tuple[float, ...]") -> "tuple[float, ...]":
+    """Semi-axes 1/√I over the longest; a body without inertia about an axis has an ellipsoid that is a line."""
+    least = moments[0]
+    if not least > 0.0:
+        return tuple(1.0 if not moment > 0.0 else 0.0 for moment in moments)
+    return tuple(root(least / moment) for moment in moments)
 
 
 def spread_of(second: "Matrix") -> Spread:

@@ -1,22 +1,26 @@
-"""What a given inertia tensor says: its principal moments and axes, whether a body can have it, its extreme products."""
+"""What a given inertia tensor says: principal moments and axes, whether a body can have it, extreme products."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.lines import unit
 from dynamics_cli.inertia.lump import minus, second_of, symmetric, turned
 from dynamics_cli.inertia.principal import principal
-from dynamics_cli.inertia.properties import PrincipalMoments, ProductSign, ellipsoid, root, unit
+from dynamics_cli.inertia.properties import ProductSign
+from dynamics_cli.inertia.results import PrincipalMoments
 from dynamics_cli.inertia.rotation import Turn, matrix_of
-from dynamics_cli.inertia.spread import bounded, plain
+from dynamics_cli.inertia.spread import bounded, ellipsoid, plain, root
 from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.quantities import (
     Direction,
     Inertia,
     InertiaTensor,
+    InertiaTriple,
     Mass,
+    PartLengths,
     Positive,
     ProductOfInertia,
     Ratio,
-    Size,
     Text,
+    Vector,
 )
 from dynamics_cli.records import Advice, record
 
@@ -62,7 +66,7 @@ class Parts:
 
     moments: tuple[Inertia, ...]
     products: tuple[ProductOfInertia, ...] = (0.0, 0.0, 0.0)
-    given_sign: ProductSign = ProductSign("negative")  # noqa: RUF009
+    given_sign: ProductSign = ProductSign("negative")
 
     def matrix(self) -> "Matrix":
         """The tensor."""
@@ -88,15 +92,15 @@ class TensorProperties:
         Which principal axes are not determined because moments are equal, or that all are.
     slack : Ratio
         (I₁ + I₂ − I₃)/I₃, which no body has below zero; a lamina has zero [-].
-    extreme_products : tuple of Inertia
-        Greatest products in the planes of principal axes 2-3, 3-1 and 1-2, half the difference of their moments [kg*m^2].
+    extreme_products : InertiaTriple
+        Greatest products in the planes of principal axes 2-3, 3-1 and 1-2 [kg*m^2].
     greatest_product : Inertia
         The greatest product of inertia for any two axes, (I₃ − I₁)/2 [kg*m^2].
     greatest_product_axes : tuple of Direction
         Two axes with that product, halfway between principal axes 1 and 3 [-].
     moment_there : Inertia
         The moment about either of these two axes, (I₁ + I₃)/2 [kg*m^2].
-    ellipsoid_axes : tuple of Ratio
+    ellipsoid_axes : Vector
         Semi-axes 1/√I of the inertia ellipsoid along the principal axes, as shares of the longest [-].
     tensor : InertiaTensor
         The tensor, in the turned axes where a rotation is given; off the diagonal −∫ x y dm [kg*m^2].
@@ -104,9 +108,9 @@ class TensorProperties:
         What products mean.
     direction_moment : Inertia
         Moment about the axis along `direction`, when it is given [kg*m^2].
-    radii_of_gyration : tuple of Size
+    radii_of_gyration : PartLengths
         Radii of gyration about the principal axes, when the mass is given [m].
-    equivalent_box : tuple of Size
+    equivalent_box : PartLengths
         Sides along the principal axes of the solid box of the same mass and inertia, when the mass is given [m].
     """
 
@@ -114,16 +118,16 @@ class TensorProperties:
     principal_axes: tuple[Direction, ...]
     degeneracy: Text
     slack: Ratio
-    extreme_products: tuple[Inertia, ...]
+    extreme_products: InertiaTriple
     greatest_product: Inertia
     greatest_product_axes: tuple[Direction, ...]
     moment_there: Inertia
-    ellipsoid_axes: tuple[Ratio, ...]
+    ellipsoid_axes: Vector
     tensor: InertiaTensor
     product_sign: Text
     direction_moment: Inertia | None = None
-    radii_of_gyration: tuple[Size, ...] | None = None
-    equivalent_box: tuple[Size, ...] | None = None
+    radii_of_gyration: PartLengths | None = None
+    equivalent_box: PartLengths | None = None
     advice: tuple[Advice, ...] = ()
 
 
@@ -139,7 +143,7 @@ def tensor(
 
     Equation
     --------
-    det(I − λ·1) = 0; the greatest product for any axes is (I₃ − I₁)/2, about axes at 45° between principal axes 1 and 3.
+    det(I − λ·1) = 0; the greatest product of any axes is (I₃ − I₁)/2, at 45° between principal axes 1 and 3.
 
     Parameters
     ----------
@@ -247,7 +251,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
     )
     require(
         least + middle - most >= -room,
-        "no body has these principal moments: {2:.6g} exceeds the sum of {0:.6g} and {1:.6g} kg·m² by {3:.3g} of itself",
+        "no body has these moments: {2:.6g} exceeds the sum of {0:.6g} and {1:.6g} kg·m² by {3:.3g} of itself",
         least,
         middle,
         most,

@@ -61,14 +61,16 @@ def markdown(answer: "MassProperties") -> str:
     lines.append(f"| moments and products about | {body.about}, {_listed(body.reference_point)} | m |")
     lines.append(f"| axes | {body.axes} | |")
     lines.append(f"| product sign | {body.product_sign} | |")
-    for name in ("xx", "yy", "zz"):
-        lines.append(f"| I{name} | {getattr(body.moments, name)!r} | kg·m² |")
-    for name in ("xy", "yz", "zx"):
-        lines.append(f"| I{name} | {getattr(body.products, name)!r} | kg·m² |")
-    lines += ["", "## Principal axes about the mass centre", "", "| moment kg·m² | axis | radius of gyration m |", "|---|---|---|"]
-    for name, axis, radius in zip(
-        ("first", "second", "third"), body.principal_axes, body.principal_radii, strict=True
-    ):
+    lines += [f"| I{name} | {getattr(body.moments, name)!r} | kg·m² |" for name in ("xx", "yy", "zz")]
+    lines += [f"| I{name} | {getattr(body.products, name)!r} | kg·m² |" for name in ("xy", "yz", "zx")]
+    lines += [
+        "",
+        "## Principal axes about the mass centre",
+        "",
+        "| moment kg·m² | axis | radius of gyration m |",
+        "|---|---|---|",
+    ]
+    for name, axis, radius in zip(("first", "second", "third"), body.principal_axes, body.principal_radii, strict=True):
         lines.append(f"| {getattr(body.principal_moments, name)!r} | {_listed(axis)} | {radius!r} |")
     lines += ["", f"Undetermined: {body.degeneracy}."]
     lines += _parts(body)
@@ -78,7 +80,13 @@ def markdown(answer: "MassProperties") -> str:
 def _parts(body: "MassProperties") -> list[str]:
     if not body.parts:
         return []
-    rows = ["", "## Parts", "", "| part | mass kg | mass centre m | share of Ixx, Iyy, Izz kg·m² |", "|---|---|---|---|"]
+    rows = [
+        "",
+        "## Parts",
+        "",
+        "| part | mass kg | mass centre m | share of Ixx, Iyy, Izz kg·m² |",
+        "|---|---|---|---|",
+    ]
     for part in body.parts:
         name = part.part.replace("|", "\\|")
         rows.append(f"| {name} | {part.mass!r} | {_listed(part.centroid)} | {_listed(part.moments)} |")
@@ -94,9 +102,7 @@ def _tensor(body: "MassProperties") -> "Matrix":
         return tensor_of(body.second_moments)
     moments = (body.principal_moments.first, body.principal_moments.second, body.principal_moments.third)
     axes = body.principal_axes
-    return tuple(
-        tuple(sum(moments[k] * axes[k][i] * axes[k][j] for k in range(3)) for j in range(3)) for i in range(3)
-    )  # type: ignore[return-value]
+    return tuple(tuple(sum(moments[k] * axes[k][i] * axes[k][j] for k in range(3)) for j in range(3)) for i in range(3))  # type: ignore[return-value]
 
 
 def _elements(tensor: "Matrix") -> tuple[float, ...]:

@@ -76,9 +76,7 @@ def test_an_offset_costs_no_digit_of_the_moments(seed: int, far: float) -> None:
     exact = tuple(
         Part(**{**part.__dict__, "position": tuple(round(x * 1024) / 1024 for x in part.position)}) for part in items
     )
-    away = tuple(
-        Part(**{**part.__dict__, "position": tuple(x + far for x in part.position)}) for part in exact
-    )
+    away = tuple(Part(**{**part.__dict__, "position": tuple(x + far for x in part.position)}) for part in exact)
     same(solved(*exact), solved(*away), 4e-15)
 
 
@@ -179,7 +177,9 @@ def test_scenes_that_contradict_themselves_are_refused(items: tuple[Part, ...], 
 
 def test_about_a_named_part() -> None:
     hub = Part(name="hub", amount=OfMass(2.0), position=(1.0, 0.0, 0.0))
-    arm = Part(name="arm", parts=(Part(name="tip", amount=OfMass(1.0), position=(0.0, 3.0, 0.0)),), position=(1.0, 0.0, 0.0))
+    arm = Part(
+        name="arm", parts=(Part(name="tip", amount=OfMass(1.0), position=(0.0, 3.0, 0.0)),), position=(1.0, 0.0, 0.0)
+    )
     found = solved(hub, arm, about="hub")
     assert found.reference_point == (1.0, 0.0, 0.0)
     assert found.moments.xx == 9.0
@@ -224,7 +224,9 @@ def test_rolled_up_uncertainties_are_the_first_order_ones(seed: int) -> None:
         ends = []
         for sign in (1.0, -1.0):
             moved = list(items)
-            moved[index] = Part(**{**items[index].__dict__, name: change(getattr(items[index], name), sign * 1e-3 * sigma)})
+            moved[index] = Part(
+                **{**items[index].__dict__, name: change(getattr(items[index], name), sign * 1e-3 * sigma)}
+            )
             ends.append(solved(*moved))
         for address, get in GETTERS.items():
             sums[address] = sums.get(address, 0.0) + ((get(ends[0]) - get(ends[1])) / 2e-3) ** 2

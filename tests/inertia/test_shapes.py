@@ -31,8 +31,8 @@ from dynamics_cli.inertia.shapes import (
     Frustum,
     FrustumShell,
     HalfDisk,
-    HemisphericalShell,
     Hemisphere,
+    HemisphericalShell,
     HollowBlock,
     HollowCylinder,
     HollowFrustum,
@@ -94,9 +94,13 @@ def test_a_thin_wall_tends_to_the_shell(r: float, length: float) -> None:
     alike(HollowSphere(r, thin * r), SphericalShell(r), 1e-8, measure=False)
     alike(HollowHemisphere(r, thin * r), HemisphericalShell(r), 1e-8, measure=False)
     alike(HollowCylinder(r, thin * r, length), CylindricalShell(r, length), 1e-8, measure=False)
-    alike(ClosedCylinder(r, thin * min(r, length), length), CylindricalShell(r, length, Ends("both")), 1e-7, measure=False)
+    alike(
+        ClosedCylinder(r, thin * min(r, length), length), CylindricalShell(r, length, Ends("both")), 1e-7, measure=False
+    )
     alike(HollowTorus(6.0, r, thin * r), TorusShell(6.0, r), 1e-8, measure=False)
-    assert HollowSphere(r, thin * r).unit().measure == pytest.approx(SphericalShell(r).unit().measure * thin * r, rel=1e-8)
+    assert HollowSphere(r, thin * r).unit().measure == pytest.approx(
+        SphericalShell(r).unit().measure * thin * r, rel=1e-8
+    )
 
 
 @given(SIZE, SIZE, SIZE)
@@ -133,7 +137,7 @@ def test_series_and_closed_forms_meet_at_their_switch(cls: type, switch: float) 
 
 @pytest.mark.parametrize("cls", [c for members in (RODS, PLATES) for c in members.__args__])
 def test_a_lamina_has_no_second_moment_across_it(cls: type) -> None:
-    made = {name: 0.7 for name in cls.fields}  # type: ignore[attr-defined]
+    made = dict.fromkeys(cls.fields, 0.7)  # type: ignore[attr-defined]
     if "vertices" in made:
         made = {"vertices": (Vertex(0.0, 0.0), Vertex(1.0, 0.0), Vertex(0.3, 0.8))}
     if "thickness" in made:

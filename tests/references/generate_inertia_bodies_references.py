@@ -162,7 +162,13 @@ def shapes(generator: random.Random) -> Iterator[Case]:
     for shape in ("arc-rod", "sector"):
         for angle in arcs:
             why = "moments of a short arc cancel to the fourth power of its angle; or beside a switch of series"
-            yield "shape", "hard", f"{shape} of {angle} rad", why, {"shape": shape, "radius": 1.7, "angle": angle, "mass": 2.0}
+            yield (
+                "shape",
+                "hard",
+                f"{shape} of {angle} rad",
+                why,
+                {"shape": shape, "radius": 1.7, "angle": angle, "mass": 2.0},
+            )
     for at in (1e3, 1e8):
         why = f"a polygon at {at:g} of its sizes from the origin"
         corners = star(generator, 6, (at, -at))
@@ -307,13 +313,29 @@ def bodies(generator: random.Random) -> Iterator[Case]:
         yield "body", "ordinary", f"{count} parts", "", {"parts": [part(generator) for _ in range(count)]}
     for _ in range(4):
         inner = [part(generator) for _ in range(3)]
-        yield "body", "ordinary", "nested", "", {"parts": [part(generator), {"parts": inner, **turned(generator), "position": [0.3, 0.2, 1.0]}]}
+        yield (
+            "body",
+            "ordinary",
+            "nested",
+            "",
+            {"parts": [part(generator), {"parts": inner, **turned(generator), "position": [0.3, 0.2, 1.0]}]},
+        )
     plate = {"shape": "block", "width": 1.0, "depth": 0.6, "height": 0.05, "density": 7850.0}
     bore = {"shape": "cylinder", "radius": 0.1, "length": 0.05, "density": 7850.0, "subtract": True}
     holes = [{**bore, "position": [x, y, 0.0]} for x, y in ((0.3, 0.1), (-0.3, 0.1), (0.0, -0.15))]
     yield "body", "ordinary", "plate with bores", "", {"parts": [plate, *holes]}
-    measured = {"mass": 3.0, "centroid": [0.1, -0.2, 0.05], "tensor": [[0.5, 0.02, -0.01], [0.02, 0.4, 0.03], [-0.01, 0.03, 0.6]]}
-    yield "body", "ordinary", "measured", "", {"parts": [{**measured, **LEAN, "position": [1.0, 2.0, 3.0]}, part(generator)]}
+    measured = {
+        "mass": 3.0,
+        "centroid": [0.1, -0.2, 0.05],
+        "tensor": [[0.5, 0.02, -0.01], [0.02, 0.4, 0.03], [-0.01, 0.03, 0.6]],
+    }
+    yield (
+        "body",
+        "ordinary",
+        "measured",
+        "",
+        {"parts": [{**measured, **LEAN, "position": [1.0, 2.0, 3.0]}, part(generator)]},
+    )
     for at in (1e3, 1e5, 1e8):
         why = f"parts {at:g} of their sizes from the origin: sums about the origin lose twice as many digits"
         far = [part(generator) for _ in range(4)]
@@ -323,7 +345,13 @@ def bodies(generator: random.Random) -> Iterator[Case]:
     for name, thin in (("needle", NEEDLE), ("plate", PLATE)):
         for at in (0.0, 10.0):
             why = "the least second moment is 1e-12 of the greatest, in axes where no element of the matrix shows it"
-            yield "body", "hard", f"{name} 1e6 turned, at {at:g}", why, {"parts": [{**thin, **LEAN, "position": [at, -at, 0.3 * at]}]}
+            yield (
+                "body",
+                "hard",
+                f"{name} 1e6 turned, at {at:g}",
+                why,
+                {"parts": [{**thin, **LEAN, "position": [at, -at, 0.3 * at]}]},
+            )
     why = "two needles end to end, turned: both the needles' own and their transport terms must be seen along them"
     row = [{**NEEDLE, "position": [0.0, 0.0, 0.0]}, {**NEEDLE, "position": [1.0, 0.0, 0.0]}]
     yield "body", "hard", "two needles in a turned frame", why, {"parts": [{"parts": row, **LEAN}]}
@@ -335,7 +363,18 @@ def bodies(generator: random.Random) -> Iterator[Case]:
     why = "a hole given before the body it is cut from: the running mass must not pass through nothing"
     yield "body", "hard", "hole first", why, {"parts": [{**bore, "position": [0.2, 0.0, 0.0]}, plate]}
     why = "masses 1e12 apart: the small one moves nothing but its own row"
-    yield "body", "hard", "a grain on a hull", why, {"parts": [{"mass": 1e6, **{k: v for k, v in PLATE.items() if k != "mass"}}, {"mass": 1e-6, "position": [5.0, 0.0, 0.0]}]}
+    yield (
+        "body",
+        "hard",
+        "a grain on a hull",
+        why,
+        {
+            "parts": [
+                {"mass": 1e6, **{k: v for k, v in PLATE.items() if k != "mass"}},
+                {"mass": 1e-6, "position": [5.0, 0.0, 0.0]},
+            ]
+        },
+    )
     why = "a point mass alone has no inertia about itself: zero, and not rounding"
     yield "body", "hard", "one point", why, {"parts": [{"mass": 2.5, "position": [0.1, 0.7, -3.3]}]}
     why = "points on a line in no axis: a rod whose moment about itself is rounding of the transport terms"
@@ -353,7 +392,13 @@ def tensors(generator: random.Random) -> Iterator[Case]:
     for _ in range(6):
         a, b = draw(generator, 0.5, 4.0), draw(generator, 0.5, 4.0)
         spec = {"quaternion": [generator.uniform(-1.0, 1.0) for _ in range(4)]}
-        yield "tensor", "ordinary", "any", "", {"tensor": built([a, b, generator.uniform(abs(a - b) + 0.05, a + b - 0.05)], spec)}
+        yield (
+            "tensor",
+            "ordinary",
+            "any",
+            "",
+            {"tensor": built([a, b, generator.uniform(abs(a - b) + 0.05, a + b - 0.05)], spec)},
+        )
     for gap in (1e-6, 1e-12, 1e-15):
         why = f"two moments {gap:g} apart: closed forms lose half the digits there"
         yield "tensor", "hard", f"gap {gap:g}", why, {"tensor": built([1.0, 1.0 + gap, 1.6], LEAN)}
@@ -369,13 +414,24 @@ def torques(generator: random.Random) -> Iterator[Case]:
         yield "torque", "ordinary", "any", "", {"tensor": full, "angular_velocity": w, "angular_acceleration": alpha}
     why = "a rotor nearly round, fast: the gyroscopic part is a difference of moments that agree to nine digits"
     full = [[0.03, 0.0, 0.0], [0.0, 0.04, 0.0], [0.0, 0.0, 0.04 + 4e-11]]
-    yield "torque", "hard", "nearly round rotor", why, {"tensor": full, "angular_velocity": [0.0, 1000.0, 1000.0], "angular_acceleration": [0.0, 0.0, 0.0]}
+    yield (
+        "torque",
+        "hard",
+        "nearly round rotor",
+        why,
+        {"tensor": full, "angular_velocity": [0.0, 1000.0, 1000.0], "angular_acceleration": [0.0, 0.0, 0.0]},
+    )
 
 
 def main(path: Path) -> None:
     generator = random.Random(20260101)
     cases = []
-    for task, kind, name, why, inputs in (*shapes(generator), *bodies(generator), *tensors(generator), *torques(generator)):
+    for task, kind, name, why, inputs in (
+        *shapes(generator),
+        *bodies(generator),
+        *tensors(generator),
+        *torques(generator),
+    ):
         found = answer(task, inputs)
         largest = max(abs(value) for value in found.values())
         # what quadrature leaves of an exact zero

@@ -82,7 +82,7 @@ class _Whole:
     """A composed assembly under the names of a report."""
 
     def __init__(self, lump: Any, spread: Spread) -> None:
-        from dynamics_cli.inertia.properties import AxisMoments, AxisProducts, PrincipalMoments
+        from dynamics_cli.inertia.results import AxisMoments, AxisProducts, PrincipalMoments
 
         rows = lump.second
         from dynamics_cli.inertia.lump import tensor_of

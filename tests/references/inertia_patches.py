@@ -327,9 +327,7 @@ _SHAPES: dict[str, Callable[[dict[str, Any]], list[Patch]]] = {
     "half-ellipsoid": lambda s: [ball(s["x_radius"], s["y_radius"], s["z_radius"], mpf(0))],
     "torus": lambda s: [ring(s["ring_radius"], s["radius"], mpf(0))],
     "block": lambda s: [block(s["width"], s["depth"], s["height"])],
-    "wedge": lambda s: extruded(
-        polygon([(mpf(0), mpf(0)), (s["width"], mpf(0)), (mpf(0), s["height"])]), s["length"]
-    ),
+    "wedge": lambda s: extruded(polygon([(mpf(0), mpf(0)), (s["width"], mpf(0)), (mpf(0), s["height"])]), s["length"]),
     "prism": lambda s: extruded(polygon(_corners(s)), s["height"]),
     "regular-prism": lambda s: extruded(polygon(_regular(s)), s["height"]),
     "pyramid": lambda s: [pyramid(s["width"], s["depth"], s["height"])],

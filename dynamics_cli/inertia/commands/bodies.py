@@ -24,10 +24,10 @@ SHAPE = Task(
     writers=WRITERS,
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
-        'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --density "2700 kg/m^3" --about origin',
+        'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
         'dynamics inertia shape rod --length "3 ft" --mass "4 lb" --about-point "-1.5, 0, 0 ft" --units us',
         'dynamics inertia shape quarter-disk --radius "4 in" --areal-density "2 lb/ft^2" --axes principal',
-        'dynamics inertia shape frustum --base-radius "20 mm" --top-radius "0 mm..12 mm" --height "60 mm" --material brass',
+        'dynamics inertia shape frustum --base-radius "20 mm" --top-radius "8..12 mm" --height "60 mm" --mass "300 g"',
         'dynamics inertia shape disk --radius "0.2 m" --mass "30 ± 0.5 kg" --shaft-direction "0, 0, 1"',
     ),
 )

@@ -174,7 +174,7 @@ class HollowFrustum:
         p, q = a + inner_radius(a, t), b + inner_radius(b, t)
         both = p + q
         require(both > 0.0, "a frustum needs a base or a top", code="frustum")
-        # a ring at z has the area π t s and the second moment π t s (s² + t²)/8 across, where s runs straight from p to q
+        # a ring at z has the area π t s and π t s (s² + t²)/8 across, where s runs straight from p to q
         across = 0.125 * (0.5 * (p * p + q * q) + t * t)
         h = self.height
         return Unit(

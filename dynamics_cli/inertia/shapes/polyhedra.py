@@ -186,7 +186,17 @@ class Tetrahedron:
             a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
         ) / 6.0
         middle = tuple(first + 0.25 * (i + j + k) for first, i, j, k in zip(self.first, a, b, c, strict=True))
-        own = [[sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)] for i in range(3)]
+        own = [
+            [sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)]
+            for i in range(3)
+        ]
         return Unit(
-            abs(volume), middle, own[0][0], own[1][1], own[2][2], xy=own[0][1], yz=own[1][2], zx=own[2][0]  # type: ignore[arg-type]
+            abs(volume),
+            middle,
+            own[0][0],
+            own[1][1],
+            own[2][2],
+            xy=own[0][1],
+            yz=own[1][2],
+            zx=own[2][0],  # type: ignore[arg-type]
         )

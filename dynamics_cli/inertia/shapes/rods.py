@@ -137,7 +137,7 @@ class QuarterCircleRod:
 def half_angle(angle: float) -> float:
     """Half the opening of an arc or a sector, which is at most a full turn."""
     require(
-        0.0 < angle,
+        angle > 0.0,
         "an angle of {0:.6g} rad has no arc",
         angle,
         code="angle",

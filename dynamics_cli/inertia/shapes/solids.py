@@ -50,7 +50,9 @@ class Hemisphere:
         """Of mass one."""
         square = self.radius * self.radius
         own = square / 5.0
-        return Unit((2.0 / 3.0) * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0)
+        return Unit(
+            (2.0 / 3.0) * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0
+        )
 
 
 @tagged("shape")
@@ -360,9 +362,7 @@ class HalfEllipsoid:
     def unit(self) -> Unit:
         """Of mass one."""
         a, b, c = self.x_radius, self.y_radius, self.z_radius
-        return Unit(
-            (2.0 / 3.0) * PI * a * b * c, (0.0, 0.0, 0.375 * c), a * a / 5.0, b * b / 5.0, 19.0 * c * c / 320.0
-        )
+        return Unit((2.0 / 3.0) * PI * a * b * c, (0.0, 0.0, 0.375 * c), a * a / 5.0, b * b / 5.0, 19.0 * c * c / 320.0)
 
 
 @tagged("shape")
