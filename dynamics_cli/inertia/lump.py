@@ -8,6 +8,7 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import TypeAlias
 
     Vector: TypeAlias = tuple[float, float, float]
@@ -38,7 +39,7 @@ def minus(x: float) -> float:
     if type(opposite) is float:
         return opposite + 0.0
     if opposite == 0.0 and hasattr(opposite, "slopes"):
-        opposite.value = 0.0
+        opposite.value = 0.0  # type: ignore[attr-defined]
     return opposite
 
 
@@ -58,6 +59,12 @@ def second_of(tensor: "Matrix") -> "Matrix":
         (a, 0.5 * ((zz - yy) + xx), b),
         (c, b, 0.5 * ((xx - zz) + yy)),
     )
+
+
+def each(change: "Callable[[float], float]", v: "tuple[float, ...]") -> "Vector":
+    """A function of each of three numbers."""
+    a, b, c = v
+    return change(a), change(b), change(c)
 
 
 def less(a: "Vector", b: "Vector") -> "Vector":

@@ -80,15 +80,20 @@ def _shares(
     for leaf, piece in zip(whole.leaves, whole.pieces, strict=True):
         tensor = tensor_of(turned(about(Lump(piece.mass, piece.centroid, piece.second), point), rotation))
         rows.append(
-            PartShare(leaf.name, plain(piece.mass), bare(piece.centroid), tuple(plain(tensor[k][k]) for k in range(3)))
+            PartShare(
+                leaf.name,
+                plain(piece.mass),
+                bare(piece.centroid),
+                (plain(tensor[0][0]), plain(tensor[1][1]), plain(tensor[2][2])),
+            )
         )
     if all(leaf.sign > 0.0 for leaf in whole.leaves):
         return tuple(rows), None
     sums = [sum(row.moments[k] for row in rows) for k in range(3)]
     sizes = [sum(abs(row.moments[k]) for row in rows) for k in range(3)]
     mass = sum(abs(row.mass) for row in rows) / plain(whole.lump.mass)
-    moments = tuple(size / abs(total) if total else 0.0 for size, total in zip(sizes, sums, strict=True))
-    return tuple(rows), Cancellation(mass, moments)
+    shares = [size / abs(total) if total else 0.0 for size, total in zip(sizes, sums, strict=True)]
+    return tuple(rows), Cancellation(mass, (shares[0], shares[1], shares[2]))
 
 
 def _rotation(view: View, whole: "Composed") -> "Matrix":

@@ -6,6 +6,10 @@ from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.shapes import Shape
 from dynamics_cli.quantities import PartPosition, Text
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 def shape(
     shape: Shape,
@@ -71,7 +75,7 @@ def shape(
     AxisMoments(xx=0.0, yy=1.0, zz=1.0)
     """
     own = shape.unit()
-    mass = mass_of(amount, own.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[attr-defined]
+    mass = mass_of(amount, own.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[union-attr]
     words, point = named_point(about, about_point)
     view = View(
         words,
@@ -81,5 +85,5 @@ def shape(
         product_sign=product_sign,
         shaft=shaft,
     )
-    measure = {("length", "area", "volume")[shape.dimension - 1]: own.measure}
+    measure: dict[str, Any] = {("length", "area", "volume")[shape.dimension - 1]: own.measure}
     return properties(own.lump(mass), view, **measure)

@@ -1,6 +1,6 @@
 """Principal second moments of numbers that may carry derivatives: axes from the doubles, moments along them."""
 
-from dynamics_cli.inertia.lump import turned
+from dynamics_cli.inertia.lump import each, turned
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.symmetric import eigen
@@ -32,12 +32,12 @@ def root(x: float) -> float:
     return sqrt(x) if x > 0.0 else 0.0
 
 
-def ellipsoid(moments: "tuple[float, ...]") -> "tuple[float, ...]":
+def ellipsoid(moments: "tuple[float, ...]") -> "Vector":
     """Semi-axes 1/√I over the longest; a body without inertia about an axis has an ellipsoid that is a line."""
     least = moments[0]
     if not least > 0.0:
-        return tuple(1.0 if not moment > 0.0 else 0.0 for moment in moments)
-    return tuple(root(least / moment) for moment in moments)
+        return each(lambda moment: 1.0 if not moment > 0.0 else 0.0, moments)
+    return each(lambda moment: root(least / moment), moments)
 
 
 def spread_of(second: "Matrix") -> Spread:

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.lines import unit
-from dynamics_cli.inertia.lump import minus, second_of, symmetric, turned
+from dynamics_cli.inertia.lump import each, minus, second_of, symmetric, turned
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.properties import ProductSign
 from dynamics_cli.inertia.results import PrincipalMoments
@@ -75,7 +75,8 @@ class Parts:
         xy, yz, zx = self.products
         if self.given_sign == "positive":
             xy, yz, zx = minus(xy), minus(yz), minus(zx)
-        return symmetric(*self.moments, xy, yz, zx)
+        xx, yy, zz = self.moments
+        return symmetric(xx, yy, zz, xy, yz, zx)
 
 
 @record
@@ -198,16 +199,20 @@ def tensor(
     radii = box = None
     if mass is not None:
         require(mass > 0.0, "a mass of zero has no radius of gyration", code="no-mass")
-        radii = tuple(root(moment / mass) for moment in moments)
+        radii = each(lambda moment: root(moment / mass), moments)
         a, b, c = moments
         seconds = (c - a + b, c - b + a, a - (c - b))
-        box = tuple(root(6.0 * part / mass) for part in seconds)
+        box = each(lambda part: root(6.0 * part / mass), seconds)
     return TensorProperties(
         principal_moments=PrincipalMoments(*moments),
         principal_axes=axes,
         degeneracy=words,
         slack=slack,
-        extreme_products=tuple(0.5 * (moments[i] - moments[j]) for i, j in ((2, 1), (2, 0), (1, 0))),
+        extreme_products=(
+            0.5 * (moments[2] - moments[1]),
+            0.5 * (moments[2] - moments[0]),
+            0.5 * (moments[1] - moments[0]),
+        ),
         greatest_product=0.5 * (moments[2] - moments[0]),
         greatest_product_axes=ways,  # type: ignore[arg-type]
         moment_there=0.5 * (moments[0] + moments[2]),
@@ -239,7 +244,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
     least, middle, most = values = found.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="a body has mass away from any axis")
     room = plain(tolerance) * most
-    hint = _other_sign(bare, room)
+    hint = _other_sign(bare, room)  # type: ignore[arg-type]
     require(
         least >= -room,
         "a principal moment is negative: {0:.6g}, {1:.6g}, {2:.6g} kg·m²",

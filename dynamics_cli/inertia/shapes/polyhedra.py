@@ -1,7 +1,7 @@
 """Solids with flat faces. The measure is the volume."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.lump import less
+from dynamics_cli.inertia.lump import less, plus
 from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
 from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
 from dynamics_cli.numerics.elementary import cos, sin
@@ -185,7 +185,8 @@ class Tetrahedron:
         volume = (
             a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
         ) / 6.0
-        middle = tuple(first + 0.25 * (i + j + k) for first, i, j, k in zip(self.first, a, b, c, strict=True))
+        away = plus(plus(a, b), c)
+        middle = plus(self.first, (0.25 * away[0], 0.25 * away[1], 0.25 * away[2]))
         own = [
             [sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)]
             for i in range(3)
@@ -198,5 +199,5 @@ class Tetrahedron:
             own[2][2],
             xy=own[0][1],
             yz=own[1][2],
-            zx=own[2][0],  # type: ignore[arg-type]
+            zx=own[2][0],
         )
