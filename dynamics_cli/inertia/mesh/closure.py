@@ -27,12 +27,12 @@ _THIRD = np.uint64(29)
 class Boundary:
     """The running sum over directed edges."""
 
-    def __init__(self, *, single: bool) -> None:
+    def __init__(self, *, single: bool, room: int = BLOCK) -> None:
         self.single = single
         self.total = 0
-        self._words = np.empty((9, BLOCK), dtype=np.uint64)
-        self._hash = np.empty((3, BLOCK), dtype=np.uint64)
-        self._spare = np.empty((3, BLOCK), dtype=np.uint64)
+        self._words = np.empty((9, room), dtype=np.uint64)
+        self._hash = np.empty((3, room), dtype=np.uint64)
+        self._spare = np.empty((3, room), dtype=np.uint64)
 
     def add(self, corners: "Array") -> None:
         """Add the edges of a block of corner coordinates, as contiguous doubles without minus zeros."""

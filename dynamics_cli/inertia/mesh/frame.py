@@ -11,8 +11,6 @@ from math import frexp, ldexp
 
 import numpy as np
 
-from dynamics_cli.inertia.mesh.stl import BLOCK
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -26,14 +24,14 @@ _BITS = 25
 class Frame:
     """Axes as rows and a point to look from; `size` bounds the coordinates seen."""
 
-    def __init__(self, rows: "Array", point: "Array", size: float) -> None:
+    def __init__(self, rows: "Array", point: "Array", size: float, room: int) -> None:
         self.rows = rows
         self._high = np.round(rows * 2.0**_BITS) * 2.0**-_BITS
         self._low = rows - self._high
         self._point = point[:, None]
         # adding and taking away this number rounds to a multiple of 2⁻²⁵ of the size
         self._grid = ldexp(1.5, frexp(size)[1] + 52 - _BITS)
-        self._x, self._lost, self._lead, self._seen = np.empty((4, 9 * BLOCK))
+        self._x, self._lost, self._lead, self._seen = np.empty((4, 9 * room))
 
     def excess(self) -> "Array":
         """Length of each axis less one, of their very doubles."""

@@ -14,7 +14,6 @@ import numpy as np
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.mesh.closure import Boundary
 from dynamics_cli.inertia.mesh.frame import Frame
-from dynamics_cli.inertia.mesh.stl import BLOCK
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -87,7 +86,7 @@ class Moments:
 class Sums:
     """Everything that one pass over the triangles adds up; Σ |nₖ|, which tells thin axes, when `by_axis` says so."""
 
-    def __init__(self, *, shell: bool, by_axis: bool, boundary: "Boundary | None" = None) -> None:
+    def __init__(self, *, shell: bool, by_axis: bool, room: int, boundary: "Boundary | None" = None) -> None:
         self.shell = shell
         self.by_axis = by_axis
         self.boundary = boundary
@@ -96,7 +95,7 @@ class Sums:
         self.high = np.full(3, -np.inf)
         self.extent = np.zeros(3)
         self._sum, self._lost, self._part = np.zeros((3, 20))
-        self._w, self._n, self._t = (np.empty(rows * BLOCK) for rows in (9, 3, 3))
+        self._w, self._n, self._t = (np.empty(rows * room) for rows in (9, 3, 3))
 
     second = property(lambda self: self._sum[_SECOND])
     first = property(lambda self: self._sum[_FIRST])
@@ -162,8 +161,9 @@ def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Mo
     InadmissibleError
         When a coordinate is not finite or out of range, or there are no triangles.
     """
-    sums = Sums(shell=shell, by_axis=False, boundary=Boundary(single=source.single) if prove else None)
-    room, spare = np.empty((2, 9 * BLOCK))
+    boundary = Boundary(single=source.single, room=source.room) if prove else None
+    sums = Sums(shell=shell, by_axis=False, room=source.room, boundary=boundary)
+    room, spare = np.empty((2, 9 * source.room))
     reference = np.zeros((3, 1))
     for corners in source.blocks():
         size = corners.shape[1]
@@ -193,9 +193,9 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 
     Coordinates in these axes are exact to a rounding of themselves, so what is thin in them keeps all its digits.
     """
-    sums = Sums(shell=moments.shell, by_axis=True)
+    sums = Sums(shell=moments.shell, by_axis=True, room=source.room)
     reference = moments.centroid
-    frame = Frame(rows, reference, float(max(before.high - before.low)))
+    frame = Frame(rows, reference, float(max(before.high - before.low)), source.room)
     for corners in source.blocks():
         block = frame.seen(corners)
         np.maximum(sums.extent, np.abs(block[:, 0]).max(axis=1), out=sums.extent)

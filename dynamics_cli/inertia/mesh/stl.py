@@ -34,6 +34,11 @@ class Source:
     single = False
     count: "int | None" = None
 
+    @property
+    def room(self) -> int:
+        """Triangles of the largest block."""
+        return BLOCK if self.count is None else min(self.count, BLOCK)
+
     def blocks(self) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
         raise NotImplementedError
@@ -52,7 +57,7 @@ class BinaryStl(Source):
     def blocks(self) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
         buffer = bytearray(min(_READ, self.count) * RECORD)
-        rows = np.empty((9, BLOCK), dtype=np.float32)
+        rows = np.empty((9, self.room), dtype=np.float32)
         zero = np.float32(0.0)
         with open(self.name, "rb", buffering=0) as file:
             file.seek(HEADER)
