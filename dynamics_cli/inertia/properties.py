@@ -265,7 +265,7 @@ def properties(
         products=AxisProducts(*(minus(part) if flipped else part for part in products)),
         tensor=tensor,
         radii_of_gyration=each(lambda moment: root(moment / lump.mass), moments),
-        second_moments=turned(lump.second, rotation),
+        second_moments=tuple(each(lambda x: minus(minus(x)), row) for row in turned(lump.second, rotation)),  # type: ignore[arg-type]
         principal_moments=PrincipalMoments(*own.moments),
         principal_axes=own.axes,
         degeneracy=own.degeneracy,

@@ -19,7 +19,7 @@ from mpmath import cos, eigsy, matrix, mp, mpf, nstr, sin, sqrt
 
 HERE = Path(__file__).resolve().parent
 Case = tuple[str, str, str, str, dict[str, Any]]
-WORDS = ("shape", "ends", "sides", "base_closed", "euler_order", "subtract", "name")
+WORDS = ("shape", "ends", "sides", "closed", "euler_order", "subtract", "name")
 
 
 def exact(tree: Any) -> Any:
@@ -127,7 +127,7 @@ def sizes(generator: random.Random, shape: str) -> dict[str, Any]:
         elif field == "ends":
             made[field] = generator.choice(["open", "one", "both"])
         elif field == "closed":
-            made["base"] = generator.random() < 0.5
+            made["closed"] = generator.random() < 0.5
         elif field == "sides":
             made[field] = generator.randint(3, 12)
         else:

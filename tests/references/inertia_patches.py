@@ -299,13 +299,13 @@ _SHAPES: dict[str, Callable[[dict[str, Any]], list[Patch]]] = {
     ],
     "conical-shell": lambda s: [
         cone_skin(s["radius"], mpf(0), mpf(0), s["height"]),
-        *([disk_at(s["radius"], mpf(0))] if s["base"] else []),
+        *([disk_at(s["radius"], mpf(0))] if s["closed"] else []),
     ],
     "frustum-shell": lambda s: [cone_skin(s["base_radius"], s["top_radius"], mpf(0), s["height"])],
     "spherical-shell": lambda s: [sphere_skin(s["radius"])],
     "hemispherical-shell": lambda s: [
         sphere_skin(s["radius"], mpf(0)),
-        *([disk_at(s["radius"], mpf(0))] if s["base"] else []),
+        *([disk_at(s["radius"], mpf(0))] if s["closed"] else []),
     ],
     "box-shell": lambda s: skin_of_box(s["width"], s["depth"], s["height"]),
     "torus-shell": lambda s: [ring_skin(s["ring_radius"], s["radius"])],

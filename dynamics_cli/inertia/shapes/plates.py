@@ -19,7 +19,7 @@ class Triangle:
     base : Size
         Length of the base, along x [m].
     height : Size
-        Height of the apex, along y [m].
+        Height: of laminae along y, of solids and shells along z [m].
     offset : Coordinate
         Position of the apex along the base: 0 for a right angle at the origin, half the base for equal sides [m].
     """

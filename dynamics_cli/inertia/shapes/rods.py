@@ -15,7 +15,7 @@ class Rod:
     Parameters
     ----------
     length : Size
-        Length along x [m].
+        Length: of a rod along x, of cylinders and tubes along z [m].
     """
 
     length: Size
@@ -36,7 +36,7 @@ class RingRod:
     Parameters
     ----------
     radius : Size
-        Radius of the circle [m].
+        Radius, of the outside where there is a wall [m].
     """
 
     radius: Size
@@ -60,7 +60,7 @@ class ArcRod:
     radius : Size
         Radius of the circle [m].
     angle : Angle
-        Angle of the whole arc at the centre, up to a full turn [rad].
+        Whole angle of an arc or a sector, up to a full turn [rad].
     """
 
     radius: Size

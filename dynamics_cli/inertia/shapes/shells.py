@@ -94,13 +94,13 @@ class ConicalShell:
         Radius of the rim [m].
     height : Size
         Height along z [m].
-    base : bool
+    closed : bool
         Close the rim with a disk of the same sheet.
     """
 
     radius: Size
     height: Size
-    base: bool = False
+    closed: bool = False
 
     dimension = 2
     formula = "open: z̄ = h/3, Izz = m·R²/2, Ixx = Iyy = m·(R²/4 + h²/18); a base shares the mass by area"
@@ -109,11 +109,11 @@ class ConicalShell:
         """Of mass one."""
         r, h = self.radius, self.height
         slant = hypot(r, h)
-        total = slant + r if self.base else slant
+        total = slant + r if self.closed else slant
         require(total > 0.0, "a cone needs a radius or a height", code="size")
         wall = slant / total
         own = 0.25 * r * r
-        away = r / total if self.base else 0.0
+        away = r / total if self.closed else 0.0
         return Unit(PI * r * total, (0.0, 0.0, wall * h / 3.0), own, own, h * h * wall * (1.0 + 2.0 * away) / 18.0)
 
 
@@ -141,7 +141,7 @@ class FrustumShell:
 
     def unit(self) -> Unit:
         """Of mass one."""
-        a, b, h = self.base_radius, self.top_radius, self.height
+        a, b, h = self.closed_radius, self.top_radius, self.height
         both = a + b
         require(both > 0.0, "a frustum needs a base or a top", code="frustum")
         own = 0.25 * (a * a + b * b)
@@ -185,12 +185,12 @@ class HemisphericalShell:
     ----------
     radius : Size
         Radius [m].
-    base : bool
+    closed : bool
         Close the rim with a disk of the same sheet.
     """
 
     radius: Size
-    base: bool = False
+    closed: bool = False
 
     dimension = 2
     formula = "open: z̄ = R/2, Izz = (2/3)·m·R², Ixx = Iyy = (5/12)·m·R²; closed: z̄ = R/3, Izz = (11/18)·m·R²"
@@ -199,7 +199,7 @@ class HemisphericalShell:
         """Of mass one."""
         r = self.radius
         square = r * r
-        if self.base:
+        if self.closed:
             own = 11.0 * square / 36.0
             return Unit(3.0 * PI * square, (0.0, 0.0, r / 3.0), own, own, square / 9.0)
         own = square / 3.0
