@@ -19,6 +19,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "coords": ("dynamics_cli.convert.commands", "Cartesian, cylindrical and spherical coordinates."),
     "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
     "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
+    "inertia": ("dynamics_cli.inertia.commands", "Mass properties and principal axes of shapes, assemblies and meshes."),
 }
 # Forces every call through typer, so that tests can compare the two routes.
 ROUTE_VARIABLE = "DYNAMICS_ROUTE"

@@ -115,11 +115,14 @@ if TYPE_CHECKING:
     Curvature = float
     # mass and its densities
     Mass = float
+    SignedMass = float
     Density = float
     ArealDensity = float
     LinearDensity = float
     Inertia = float
+    ProductOfInertia = float
     SecondMoment = float
+    SectionModulus = float
     # time and motion
     Time = float
     EvaluationTime = float
@@ -161,6 +164,15 @@ if TYPE_CHECKING:
     Direction = tuple[float, float, float]
     Velocity = tuple[float, float, float]
     AngularVelocity = tuple[float, float, float]
+    AngularAccelerationVector = tuple[float, float, float]
+    AccelerationVector = tuple[float, float, float]
+    PartPosition = tuple[float, float, float]
+    PartLengths = tuple[float, float, float]
+    InertiaTriple = tuple[float, float, float]
+    TorqueVector = tuple[float, float, float]
+    ForceVector = tuple[float, float, float]
+    AngularMomentumVector = tuple[float, float, float]
+    Quaternion = tuple[float, float, float, float]
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
@@ -190,6 +202,7 @@ else:
     Curvature = Kind("curvature", "1/m", si="1/m", us="1/ft", example="0.01 1/m", about="a curvature")
     # mass and its densities
     Mass = Kind("mass", "kg", si="kg", us="lb", low=0.0, example="1500 kg", about="a mass")
+    SignedMass = Kind("mass", "kg", si="kg", us="lb", example="-2 kg", about="a mass, negative when it is taken away")
     Density = Kind(
         "density", "kg/m^3", si="kg/m^3", us="lb/ft^3", low=0.0, example="7850 kg/m^3", about="mass per volume"
     )
@@ -208,8 +221,19 @@ else:
         example="2500 kg*m^2",
         about="a moment of inertia",
     )
+    ProductOfInertia = Kind(
+        "product of inertia",
+        "kg*m^2",
+        si="kg*m^2",
+        us="slug*ft^2",
+        example="-0.2 kg*m^2",
+        about="a product of inertia, of either sign",
+    )
     SecondMoment = Kind(
         "second moment of area", "m^4", si="mm^4", us="in^4", example="1e4 mm^4", about="a second moment of area"
+    )
+    SectionModulus = Kind(
+        "section modulus", "m^3", si="mm^3", us="in^3", low=0.0, example="5000 mm^3", about="an elastic section modulus"
     )
     # time and motion
     Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
@@ -298,6 +322,92 @@ else:
         us="rad/s",
         example="0, 0, 2 rad/s",
         about="an angular velocity",
+    )
+    AngularAccelerationVector = Kind(
+        "angular acceleration vector",
+        "rad/s^2",
+        form="vector",
+        size=3,
+        example="0, 0, 5 rad/s^2",
+        about="an angular acceleration",
+    )
+    AccelerationVector = Kind(
+        "acceleration vector",
+        "m/s^2",
+        form="vector",
+        size=3,
+        si="m/s^2",
+        us="ft/s^2",
+        example="0, 0, 3 m/s^2",
+        about="an acceleration",
+    )
+    PartPosition = Kind(
+        "part position",
+        "m",
+        form="vector",
+        size=3,
+        si="mm",
+        us="in",
+        example="10, 0, 25 mm",
+        about="a point of a machine part",
+    )
+    PartLengths = Kind(
+        "part lengths",
+        "m",
+        form="vector",
+        size=3,
+        si="mm",
+        us="in",
+        example="10, 20, 30 mm",
+        about="three lengths of a machine part",
+    )
+    InertiaTriple = Kind(
+        "moments of inertia",
+        "kg*m^2",
+        form="vector",
+        size=3,
+        si="kg*m^2",
+        us="slug*ft^2",
+        example="2, 3, 4 kg*m^2",
+        about="three moments or products of inertia",
+    )
+    TorqueVector = Kind(
+        "torque vector",
+        "N*m",
+        form="vector",
+        size=3,
+        si="N*m",
+        us="lbf*ft",
+        example="0, 0, 5 N*m",
+        about="a torque",
+    )
+    ForceVector = Kind(
+        "force vector",
+        "N",
+        form="vector",
+        size=3,
+        si="N",
+        us="lbf",
+        example="0, 0, 5 N",
+        about="a force",
+    )
+    AngularMomentumVector = Kind(
+        "angular momentum vector",
+        "N*m*s",
+        form="vector",
+        size=3,
+        si="N*m*s",
+        us="lbf*ft*s",
+        example="0, 0, 5 N*m*s",
+        about="an angular momentum",
+    )
+    Quaternion = Kind(
+        "quaternion",
+        "",
+        form="vector",
+        size=4,
+        example="0.92388, 0, 0, 0.382683",
+        about="a rotation as the quaternion w, x, y, z, its scalar first",
     )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"

@@ -1,5 +1,53 @@
 """Tasks of `dynamics inertia`: surfaces."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
+from dynamics_cli.inertia.commands.bodies import WRITERS
 
-TASKS: "tuple[Task, ...]" = ()
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+
+MESH = Task(
+    "mesh",
+    "Mass, centroid, inertia tensor and principal axes of a part given by the triangles of its surface.",
+    Model(
+        "divergence theorem",
+        "dynamics_cli.inertia.mesh.task:mesh",
+        source=BOOK + "sections 7.2 to 7.9; Eberly, Polyhedral mass properties (2002)",
+        formula="V = Σ a·(e × f)/6, S = ρ·Σ d·(p pᵀ + q qᵀ/18 + f fᵀ/24)/10 − m·c cᵀ",
+        assumptions=(
+            "one density throughout, or a thin wall of one thickness",
+            "the triangles neither cross one another nor are given twice",
+        ),
+        method="divergence theorem over triangles, in blocks",
+    ),
+    arrays=False,
+    writers=WRITERS,
+    examples=(
+        "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
+        'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',
+        'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "7850 kg/m^3" --thickness "1.5 mm"',
+    ),
+)
+
+SECTION = Task(
+    "section",
+    "Area, centroid, second moments, principal axes and section moduli of a plane section with holes.",
+    Model(
+        "exact area integrals",
+        "dynamics_cli.inertia.section.task:section",
+        source=BOOK + "chapter 7 and appendix II; Mohr's circle: section 7.9",
+        formula="{area|A} = ½·Σ (xᵢ·yⱼ − xⱼ·yᵢ), Ix = Σ (xᵢ·yⱼ − xⱼ·yᵢ)·(yᵢ² + yᵢ·yⱼ + yⱼ²)/12 − A·ȳ², "
+        "{principal.i1|I₁} = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²)",
+        assumptions=("one material: all of the area counts alike", "bending moduli are elastic"),
+        method="exact rational arithmetic, rounded once",
+    ),
+    arrays=False,
+    tracked=False,
+    examples=(
+        'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
+        'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',
+        'dynamics inertia section --polygon "0, 0, 4, 0, 4, 0.5, 0.5, 0.5, 0.5, 6, 0, 6 in" '
+        '--hole "diameter=0.2 in, x=0.25 in, y=3 in" --units us',
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (MESH, SECTION)

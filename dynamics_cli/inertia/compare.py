@@ -1,0 +1,206 @@
+"""Two bodies side by side: masses, mass centres, principal moments, and how far their principal axes are turned."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.assembly import Assembly, compose_scene
+from dynamics_cli.inertia.lump import less, product, tensor_of, transposed
+from dynamics_cli.inertia.report import stated
+from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
+from dynamics_cli.quantities import Angle, Mass, PartPosition, ProductOfInertia, Ratio, SignedMass, Size, Text
+from dynamics_cli.records import Advice, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dynamics_cli.inertia.compose import Composed
+    from dynamics_cli.inertia.lump import Matrix
+
+SIGNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
+
+
+@record
+class Pair:
+    """Two bodies.
+
+    Parameters
+    ----------
+    first : Assembly
+        One body.
+    second : Assembly
+        The other, in the same frame.
+    """
+
+    first: Assembly
+    second: Assembly
+
+
+@record
+class MomentRow:
+    """One moment or product of both bodies.
+
+    Parameters
+    ----------
+    moment : Text
+        Which: xx to zx about each one's own mass centre in the common axes, or a principal moment.
+    first : ProductOfInertia
+        Of the first body [kg*m^2].
+    second : ProductOfInertia
+        Of the second body [kg*m^2].
+    difference : ProductOfInertia
+        Second less first [kg*m^2].
+    ratio : Ratio
+        Second over first [-].
+    """
+
+    moment: Text
+    first: ProductOfInertia
+    second: ProductOfInertia
+    difference: ProductOfInertia
+    ratio: Ratio | None = None
+
+
+@record
+class Compared:
+    """How two bodies differ.
+
+    Parameters
+    ----------
+    first_mass : Mass
+        Mass of the first body [kg].
+    second_mass : Mass
+        Mass of the second body [kg].
+    mass_difference : SignedMass
+        Second less first [kg].
+    mass_ratio : Ratio
+        Second over first [-].
+    centroid_shift : PartPosition
+        From the first mass centre to the second [m].
+    centroid_distance : Size
+        Its length [m].
+    axes_angle : Angle
+        The smallest turn that takes the principal axes of the first to those of the second [rad].
+    tensor_distance : Ratio
+        Size of the difference of the two inertia tensors over that of the first: 0 when they are alike [-].
+    moments : tuple of MomentRow
+        Moments and products of both.
+    """
+
+    first_mass: Mass
+    second_mass: Mass
+    mass_difference: SignedMass
+    mass_ratio: Ratio
+    centroid_shift: PartPosition
+    centroid_distance: Size
+    axes_angle: Angle | None
+    tensor_distance: Ratio
+    moments: tuple[MomentRow, ...]
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def compare(scene: Pair, /) -> Compared:
+    """Two bodies compared: mass, mass centre, moments about each one's own mass centre, and principal axes.
+
+    Parameters
+    ----------
+    scene : Pair
+        The bodies, `first` and `second`, each with its parts.
+
+    Returns
+    -------
+    Compared
+        Differences and ratios, second against first.
+
+    Raises
+    ------
+    InadmissibleError
+        When one of them is no body.
+
+    Notes
+    -----
+    Principal axes have no sense, so the turn between them is the smallest of four; where moments are equal the axes
+    are not determined and no angle is given.
+
+    Examples
+    --------
+    >>> from dynamics_cli.inertia.amount import OfMass
+    >>> from dynamics_cli.inertia.parts import Part
+    >>> from dynamics_cli.inertia.shapes import Block
+    >>> block = Part(shape=Block(width=1.0, depth=2.0, height=3.0), amount=OfMass(mass=2.0))
+    >>> double = Part(shape=Block(width=1.0, depth=2.0, height=3.0), amount=OfMass(mass=4.0))
+    >>> compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(double,)))).mass_ratio
+    2.0
+    """
+    a, b = compose_scene(scene.first), compose_scene(scene.second)
+    shift = less(b.lump.centroid, a.lump.centroid)
+    rows = tuple(_row(*row) for row in _numbers(a, b))
+    angle, advice = _angle(a, b)
+    first, second = a.lump.mass, b.lump.mass
+    found = {
+        "first_mass": first,
+        "second_mass": second,
+        "mass_difference": second - first,
+        "mass_ratio": second / first,
+        "centroid_distance": hypot(hypot(shift[0], shift[1]), shift[2]),
+        "tensor_distance": _distance(rows),
+    }
+    bounds: list[ErrorBound] = []
+    scalars = {name: stated(name, value, bounds) for name, value in found.items()}
+    return Compared(
+        **scalars,
+        centroid_shift=shift,
+        axes_angle=angle,
+        moments=rows,
+        advice=advice,
+        numerics=Numerics("composition of each about its running mass centre; Jacobi rotations", tuple(bounds)),
+    )
+
+
+def _numbers(a: "Composed", b: "Composed") -> "list[tuple[str, float, float]]":
+    one, two = tensor_of(a.lump.second), tensor_of(b.lump.second)
+    names = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
+    rows = [(name, one[i][j], two[i][j]) for name, i, j in names]
+    return rows + [(f"principal {k + 1}", a.spread.moments[k], b.spread.moments[k]) for k in range(3)]
+
+
+def _row(name: str, first: float, second: float) -> MomentRow:
+    return MomentRow(name, first, second, second - first, second / first if first > 0.0 or first < 0.0 else None)
+
+
+def _distance(rows: "tuple[MomentRow, ...]") -> float:
+    """The Frobenius norm of the difference over that of the first."""
+    weights = (1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
+    away = total(w * row.difference * row.difference for w, row in zip(weights, rows, strict=False))
+    size = total(w * row.first * row.first for w, row in zip(weights, rows, strict=False))
+    require(size > 0.0, "the first body has no inertia to compare with: it is one point", code="point")
+    return sqrt(away / size) if away > 0.0 else 0.0
+
+
+def total(numbers: "Iterable[float]") -> float:
+    """The sum of numbers that may be tracked."""
+    made = 0.0
+    for number in numbers:
+        made = made + number
+    return made
+
+
+def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, ...]]":
+    words = [one.spread.degeneracy for one in (a, b) if not one.spread.degeneracy.startswith("none")]
+    if words:
+        return None, (
+            Advice(
+                "axes-undetermined",
+                f"no angle between principal axes: {words[0]}",
+                severity="note",
+                result="axes_angle",
+            ),
+        )
+    return min(turn_between(a.spread.axes, b.spread.axes, signs) for signs in SIGNS), ()
+
+
+def turn_between(a: "Matrix", b: "Matrix", signs: "tuple[float, ...]") -> float:
+    """The angle of the rotation from one set of axes to another with senses changed."""
+    changed = tuple(tuple(s * x for x in row) for s, row in zip(signs, b, strict=True))
+    r = product(transposed(changed), a)  # type: ignore[arg-type]
+    sine = hypot(hypot(r[2][1] - r[1][2], r[0][2] - r[2][0]), r[1][0] - r[0][1])
+    return atan2(sine, r[0][0] + r[1][1] + r[2][2] - 1.0)

@@ -1,0 +1,111 @@
+"""Parts put together: about the running mass centre, then once more in the principal frame."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.lump import IDENTITY, Lump, joined, less, plus, product, scaled, times, turned
+from dynamics_cli.inertia.principal import principal
+from dynamics_cli.inertia.rotation import departure
+from dynamics_cli.inertia.spread import Spread, bounded, plain, spread_of
+from dynamics_cli.numerics.symmetric import eigen
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.inertia.lump import Matrix, Vector
+    from dynamics_cli.inertia.parts import Leaf, Walk
+
+
+class Composed:
+    """An assembly as one lump in its own frame, its principal second moments, and the lumps of its leaves."""
+
+    def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, bounded: bool) -> None:
+        self.leaves = walk.leaves
+        self.origins = walk.origins
+        self.lump = lump
+        self.spread = spread
+        self.pieces = pieces
+        self.bounded = bounded
+
+
+def composed(walk: "Walk", *, tracked: bool) -> Composed:
+    """Put the leaves of a walk together.
+
+    Raises
+    ------
+    InadmissibleError
+        When holes leave no mass, or second moments that no body has.
+    """
+    leaves = walk.leaves
+    base = tuple(plain(x) for x in leaves[0].origin)
+    pieces = [_piece(leaf, base, IDENTITY) for leaf in leaves]  # type: ignore[arg-type]
+    whole = _sum(leaves, pieces)
+    centroid = plus(base, whole.centroid)  # type: ignore[arg-type]
+    first = spread_of(whole.second)
+    if any(not piece.mass > 0.0 for piece in pieces):
+        _require_body(whole, first)
+    spread = _second_pass(leaves, base, first)  # type: ignore[arg-type]
+    lump = Lump(whole.mass, centroid, whole.second)
+    placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
+    return Composed(walk, lump, spread, placed, bounded=tracked)
+
+
+def _piece(leaf: "Leaf", base: "Vector", frame: "Matrix") -> Lump:
+    """A leaf from `base` in axes that are the rows of `frame`; holes are negative."""
+    away = less(leaf.origin, base)
+    rotation = leaf.rotation
+    if frame is not IDENTITY:
+        away = times(frame, away)
+        rotation = frame if rotation is IDENTITY else product(frame, rotation)
+    middle = leaf.lump.centroid
+    centroid = plus(away, middle if rotation is IDENTITY else times(rotation, middle))
+    second = turned(leaf.lump.second, rotation)
+    if leaf.sign > 0.0:
+        return Lump(leaf.lump.mass, centroid, second)
+    return Lump(-leaf.lump.mass, centroid, scaled(-1.0, second))
+
+
+def _sum(leaves: "list[Leaf]", pieces: "list[Lump]") -> Lump:
+    """All pieces as one, what is there before what is taken away."""
+    order = sorted(range(len(pieces)), key=lambda i: -leaves[i].sign)
+    whole = pieces[order[0]]
+    require(whole.mass > 0.0, "nothing is there that something could be cut out of", code="no-mass")
+    for i in order[1:]:
+        total = whole.mass + pieces[i].mass
+        require(
+            total > 0.0,
+            "what is cut out weighs as much as all that is there: {0:.6g} kg are left",
+            total,
+            code="no-mass",
+            hint="check sizes and densities of the holes",
+        )
+        whole = joined(whole, pieces[i])
+    return whole
+
+
+def _require_body(whole: Lump, spread: Spread) -> None:
+    """Refuse second moments below zero by more than rounding: a hole reached beyond its body."""
+    least = spread.seconds[2]
+    room = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))
+    require(
+        plain(least) >= -room,
+        "the second moment {0:.6g} kg·m² is left along an axis: a hole is larger than its body or lies outside",
+        least,
+        code="hole",
+        hint="check positions and sizes of what is subtracted",
+    )
+
+
+def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
+    """Principal second moments composed in the principal frame, where those of a needle keep their digits."""
+    frame = first.axes
+    if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
+        return first
+    whole = _sum(leaves, [_piece(leaf, base, frame) for leaf in leaves])
+    matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
+    found = principal(matrix)  # type: ignore[arg-type]
+    seconds = found.seconds
+    if not any(hasattr(x, "slopes") for row in whole.second for x in row):
+        return Spread(seconds, product(found.axes, frame), first.degeneracy)
+    seconds = bounded(whole.second, seconds, eigen(matrix).vectors)  # type: ignore[arg-type]
+    # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
+    stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
+    seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
+    return Spread(seconds, product(found.axes, frame), first.degeneracy)

@@ -1,0 +1,241 @@
+"""Volume or area, first and second moments of triangles, in blocks: edges and centroids instead of corners.
+
+A corner a (from the reference point) and the edges e = b − a, f = c − a of a triangle give n = e × f and d = a·n, six
+times the volume of the tetrahedron on it. With p = a + (e + f)/3 and q = e − f/2 the integrals are sums of squares,
+
+    ∫ r rᵀ dV = Σ d·(p pᵀ + q qᵀ/18 + f fᵀ/24)/10,    ∫ r rᵀ dA = Σ |n|·(p pᵀ + q qᵀ/18 + f fᵀ/24)/2
+
+with the shares of a tetrahedron and a triangle. Edges know nothing of the reference point, so thin bodies keep their
+digits.
+"""
+
+import numpy as np
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.mesh.closure import Boundary
+from dynamics_cli.inertia.mesh.frame import Frame
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.inertia.mesh.stl import Source
+
+    Array = np.ndarray[Any, np.dtype[Any]]
+
+UNIT_ROUNDOFF = 2.0**-53
+# Roundings of one term of the sums; the sums themselves are compensated from block to block.
+ROUNDINGS, ROUNDINGS_SECOND = 3.0, 2.0
+# Coordinates whose fifth powers would leave the range of a double.
+LARGEST = 1e55
+# What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|, Σ |nₖ|.
+_SECOND, _FIRST, _CLOSURE, _SQUARES, _TOTAL, _AREA, _NORMALS = (
+    slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20),
+)  # fmt: skip
+# Bits of the reference point's coordinates, as many as single precision has.
+_REFERENCE_BITS = 24
+_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
+
+
+class Moments:
+    """Integrals over the triangles of one file, in its unit of length.
+
+    `measure` is the volume (or the area of a shell), `second` the second moments about `centroid`, both in the axes of
+    the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are bounds of what
+    rounding did: of the measure, of each coordinate, and of each second moment.
+    """
+
+    def __init__(self, sums: "Sums", reference: "Array", frame: "Frame | None" = None) -> None:
+        # the integral of one over a body of weight w, of r, and of r rᵀ
+        scale = (2.0, 2.0, 2.0) if sums.shell else (6.0, 8.0, 10.0)
+        self.shell = sums.shell
+        self.frame = None if frame is None else frame.rows
+        # how much longer than one the axes are, to first order: a solid is given back what they stretched
+        longer = np.zeros(3) if frame is None or sums.shell else frame.excess()
+        self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
+        first = sums.first / scale[1]
+        xx, yy, zz, xy, yz, zx = sums.second / scale[2]
+        second = np.array(((xx, xy, zx), (xy, yy, yz), (zx, yz, zz)))
+        extent = sums.extent
+        # |d| ≤ |a||n|, and ≤ Σ |aₖ||nₖ| where those are known
+        weight = 2.0 * sums.area
+        if not sums.shell:
+            weight = float(extent @ sums.normals) if sums.by_axis else float(np.hypot.reduce(extent)) * weight
+        unit = ROUNDINGS * UNIT_ROUNDOFF
+        self.measure_error = unit * weight / scale[0]
+        self.reference = reference
+        if self.measure == 0.0:
+            self.centre = np.zeros(3)
+            self.second = second
+            self.centre_error = self.second_error = extent * 0.0
+            return
+        centre = first * (1.0 - float(longer.sum())) / self.measure
+        self.centre = centre
+        second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
+        self.second = second * (1.0 - (longer[:, None] + longer))
+        self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
+        self.second_error = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) * np.outer(extent, extent)
+
+    @property
+    def centroid(self) -> "Array":
+        """The mass centre in the axes of the file."""
+        offset = self.centre if self.frame is None else self.frame.T @ self.centre
+        return self.reference + offset  # type: ignore[no-any-return]
+
+
+class Sums:
+    """Everything that one pass over the triangles adds up; Σ |nₖ|, which tells thin axes, when `by_axis` says so."""
+
+    def __init__(self, *, shell: bool, by_axis: bool, room: int, boundary: "Boundary | None" = None) -> None:
+        self.shell = shell
+        self.by_axis = by_axis
+        self.boundary = boundary
+        self.count = 0
+        self.low = np.full(3, np.inf)
+        self.high = np.full(3, -np.inf)
+        self.extent = np.zeros(3)
+        self._sum, self._lost, self._part = np.zeros((3, 20))
+        self._w, self._n, self._t = (np.empty(rows * room) for rows in (9, 3, 3))
+
+    second = property(lambda self: self._sum[_SECOND])
+    first = property(lambda self: self._sum[_FIRST])
+    closure = property(lambda self: 0.5 * self._sum[_CLOSURE])
+    squares = property(lambda self: 0.25 * self._sum[_SQUARES])
+    total = property(lambda self: float(self._sum[_TOTAL]))
+    area = property(lambda self: 0.5 * float(self._sum[_AREA]))
+    normals = property(lambda self: self._sum[_NORMALS])
+
+    def add(self, x: "Array") -> None:
+        """Add a block seen from the reference point, coordinates by vectors a, e, f by triangles; overwrites it."""
+        size = x.shape[2]
+        w = self._w[: 9 * size].reshape(3, 3, size)
+        n, t = (m[: 3 * size].reshape(3, size) for m in (self._n, self._t))
+        part = self._part
+        a, e, f = x[:, 0], x[:, 1], x[:, 2]
+        _cross(e, f, n, t[0])
+        np.add.reduce(n, axis=1, out=part[_CLOSURE])
+        if self.by_axis:
+            np.add.reduce(np.abs(n, out=t), axis=1, out=part[_NORMALS])
+        np.add.reduce(np.multiply(n, n, out=t), axis=1, out=part[_SQUARES])
+        t[0] += t[1]
+        t[0] += t[2]
+        d = np.sqrt(t[0], out=t[0])
+        part[_AREA] = d.sum()
+        if not self.shell:
+            np.multiply(a, n, out=t)
+            d = np.add(t[0], t[1], out=t[0])
+            d += t[2]
+        part[_TOTAL] = d.sum()
+        np.add(e, f, out=n)
+        n *= 1.0 / 3.0
+        a += n
+        np.multiply(f, 0.5, out=n)
+        e -= n
+        np.multiply(a, d, out=w[:, 0])
+        np.multiply(e, np.multiply(d, 1.0 / 18.0, out=t[1]), out=w[:, 1])
+        np.multiply(f, np.multiply(d, 1.0 / 24.0, out=t[1]), out=w[:, 2])
+        w, x = w.reshape(3, 3 * size), x.reshape(3, 3 * size)
+        part[_SECOND] = [np.dot(w[i], x[j]) for i, j in _PAIRS]
+        np.add.reduce(w[:, :size], axis=1, out=part[_FIRST])
+        self.count += size
+        self._accumulate()
+
+    def _accumulate(self) -> None:
+        """Add the block's sums to the whole's, keeping what rounding loses."""
+        before, part = self._sum, self._part
+        after = before + part
+        virtual = after - before
+        self._lost += (before - (after - virtual)) + (part - virtual)
+        self._sum = after
+
+    def finish(self) -> None:
+        """Put back what the additions lost."""
+        self._sum = self._sum + self._lost
+
+
+def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Moments]":
+    """Integrate over a source in the axes of its file, its boundary summed on the way when `prove` says so.
+
+    Raises
+    ------
+    InadmissibleError
+        When a coordinate is not finite or out of range, or there are no triangles.
+    """
+    boundary = Boundary(single=source.single, room=source.room) if prove else None
+    sums = Sums(shell=shell, by_axis=False, room=source.room, boundary=boundary)
+    room, spare = np.empty((2, 9 * source.room))
+    reference = np.zeros((3, 1))
+    for corners in source.blocks():
+        size = corners.shape[1]
+        low, high = _box(corners, sums.count)
+        np.minimum(sums.low, low, out=sums.low)
+        np.maximum(sums.high, high, out=sums.high)
+        double = spare[: 9 * size].reshape(9, size)
+        double[:] = corners
+        if sums.boundary is not None:
+            sums.boundary.add(double)
+        if sums.count == 0:
+            reference = _reference(double)
+        block = room[: 9 * size].reshape(3, 3, size)
+        np.subtract(double[3:6], double[0:3], out=block[:, 1])
+        np.subtract(double[6:9], double[0:3], out=block[:, 2])
+        np.subtract(double[0:3], reference, out=block[:, 0])
+        sums.add(block)
+    require(sums.count > 0, "there are no triangles", code="empty")
+    sums.finish()
+    middle = reference[:, 0]
+    sums.extent = np.maximum(sums.high - middle, middle - sums.low)
+    return sums, Moments(sums, middle)
+
+
+def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array") -> Moments:
+    """Integrate again, seen from the mass centre in the axes that are the rows of `rows`.
+
+    Coordinates in these axes are exact to a rounding of themselves, so what is thin in them keeps all its digits.
+    """
+    sums = Sums(shell=moments.shell, by_axis=True, room=source.room)
+    reference = moments.centroid
+    frame = Frame(rows, reference, float(max(before.high - before.low)), source.room)
+    for corners in source.blocks():
+        block = frame.seen(corners)
+        np.maximum(sums.extent, np.abs(block[:, 0]).max(axis=1), out=sums.extent)
+        sums.add(block)
+    sums.finish()
+    return Moments(sums, reference, frame)
+
+
+def _reference(corners: "Array") -> "Array":
+    """A point near the first triangles, on a coarse grid so that differences from it are mostly exact."""
+    mean = corners.reshape(3, 3, -1).mean(axis=(0, 2), dtype=np.float64)
+    share, exponent = np.frexp(mean)
+    return np.ldexp(np.round(share * 2.0**_REFERENCE_BITS), exponent - _REFERENCE_BITS)[:, None]  # type: ignore[no-any-return]
+
+
+def _box(corners: "Array", before: int) -> "tuple[Array, Array]":
+    """Least and greatest coordinates of a block; refuses what no integral can be taken of."""
+    low, high = corners.min(axis=1).reshape(3, 3).min(axis=0), corners.max(axis=1).reshape(3, 3).max(axis=0)
+    size = max(float(np.abs(low).max()), float(np.abs(high).max()))
+    if not size < np.inf:
+        column = int(np.argmin(np.isfinite(corners).all(axis=0)))
+        row = int(np.argmin(np.isfinite(corners[:, column])))
+        require(
+            False,
+            "coordinate {0} of corner {1} of triangle {2} is {3}",
+            "xyz"[row % 3],
+            row // 3 + 1,
+            before + column + 1,
+            float(corners[row, column]),
+            code="not-finite",
+            hint="export the file again",
+        )
+    require(size < LARGEST, "a coordinate of {0:.3g} is out of range", size, code="range")
+    return low.astype(np.float64), high.astype(np.float64)
+
+
+def _cross(e: "Array", f: "Array", n: "Array", t: "Array") -> None:
+    """The cross product of the edges."""
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        np.multiply(e[i], f[j], out=n[k])
+        np.multiply(e[j], f[i], out=t)
+        n[k] -= t

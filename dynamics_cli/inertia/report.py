@@ -1,0 +1,115 @@
+"""An assembly reported: a row for each part, what cancels, standard uncertainties, and the bounds of it all."""
+
+from dynamics_cli.inertia.lump import Lump, about, each, tensor_of, turned
+from dynamics_cli.inertia.properties import MassProperties, View, properties
+from dynamics_cli.inertia.results import Cancellation, PartShare
+from dynamics_cli.inertia.rollup import deviation
+from dynamics_cli.inertia.spread import plain
+from dynamics_cli.records import Advice, ErrorBound, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.inertia.compose import Composed
+    from dynamics_cli.inertia.lump import Matrix, Vector
+
+# Above this a sum of material and holes has lost more digits than a reader expects.
+MUCH_CANCELS = 1e6
+
+
+def reported(whole: "Composed", view: View) -> MassProperties:
+    """The report of a composed assembly, its numbers bare and their bounds stated apart."""
+    measures = measures_of(whole)
+    answer = properties(whole.lump, view, spread=whole.spread, **measures)
+    rows, cancels = _shares(whole, view, answer)
+    bounds: list[ErrorBound] = []
+    values = {name: stated(name, getattr(answer, name), bounds) for name in answer.fields}  # type: ignore[attr-defined]
+    values |= {
+        "parts": rows,
+        "cancellation": cancels,
+        "standard_uncertainty": deviation(whole),
+        "advice": _advice(cancels, whole),
+        "numerics": Numerics(
+            "composition about the running mass centre; Jacobi rotations in two passes", tuple(bounds)
+        ),
+    }
+    return MassProperties(**values)
+
+
+def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
+    """A scalar bare, its relative bound stated; a vector as it is, each component with its own bound."""
+    if hasattr(value, "fields"):
+        return type(value)(**{part: stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
+    error = getattr(value, "error", None)
+    if error is None:
+        return value
+    size = abs(value.value)
+    if size == 0.0 and error > 0.0:
+        return value
+    bounds.append(ErrorBound(name, (error / (size - error) if size > 2.0 * error else error / size) if error else 0.0))
+    return value.value
+
+
+def bare(value: "Any") -> "Any":
+    """A result without its bounds."""
+    if isinstance(value, tuple):
+        return tuple(bare(item) for item in value)
+    if hasattr(value, "fields"):
+        return type(value)(**{name: bare(getattr(value, name)) for name in value.fields})
+    return plain(value)
+
+
+def measures_of(whole: "Composed") -> "dict[str, Any]":
+    """Volume, area or length of an assembly whose bodies are all solids, all laminae or all rods; else nothing."""
+    kinds = {leaf.measures[0] if leaf.measures else 0 for leaf in whole.leaves}
+    if len(kinds) != 1 or kinds == {0}:
+        return {}
+    total = 0.0
+    for leaf in whole.leaves:
+        total = total + leaf.sign * leaf.measures[1]
+    return {("length", "area", "volume")[kinds.pop() - 1]: total} if plain(total) > 0.0 else {}
+
+
+def _shares(
+    whole: "Composed", view: View, answer: MassProperties
+) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
+    rotation: Matrix = _rotation(view, whole)
+    point: Vector = answer.reference_point
+    rows = []
+    for leaf, piece in zip(whole.leaves, whole.pieces, strict=True):
+        tensor = tensor_of(turned(about(Lump(piece.mass, piece.centroid, piece.second), point), rotation))
+        moments = each(plain, (tensor[0][0], tensor[1][1], tensor[2][2]))
+        rows.append(PartShare(leaf.name, plain(piece.mass), bare(piece.centroid), moments))
+    if all(leaf.sign > 0.0 for leaf in whole.leaves):
+        return tuple(rows), None
+    sums = [sum(row.moments[k] for row in rows) for k in range(3)]
+    sizes = [sum(abs(row.moments[k]) for row in rows) for k in range(3)]
+    mass = sum(abs(row.mass) for row in rows) / plain(whole.lump.mass)
+    shares = [size / abs(total) if total else 0.0 for size, total in zip(sizes, sums, strict=True)]
+    return tuple(rows), Cancellation(mass, (shares[0], shares[1], shares[2]))
+
+
+def _rotation(view: View, whole: "Composed") -> "Matrix":
+    from dynamics_cli.inertia.lump import IDENTITY
+
+    if view.axes == "principal":
+        return whole.spread.axes
+    return view.rotation if view.rotation is not None else IDENTITY
+
+
+def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ...]:
+    found = []
+    if cancels is not None and max(cancels.mass, *cancels.moments) > MUCH_CANCELS:
+        worst = max(cancels.mass, *cancels.moments)
+        found.append(
+            Advice(
+                "cancellation",
+                f"material and holes cancel to 1/{worst:.3g} of their size, and as many digits are lost",
+                severity="caution",
+                mend="use a hollow shape with its wall thickness instead of a solid less a solid",
+            )
+        )
+    if not whole.bounded:
+        found.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
+    return tuple(found)

@@ -1,0 +1,1 @@
+"""Area properties of plane sections."""

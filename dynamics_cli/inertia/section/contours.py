@@ -1,0 +1,155 @@
+"""Contours of a section in whole numbers: doubles are whole multiples of a power of two, so nothing is rounded."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Coordinate, Size
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import TypeAlias
+
+    Point: TypeAlias = tuple[int, int]
+
+MOST_CORNERS = 20_000
+
+
+@record
+class Hole:
+    """A hole: a polygon, or a circle or a rectangle about (x, y).
+
+    Parameters
+    ----------
+    polygon : tuple of Coordinate
+        Its corners x1, y1, x2, y2, … in order, either way round [m].
+    diameter : Size
+        Diameter of a circle [m].
+    width : Size
+        Width of a rectangle, along x [m].
+    height : Size
+        Height of a rectangle, along y [m].
+    x : Coordinate
+        Where the centre of the circle or rectangle is [m].
+    y : Coordinate
+        Where the centre of the circle or rectangle is [m].
+    """
+
+    polygon: tuple[Coordinate, ...] = ()
+    diameter: Size | None = None
+    width: Size | None = None
+    height: Size | None = None
+    x: Coordinate = 0.0
+    y: Coordinate = 0.0
+
+
+@record
+class Piece:
+    """A piece of material: a polygon, or a circle or a rectangle about (x, y).
+
+    Parameters
+    ----------
+    polygon : tuple of Coordinate
+        Its corners x1, y1, x2, y2, … in order, either way round [m].
+    diameter : Size
+        Diameter of a circle [m].
+    width : Size
+        Width of a rectangle, along x [m].
+    height : Size
+        Height of a rectangle, along y [m].
+    x : Coordinate
+        Where the centre of the circle or rectangle is [m].
+    y : Coordinate
+        Where the centre of the circle or rectangle is [m].
+    """
+
+    polygon: tuple[Coordinate, ...] = ()
+    diameter: Size | None = None
+    width: Size | None = None
+    height: Size | None = None
+    x: Coordinate = 0.0
+    y: Coordinate = 0.0
+
+
+class Contour:
+    """A polygon or a circle in whole multiples of 2⁻ᵏ metres; `sign` is −1 for a hole.
+
+    A circle has its centre as its only corner and a diameter.
+    """
+
+    __slots__ = ("corners", "diameter", "name", "sign")
+
+    def __init__(self, name: str, sign: int, corners: "list[Point]", diameter: int = 0) -> None:
+        self.name = name
+        self.sign = sign
+        self.corners = corners
+        self.diameter = diameter
+
+    def sides(self) -> "Iterator[tuple[Point, Point]]":
+        """The sides of a polygon."""
+        if not self.diameter:
+            yield from zip(self.corners, [*self.corners[1:], self.corners[0]], strict=True)
+
+
+def contours(
+    polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]"
+) -> "tuple[list[Contour], int]":
+    """Every contour, and the power k of the unit 2⁻ᵏ m that all their numbers are whole multiples of."""
+    made: list[tuple[str, int, list[tuple[float, ...]], float]] = []
+    if polygon:
+        require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
+        made.append(("the polygon", 1, [(part,) for part in polygon], 0.0))
+    for kind, sign, items in (("piece", 1, pieces), ("hole", -1, holes)):
+        made += [_shape(f"{kind} {index}", sign, item) for index, item in enumerate(items, 1)]
+    require(
+        any(sign > 0 for _, sign, _, _ in made),
+        "there is no material",
+        code="missing",
+        hint="give a polygon or a piece",
+    )
+    power = max(
+        _power(part) for _, _, numbers, diameter in made for number in (*numbers, (0.5 * diameter,)) for part in number
+    )
+    out = []
+    for name, sign, numbers, diameter in made:
+        whole = [sum(_whole(part, power) for part in number) for number in numbers]
+        corners = list(zip(whole[0::2], whole[1::2], strict=True))
+        if not diameter and len(corners) > 1 and corners[0] == corners[-1]:
+            corners.pop()
+        require(diameter or len(corners) >= 3, "{0} has {1} corners and no area", name, len(corners), code="polygon")
+        require(len(corners) <= MOST_CORNERS, "{0} has {1} corners, more than {2}", name, len(corners), MOST_CORNERS)
+        out.append(Contour(name, sign, corners, _whole(diameter, power)))
+    return out, power
+
+
+def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[tuple[float, ...]], float]":
+    """A contour's name, sign, coordinates (each an exact sum of doubles) and diameter."""
+    given = [bool(item.polygon), item.diameter is not None, item.width is not None or item.height is not None]
+    require(
+        sum(given) == 1,
+        "{0} wants a polygon, or a diameter, or a width and a height",
+        name,
+        code="exclusive" if sum(given) else "missing",
+    )
+    if item.polygon:
+        require(len(item.polygon) % 2 == 0, "{0} has an odd number of coordinates", name, code="polygon")
+        return name, sign, [(part,) for part in item.polygon], 0.0
+    if item.diameter is not None:
+        require(item.diameter > 0.0, "{0} has no diameter", name, code="size")
+        return name, sign, [(item.x,), (item.y,)], item.diameter
+    require(item.width is not None and item.height is not None, "{0} wants a width and a height", name, code="missing")
+    assert item.width is not None
+    assert item.height is not None
+    require(item.width > 0.0 and item.height > 0.0, "{0} has no area", name, code="size")
+    x, y, a, b = item.x, item.y, 0.5 * item.width, 0.5 * item.height
+    left, right, low, high = (x, -a), (x, a), (y, -b), (y, b)
+    return name, sign, [left, low, right, low, right, high, left, high], 0.0
+
+
+def _power(number: float) -> int:
+    """The least k for which the number is a whole multiple of 2⁻ᵏ."""
+    return number.as_integer_ratio()[1].bit_length() - 1 if number else 0
+
+
+def _whole(number: float, power: int) -> int:
+    up, down = number.as_integer_ratio()
+    return up * ((1 << power) // down)

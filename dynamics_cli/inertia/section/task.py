@@ -1,0 +1,354 @@
+"""Area properties of a plane section: what beams and plates in bending need of it."""
+
+from math import atan2, cos, fsum, hypot, pi, sin
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.section.contours import Hole, Piece, contours
+from dynamics_cli.inertia.section.integrals import Integrals, principal, root
+from dynamics_cli.inertia.section.simple import require_sound
+from dynamics_cli.quantities import (
+    Angle,
+    Area,
+    Coordinate,
+    Count,
+    SecondMoment,
+    SectionModulus,
+    Size,
+    Text,
+)
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.inertia.section.contours import Contour
+
+UNIT_ROUNDOFF = 2.0**-53
+# Moments closer than this share of the greatest are equal as far as the doubles given can tell.
+EQUAL = 8.0 * 2.0**-52
+# Second moments of anything smaller would leave the range of a double.
+SMALLEST = 1e-140
+METHOD = "exact rational arithmetic, rounded once"
+
+
+@record
+class PlaneMoments:
+    """Second moments of an area about axes through a point, parallel to x and y.
+
+    Parameters
+    ----------
+    ix : SecondMoment
+        ∫ y² dA, for bending about x [m^4].
+    iy : SecondMoment
+        ∫ x² dA, for bending about y [m^4].
+    ixy : SecondMoment
+        The product ∫ x y dA [m^4].
+    polar : SecondMoment
+        ∫ r² dA = ix + iy; not the torsion constant unless the section is round [m^4].
+    """
+
+    ix: SecondMoment
+    iy: SecondMoment
+    ixy: SecondMoment
+    polar: SecondMoment
+
+
+@record
+class PrincipalPlane:
+    """Principal second moments of an area about its centroid.
+
+    Parameters
+    ----------
+    i1 : SecondMoment
+        The greatest [m^4].
+    i2 : SecondMoment
+        The least [m^4].
+    angle : Angle
+        From the x axis to the axis of `i1`, anticlockwise, above −90° and up to 90° [rad].
+    degeneracy : Text
+        Whether these axes are determined.
+    """
+
+    i1: SecondMoment
+    i2: SecondMoment
+    angle: Angle
+    degeneracy: Text
+
+
+@record
+class Gyration:
+    """Radii of gyration about the centroid.
+
+    Parameters
+    ----------
+    rx : Size
+        √(ix/A) [m].
+    ry : Size
+        √(iy/A) [m].
+    r1 : Size
+        √(i1/A) [m].
+    r2 : Size
+        √(i2/A), that of buckling [m].
+    polar : Size
+        √(polar/A) [m].
+    """
+
+    rx: Size
+    ry: Size
+    r1: Size
+    r2: Size
+    polar: Size
+
+
+@record
+class Moduli:
+    """Elastic section moduli: second moment over distance of the outermost fibre.
+
+    Parameters
+    ----------
+    x_top : SectionModulus
+        ix over the distance of the highest fibre [m^3].
+    x_bottom : SectionModulus
+        ix over the distance of the lowest fibre [m^3].
+    y_right : SectionModulus
+        iy over the distance of the rightmost fibre [m^3].
+    y_left : SectionModulus
+        iy over the distance of the leftmost fibre [m^3].
+    first_least : SectionModulus
+        i1 over the distance of the fibre farthest from axis 1 [m^3].
+    second_least : SectionModulus
+        i2 over the distance of the fibre farthest from axis 2 [m^3].
+    """
+
+    x_top: SectionModulus
+    x_bottom: SectionModulus
+    y_right: SectionModulus
+    y_left: SectionModulus
+    first_least: SectionModulus
+    second_least: SectionModulus
+
+
+@record
+class SectionProperties:
+    """Area properties of a section.
+
+    Parameters
+    ----------
+    area : Area
+        Area [m^2].
+    perimeter : Size
+        Length of all contours, holes included [m].
+    x : Coordinate
+        Centroid [m].
+    y : Coordinate
+        Centroid [m].
+    centroidal : PlaneMoments
+        Second moments about the centroid.
+    about_origin : PlaneMoments
+        Second moments about the origin.
+    principal : PrincipalPlane
+        Principal second moments and their axes.
+    gyration : Gyration
+        Radii of gyration.
+    moduli : Moduli
+        Elastic section moduli.
+    corners : Count
+        Number of corners.
+    """
+
+    area: Area
+    perimeter: Size
+    x: Coordinate
+    y: Coordinate
+    centroidal: PlaneMoments
+    about_origin: PlaneMoments
+    principal: PrincipalPlane
+    gyration: Gyration
+    moduli: Moduli
+    corners: Count
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def section(
+    *, polygon: tuple[Coordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
+) -> SectionProperties:
+    """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
+
+    Equation
+    --------
+    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
+    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
+
+    Parameters
+    ----------
+    polygon : tuple of Coordinate
+        Corners x1, y1, x2, y2, … of the outline in order, either way round [m].
+    pieces : tuple of Piece
+        Material, as further polygons, circles and rectangles.
+    holes : tuple of Hole
+        Holes, as polygons, circles and rectangles within the material.
+
+    Returns
+    -------
+    SectionProperties
+        Everything about the area.
+
+    Raises
+    ------
+    InadmissibleError
+        When contours cross themselves or one another, a hole is outside its material, pieces overlap, or there is no
+        area.
+
+    Notes
+    -----
+    Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and rounded
+    once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses nothing.
+    The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
+    orders of magnitude.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 7 and appendix II; Mohr's circle: section
+    7.9.
+
+    Examples
+    --------
+    >>> section(pieces=(Piece(width=3.0, height=4.0),)).centroidal.ix
+    16.0
+    """
+    found, power = contours(polygon, pieces, holes)
+    for contour in found:
+        own = Integrals([contour], power).area
+        require(own != 0, "{0} has no area", contour.name, code="polygon", hint="check its corners")
+    require_sound(found)
+    sums = Integrals(found, power)
+    require(sums.area > 0, "the holes leave no material", code="no-area")
+    up, down = sums.moment(sums.area, 2)
+    require(up / down > SMALLEST, "an area of {0:.3g} m² is out of range", up / down, code="range")
+    return _Report(found, sums).made()
+
+
+class _Report:
+    """Numbers of a section, each rounded from its exact ratio."""
+
+    def __init__(self, found: "list[Contour]", sums: Integrals) -> None:
+        self.found = found
+        self.sums = sums
+        self.unit = 1 << sums.power
+        self.centroid = (sums.x, sums.area * self.unit), (sums.y, sums.area * self.unit)
+
+    def made(self) -> SectionProperties:
+        """The record."""
+        sums = self.sums
+        ix, iy, ixy = sums.central()
+        scale = sums.central_scale
+        (up1, down1), (up2, down2) = principal(ix, iy, ixy)
+        first, second = (up1, down1 * scale), (up2, down2 * scale)
+        i1, i2 = first[0] / first[1], second[0] / second[1]
+        equal = (i1 - i2) <= EQUAL * i1
+        angle = 0.0 if equal else _angle(ix, iy, ixy)
+        area = sums.moment(sums.area, 2)
+        about = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
+        corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
+        return SectionProperties(
+            area=area[0] / area[1],
+            perimeter=self._perimeter(),
+            x=self.centroid[0][0] / self.centroid[0][1],
+            y=self.centroid[1][0] / self.centroid[1][1],
+            centroidal=PlaneMoments(ix / scale, iy / scale, ixy / scale, (ix + iy) / scale),
+            about_origin=PlaneMoments(*(up / down for up, down in about)),
+            principal=PrincipalPlane(
+                i1,
+                i2,
+                angle,
+                "every axis through the centroid is principal: both moments are equal"
+                if equal
+                else "none: the principal moments are different",
+            ),
+            gyration=Gyration(
+                *(_over(part, area) for part in ((ix, scale), (iy, scale), first, second, (ix + iy, scale)))
+            ),
+            moduli=self._moduli((ix, scale), (iy, scale), i1, i2, angle),
+            corners=corners,
+            advice=_advice(self.found),
+            numerics=Numerics(METHOD, tuple(_bounds())),
+        )
+
+    def _perimeter(self) -> float:
+        """Length of all contours."""
+        lengths = [
+            hypot((b[0] - a[0]) / self.unit, (b[1] - a[1]) / self.unit)
+            for contour in self.found
+            for a, b in contour.sides()
+        ]
+        lengths += [pi * (contour.diameter / self.unit) for contour in self.found]
+        return fsum(lengths)
+
+    def _moduli(self, ix: "tuple[int, int]", iy: "tuple[int, int]", i1: float, i2: float, angle: float) -> Moduli:
+        """Moments over the distances of the outermost fibres."""
+        sides = [self._reach(axis, sign) for axis in (1, 0) for sign in (1, -1)]
+        top, bottom, right, left = (
+            (moment[0] * reach[1]) / (moment[1] * reach[0])
+            for moment, reach in zip((ix, ix, iy, iy), sides, strict=True)
+        )
+        across = [self._farthest(-sin(angle), cos(angle)), self._farthest(cos(angle), sin(angle))]
+        return Moduli(top, bottom, right, left, i1 / across[0], i2 / across[1])
+
+    def _reach(self, axis: int, sign: int) -> "tuple[int, int]":
+        """How far the section reaches along an axis from its centroid, as a ratio."""
+        up, down = self.centroid[axis]
+        twice = max(2 * sign * corner[axis] + contour.diameter for contour in self.found for corner in contour.corners)
+        return twice * (down // self.unit) - 2 * sign * up, 2 * down
+
+    def _farthest(self, nx: float, ny: float) -> float:
+        """The greatest distance from the line through the centroid across (nx, ny)."""
+        (x, xd), (y, yd) = self.centroid
+        x_whole, y_whole = xd // self.unit, yd // self.unit
+        return max(
+            abs(nx * ((corner[0] * x_whole - x) / xd) + ny * ((corner[1] * y_whole - y) / yd))
+            + 0.5 * (contour.diameter / self.unit)
+            for contour in self.found
+            for corner in contour.corners
+        )
+
+
+def _angle(ix: int, iy: int, ixy: int) -> float:
+    """Direction of the axis of the greatest moment: tan 2φ = −2 Ixy/(Ix − Iy)."""
+    size = max(abs(ix - iy), abs(2 * ixy))
+    angle = 0.5 * atan2(-2 * ixy / size, (ix - iy) / size)
+    return angle if angle > -0.5 * pi else 0.5 * pi
+
+
+def _over(moment: "tuple[int, int]", area: "tuple[int, int]") -> float:
+    """√(I/A)."""
+    up, down = root(moment[0] * area[1], moment[1] * area[0])
+    return up / down
+
+
+def _bounds() -> "list[ErrorBound]":
+    """One rounding of an exact ratio; a few where an angle, or many lengths, come in."""
+    once = UNIT_ROUNDOFF * (1.0 + 2.0**-40)
+    names = ["area", "x", "y", "principal.i1", "principal.i2"]
+    names += [f"{group}.{part}" for group in ("centroidal", "about_origin") for part in PlaneMoments.fields]  # type: ignore[attr-defined]
+    names += [f"gyration.{part}" for part in Gyration.fields]  # type: ignore[attr-defined]
+    names += [f"moduli.{part}" for part in ("x_top", "x_bottom", "y_right", "y_left")]
+    out = [ErrorBound(name, once) for name in names]
+    out += [ErrorBound(name, 4.0 * UNIT_ROUNDOFF) for name in ("perimeter", "principal.angle")]
+    # an axis turned by the error of its angle moves a far fibre by as much of its distance
+    out += [ErrorBound(f"moduli.{part}", 16.0 * UNIT_ROUNDOFF) for part in ("first_least", "second_least")]
+    return out
+
+
+def _advice(found: "list[Contour]") -> "tuple[Advice, ...]":
+    if all(contour.diameter for contour in found):
+        centres = {contour.corners[0] for contour in found}
+        if len(centres) == 1:
+            return ()
+    return (
+        Advice(
+            "not-torsion",
+            "the polar second moment is not the torsion constant of this section: only round ones twist by it",
+            "note",
+        ),
+    )

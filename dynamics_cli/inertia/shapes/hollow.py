@@ -1,0 +1,301 @@
+"""Hollow solids by outer size and wall thickness, in factored forms that keep every digit of a thin wall.
+
+The measure is the volume.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.shapes.sizes import cubes, inner_radius, inner_side, require_ring
+from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
+from dynamics_cli.quantities import Size
+from dynamics_cli.records import record, tagged
+
+
+@tagged("shape")
+@record
+class HollowSphere:
+    """A ball with a concentric cavity, about the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Outer radius [m].
+    thickness : Size
+        Wall thickness [m].
+    """
+
+    radius: Size
+    thickness: Size
+
+    dimension = 3
+    formula = "r = R − t: Ixx = Iyy = Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        size, fourth = cubes(self.radius, inner_radius(self.radius, self.thickness))
+        own = fourth / size / 5.0
+        return Unit((4.0 / 3.0) * PI * self.thickness * size, CENTRE, own, own, own)
+
+
+@tagged("shape")
+@record
+class HollowHemisphere:
+    """Half a ball with a concentric cavity, its rim on the x-y plane about the origin, open below.
+
+    Parameters
+    ----------
+    radius : Size
+        Outer radius [m].
+    thickness : Size
+        Wall thickness [m].
+    """
+
+    radius: Size
+    thickness: Size
+
+    dimension = 3
+    formula = "r = R − t: z̄ = (3/8)·(R⁴ − r⁴)/(R³ − r³), Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a = self.radius
+        b = inner_radius(a, self.thickness)
+        size, fourth = cubes(a, b)
+        own = fourth / size / 5.0
+        # ∫z² less the square of the mean, as a polynomial in the inner over the outer radius without a negative term
+        s = b / a
+        ends = 19.0 + s * (38.0 + s * (57.0 + s * (12.0 + s * (57.0 + s * (38.0 + s * 19.0)))))
+        one = 1.0 + s * (1.0 + s)
+        return Unit(
+            (2.0 / 3.0) * PI * self.thickness * size,
+            (0.0, 0.0, 0.375 * (a + b) * (a * a + b * b) / size),
+            own,
+            own,
+            a * a * (ends / (320.0 * one * one)),
+        )
+
+
+@tagged("shape")
+@record
+class HollowCylinder:
+    """A tube along z, its middle at the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Outer radius [m].
+    thickness : Size
+        Wall thickness [m].
+    length : Size
+        Length along z [m].
+    """
+
+    radius: Size
+    thickness: Size
+    length: Size
+
+    dimension = 3
+    formula = "r = R − t: Izz = m·(R² + r²)/2, Ixx = Iyy = m·(3·(R² + r²) + L²)/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        inner = inner_radius(self.radius, self.thickness)
+        own = 0.25 * (self.radius * self.radius + inner * inner)
+        return Unit(
+            PI * self.thickness * (self.radius + inner) * self.length,
+            CENTRE,
+            own,
+            own,
+            self.length * self.length / 12.0,
+        )
+
+
+@tagged("shape")
+@record
+class ClosedCylinder:
+    """A can along z, its walls and both its ends of one thickness, its middle at the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Outer radius [m].
+    thickness : Size
+        Wall thickness [m].
+    length : Size
+        Outer length along z [m].
+    """
+
+    radius: Size
+    thickness: Size
+    length: Size
+
+    dimension = 3
+    formula = "outer less inner cylinder, factored in the thickness"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, t, c = self.radius, self.thickness, self.length
+        b, d = inner_radius(a, t), inner_side(c, t)
+        wall, ends = (a + b) * c, 2.0 * b * b
+        size = wall + ends
+        require(size > 0.0, "a can needs a radius", code="size")
+        own = 0.25 * ((a * a + b * b) * wall + b * b * ends) / size
+        along = (c * c * wall + (c * c + c * d + d * d) * ends) / size / 12.0
+        return Unit(PI * t * size, CENTRE, own, own, along)
+
+
+@tagged("shape")
+@record
+class HollowFrustum:
+    """A conical tube, its base on the x-y plane about the origin, its wall of one thickness across the axis.
+
+    Parameters
+    ----------
+    base_radius : Size
+        Outer radius at z = 0 [m].
+    top_radius : Size
+        Outer radius at z = height [m].
+    thickness : Size
+        Wall thickness, measured across the axis [m].
+    height : Size
+        Height along z [m].
+    """
+
+    base_radius: Size
+    top_radius: Size
+    thickness: Size
+    height: Size
+
+    dimension = 3
+    formula = "outer less inner frustum, factored in the thickness"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, t = self.base_radius, self.top_radius, self.thickness
+        p, q = a + inner_radius(a, t), b + inner_radius(b, t)
+        both = p + q
+        require(both > 0.0, "a frustum needs a base or a top", code="frustum")
+        # a ring at z has the area π t s and π t s (s² + t²)/8 across, where s runs straight from p to q
+        across = 0.125 * (0.5 * (p * p + q * q) + t * t)
+        h = self.height
+        return Unit(
+            0.5 * PI * t * both * h,
+            (0.0, 0.0, h * (p + 2.0 * q) / (3.0 * both)),
+            across,
+            across,
+            h * h * (p * p + 4.0 * p * q + q * q) / (18.0 * both * both),
+        )
+
+
+@tagged("shape")
+@record
+class HollowBlock:
+    """A closed box about the origin, all six walls of one thickness.
+
+    Parameters
+    ----------
+    width : Size
+        Outer side along x [m].
+    depth : Size
+        Outer side along y [m].
+    height : Size
+        Outer side along z [m].
+    thickness : Size
+        Wall thickness [m].
+    """
+
+    width: Size
+    depth: Size
+    height: Size
+    thickness: Size
+
+    dimension = 3
+    formula = "outer less inner block, factored in the thickness"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        t = self.thickness
+        a, b, c = self.width, self.depth, self.height
+        x, y, z = inner_side(a, t), inner_side(b, t), inner_side(c, t)
+        across_x, across_y, across_z = b * c, x * c, x * y
+        size = across_x + across_y + across_z
+        require(size > 0.0, "a box needs two sides", code="size")
+        return Unit(
+            2.0 * t * size,
+            CENTRE,
+            ((a * a + a * x + x * x) * across_x + x * x * (across_y + across_z)) / size / 12.0,
+            (b * b * across_x + (b * b + b * y + y * y) * across_y + y * y * across_z) / size / 12.0,
+            (c * c * (across_x + across_y) + (c * c + c * z + z * z) * across_z) / size / 12.0,
+        )
+
+
+@tagged("shape")
+@record
+class RectangularTube:
+    """A straight tube of rectangular section along z, open at its ends, its middle at the origin.
+
+    Parameters
+    ----------
+    width : Size
+        Outer side along x [m].
+    depth : Size
+        Outer side along y [m].
+    thickness : Size
+        Wall thickness [m].
+    length : Size
+        Length along z [m].
+    """
+
+    width: Size
+    depth: Size
+    thickness: Size
+    length: Size
+
+    dimension = 3
+    formula = "outer less inner block, factored in the thickness; Σz² = m·L²/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        t = self.thickness
+        a, b = self.width, self.depth
+        x, y = inner_side(a, t), inner_side(b, t)
+        size = b + x
+        require(size > 0.0, "a tube needs a side", code="size")
+        return Unit(
+            2.0 * t * size * self.length,
+            CENTRE,
+            ((a * a + a * x + x * x) * b + x * x * x) / size / 12.0,
+            (b * b * b + (b * b + b * y + y * y) * x) / size / 12.0,
+            self.length * self.length / 12.0,
+        )
+
+
+@tagged("shape")
+@record
+class HollowTorus:
+    """A ring of tubular section about z, its middle at the origin.
+
+    Parameters
+    ----------
+    ring_radius : Size
+        Radius of the circle through the middles of the sections [m].
+    radius : Size
+        Outer radius of the section [m].
+    thickness : Size
+        Wall thickness [m].
+    """
+
+    ring_radius: Size
+    radius: Size
+    thickness: Size
+
+    dimension = 3
+    formula = "r = R_s − t: Izz = m·(R² + 3·(R_s² + r²)/4), Ixx = Iyy = m·(R²/2 + 5·(R_s² + r²)/8)"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        ring, outer = self.ring_radius, self.radius
+        require_ring(ring, outer)
+        inner = inner_radius(outer, self.thickness)
+        square = outer * outer + inner * inner
+        own = 0.5 * ring * ring + 0.375 * square
+        return Unit(2.0 * PI * PI * ring * self.thickness * (outer + inner), CENTRE, own, own, 0.25 * square)

@@ -1,0 +1,203 @@
+"""Solids with flat faces. The measure is the volume."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.lump import less, plus
+from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
+from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
+from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.quantities import Count, PartPosition, Size
+from dynamics_cli.records import record, tagged
+
+
+@tagged("shape")
+@record
+class Block:
+    """A solid rectangular block about the origin.
+
+    Parameters
+    ----------
+    width : Size
+        Side along x [m].
+    depth : Size
+        Side along y [m].
+    height : Size
+        Side along z [m].
+    """
+
+    width: Size
+    depth: Size
+    height: Size
+
+    dimension = 3
+    formula = "Ixx = m·(d² + h²)/12, Iyy = m·(h² + w²)/12, Izz = m·(w² + d²)/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, c = self.width, self.depth, self.height
+        return Unit(a * b * c, CENTRE, a * a / 12.0, b * b / 12.0, c * c / 12.0)
+
+
+@tagged("shape")
+@record
+class Wedge:
+    """A right triangular prism: legs from the origin along x and y, its length along z, its mid-plane at z = 0.
+
+    Parameters
+    ----------
+    width : Size
+        Leg along x [m].
+    height : Size
+        Leg along y [m].
+    length : Size
+        Length along z [m].
+    """
+
+    width: Size
+    height: Size
+    length: Size
+
+    dimension = 3
+    formula = "centroid (w/3, h/3): Ixx = m·(h²/18 + L²/12), Iyy = m·(w²/18 + L²/12), ∫xy dm = −m·w·h/36"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, c = self.width, self.height, self.length
+        return Unit(
+            0.5 * a * b * c, (a / 3.0, b / 3.0, 0.0), a * a / 18.0, b * b / 18.0, c * c / 12.0, xy=-(a * b) / 36.0
+        )
+
+
+@tagged("shape")
+@record
+class Prism:
+    """A straight prism along z on a polygon, its mid-plane at z = 0.
+
+    Parameters
+    ----------
+    vertices : tuple[Vertex, ...]
+        The corners of the polygon in the x-y plane, in either sense [m].
+    height : Size
+        Height along z [m].
+    """
+
+    vertices: tuple[Vertex, ...]
+    height: Size
+
+    dimension = 3
+    formula = "that of the polygon, with Σz² = m·h²/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        return polygon_unit(self.vertices, self.height, solid=True)
+
+
+@tagged("shape")
+@record
+class RegularPrism:
+    """A straight prism along z on a regular polygon with a corner on x, its middle at the origin.
+
+    Parameters
+    ----------
+    sides : Count
+        Number of sides, three at least.
+    radius : Size
+        Radius of the circle through the corners [m].
+    height : Size
+        Height along z [m].
+    """
+
+    sides: Count
+    radius: Size
+    height: Size
+
+    dimension = 3
+    formula = "Izz = m·R²·(2 + cos(2π/n))/6, Ixx = Iyy = Izz/2 + m·h²/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        require(self.sides >= 3, "a polygon of {0} sides has no area", self.sides, code="polygon")
+        step = 2.0 * PI / self.sides
+        square = self.radius * self.radius
+        own = square * (2.0 + cos(step)) / 12.0
+        return Unit(
+            0.5 * self.sides * square * sin(step) * self.height, CENTRE, own, own, self.height * self.height / 12.0
+        )
+
+
+@tagged("shape")
+@record
+class Pyramid:
+    """A solid pyramid on a rectangular base in the x-y plane about the origin, its apex at z = height.
+
+    Parameters
+    ----------
+    width : Size
+        Side of the base along x [m].
+    depth : Size
+        Side of the base along y [m].
+    height : Size
+        Height along z [m].
+    """
+
+    width: Size
+    depth: Size
+    height: Size
+
+    dimension = 3
+    formula = "z̄ = h/4, Izz = m·(w² + d²)/20, Ixx = m·(d²/20 + 3h²/80)"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, c = self.width, self.depth, self.height
+        return Unit(a * b * c / 3.0, (0.0, 0.0, 0.25 * c), a * a / 20.0, b * b / 20.0, 3.0 * c * c / 80.0)
+
+
+@tagged("shape")
+@record
+class Tetrahedron:
+    """A solid tetrahedron by its corners.
+
+    Parameters
+    ----------
+    first : PartPosition
+        A corner [m].
+    second : PartPosition
+        A corner [m].
+    third : PartPosition
+        A corner [m].
+    fourth : PartPosition
+        A corner [m].
+    """
+
+    first: PartPosition
+    second: PartPosition
+    third: PartPosition
+    fourth: PartPosition
+
+    dimension = 3
+    formula = "∫rrᵀ dm about the centroid = m/80·Σ over the six edges e eᵀ"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        corners = (self.first, self.second, self.third, self.fourth)
+        a, b, c = (less(corner, self.first) for corner in corners[1:])
+        edges = (a, b, c, less(b, a), less(c, b), less(a, c))
+        volume = (
+            a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+        ) / 6.0
+        away = plus(plus(a, b), c)
+        middle = plus(self.first, (0.25 * away[0], 0.25 * away[1], 0.25 * away[2]))
+        own = [
+            [sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)]
+            for i in range(3)
+        ]
+        return Unit(
+            abs(volume),
+            middle,
+            own[0][0],
+            own[1][1],
+            own[2][2],
+            xy=own[0][1],
+            yz=own[1][2],
+            zx=own[2][0],
+        )

@@ -1,0 +1,392 @@
+"""Solids of revolution and their parts. The measure is the volume."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.shapes.sizes import require_ring
+from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS_OVER_PI, HALF_DISK, PI, QUARTER_DISK, Unit
+from dynamics_cli.quantities import Size
+from dynamics_cli.records import record, tagged
+
+
+@tagged("shape")
+@record
+class Sphere:
+    """A solid sphere about the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    """
+
+    radius: Size
+
+    dimension = 3
+    formula = "Ixx = Iyy = Izz = (2/5)·m·R²"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        own = square / 5.0
+        return Unit((4.0 / 3.0) * PI * square * self.radius, CENTRE, own, own, own)
+
+
+@tagged("shape")
+@record
+class Hemisphere:
+    """A solid hemisphere, its flat face on the x-y plane about the origin, on the side of positive z.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    """
+
+    radius: Size
+
+    dimension = 3
+    formula = "z̄ = 3R/8, Ixx = Iyy = (83/320)·m·R², Izz = (2/5)·m·R²"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        own = square / 5.0
+        return Unit(
+            (2.0 / 3.0) * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0
+        )
+
+
+@tagged("shape")
+@record
+class Cylinder:
+    """A solid circular cylinder along z, its middle at the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    length : Size
+        Length along z [m].
+    """
+
+    radius: Size
+    length: Size
+
+    dimension = 3
+    formula = "Izz = m·R²/2, Ixx = Iyy = m·(3R² + L²)/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        return Unit(PI * square * self.length, CENTRE, 0.25 * square, 0.25 * square, self.length * self.length / 12.0)
+
+
+@tagged("shape")
+@record
+class HalfCylinder:
+    """Half a solid cylinder along z, its flat face on the y-z plane, on the side of positive x, its mid-plane at z = 0.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    length : Size
+        Length along z [m].
+    """
+
+    radius: Size
+    length: Size
+
+    dimension = 3
+    formula = "x̄ = 4R/(3π), Izz = m·R²·(1/2 − 16/(9π²)), Ixx = m·(3R² + L²)/12"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        return Unit(
+            0.5 * PI * square * self.length,
+            (FOUR_THIRDS_OVER_PI * self.radius, 0.0, 0.0),
+            HALF_DISK * square,
+            0.25 * square,
+            self.length * self.length / 12.0,
+        )
+
+
+@tagged("shape")
+@record
+class QuarterCylinder:
+    """A quarter of a solid cylinder along z between the x-z and y-z planes, its edge on z, its mid-plane at z = 0.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    length : Size
+        Length along z [m].
+    """
+
+    radius: Size
+    length: Size
+
+    dimension = 3
+    formula = "x̄ = ȳ = 4R/(3π), Izz = m·R²·(1/2 − 32/(9π²)), ∫xy dm = m·R²·(1/(2π) − 16/(9π²))"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        middle = FOUR_THIRDS_OVER_PI * self.radius
+        own = HALF_DISK * square
+        return Unit(
+            0.25 * PI * square * self.length,
+            (middle, middle, 0.0),
+            own,
+            own,
+            self.length * self.length / 12.0,
+            xy=QUARTER_DISK * square,
+        )
+
+
+@tagged("shape")
+@record
+class EllipticCylinder:
+    """A solid elliptic cylinder along z, its middle at the origin.
+
+    Parameters
+    ----------
+    x_radius : Size
+        Semi-axis along x [m].
+    y_radius : Size
+        Semi-axis along y [m].
+    length : Size
+        Length along z [m].
+    """
+
+    x_radius: Size
+    y_radius: Size
+    length: Size
+
+    dimension = 3
+    formula = "Ixx = m·(3b² + L²)/12, Iyy = m·(3a² + L²)/12, Izz = m·(a² + b²)/4"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b = self.x_radius, self.y_radius
+        return Unit(PI * a * b * self.length, CENTRE, 0.25 * a * a, 0.25 * b * b, self.length * self.length / 12.0)
+
+
+@tagged("shape")
+@record
+class Cone:
+    """A solid circular cone, its base on the x-y plane about the origin, its apex at z = height.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius of the base [m].
+    height : Size
+        Height along z [m].
+    """
+
+    radius: Size
+    height: Size
+
+    dimension = 3
+    formula = "z̄ = h/4, Izz = (3/10)·m·R², Ixx = Iyy = (3/80)·m·(4R² + h²)"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        square = self.radius * self.radius
+        own = 3.0 * square / 20.0
+        return Unit(
+            PI * square * self.height / 3.0,
+            (0.0, 0.0, 0.25 * self.height),
+            own,
+            own,
+            3.0 * self.height * self.height / 80.0,
+        )
+
+
+@tagged("shape")
+@record
+class Frustum:
+    """A solid frustum of a circular cone, its base on the x-y plane about the origin.
+
+    Parameters
+    ----------
+    base_radius : Size
+        Radius at z = 0 [m].
+    top_radius : Size
+        Radius at z = height [m].
+    height : Size
+        Height along z [m].
+    """
+
+    base_radius: Size
+    top_radius: Size
+    height: Size
+
+    dimension = 3
+    formula = "Izz = (3/10)·m·(a⁵ − b⁵)/(a³ − b³), z̄ = h·(a² + 2ab + 3b²)/(4·(a² + ab + b²))"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b = self.base_radius, self.top_radius
+        size = a * a + a * b + b * b
+        require(size > 0.0, "a frustum needs a base or a top", code="frustum")
+        first = a * a + 2.0 * a * b + 3.0 * b * b
+        # the factored form of ∫z² less the square of the mean: no term is negative
+        spread = a * a * (a * a + 4.0 * a * b + 10.0 * b * b) + b * b * (4.0 * a * b + b * b)
+        fourth = a * a * (a * a + a * b + b * b) + b * b * (a * b + b * b)
+        own = 3.0 * fourth / size / 20.0
+        return Unit(
+            PI * self.height * size / 3.0,
+            (0.0, 0.0, 0.25 * self.height * first / size),
+            own,
+            own,
+            3.0 * self.height * self.height * (spread / size / size) / 80.0,
+        )
+
+
+@tagged("shape")
+@record
+class Paraboloid:
+    """A solid paraboloid of revolution, its tip at the origin, its flat face at z = height.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius of the flat face [m].
+    height : Size
+        Height along z [m].
+    """
+
+    radius: Size
+    height: Size
+
+    dimension = 3
+    formula = "z̄ = 2h/3, Izz = m·R²/3, Ixx = Iyy = m·(3R² + h²)/18"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        own = self.radius * self.radius / 6.0
+        return Unit(
+            0.5 * PI * self.radius * self.radius * self.height,
+            (0.0, 0.0, 2.0 * self.height / 3.0),
+            own,
+            own,
+            self.height * self.height / 18.0,
+        )
+
+
+@tagged("shape")
+@record
+class Capsule:
+    """A solid cylinder along z with a half ball on either end, its middle at the origin.
+
+    Parameters
+    ----------
+    radius : Size
+        Radius [m].
+    length : Size
+        Length of the cylinder between the half balls, along z [m].
+    """
+
+    radius: Size
+    length: Size
+
+    dimension = 3
+    formula = "Izz = m_c·R²/2 + m_b·(2/5)·R², mass shared by volume: cylinder L, balls (4/3)·R"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        r, length = self.radius, self.length
+        balls = 4.0 * r / 3.0
+        both = length + balls
+        require(both > 0.0, "a capsule needs a radius or a length", code="capsule")
+        own = r * r * (0.25 * length + 0.2 * balls) / both
+        # a half ball's centroid is 3R/8 off its face: its spread is 19R²/320 and the square of that distance
+        away = 0.5 * length + 0.375 * r
+        along = (length * length * length / 12.0 + balls * (19.0 * r * r / 320.0 + away * away)) / both
+        return Unit(PI * r * r * both, CENTRE, own, own, along)
+
+
+@tagged("shape")
+@record
+class Ellipsoid:
+    """A solid ellipsoid about the origin.
+
+    Parameters
+    ----------
+    x_radius : Size
+        Semi-axis along x [m].
+    y_radius : Size
+        Semi-axis along y [m].
+    z_radius : Size
+        Semi-axis along z [m].
+    """
+
+    x_radius: Size
+    y_radius: Size
+    z_radius: Size
+
+    dimension = 3
+    formula = "Ixx = m·(b² + c²)/5, Iyy = m·(c² + a²)/5, Izz = m·(a² + b²)/5"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, c = self.x_radius, self.y_radius, self.z_radius
+        return Unit((4.0 / 3.0) * PI * a * b * c, CENTRE, a * a / 5.0, b * b / 5.0, c * c / 5.0)
+
+
+@tagged("shape")
+@record
+class HalfEllipsoid:
+    """Half a solid ellipsoid, its flat face on the x-y plane about the origin, on the side of positive z.
+
+    Parameters
+    ----------
+    x_radius : Size
+        Semi-axis along x [m].
+    y_radius : Size
+        Semi-axis along y [m].
+    z_radius : Size
+        Semi-axis along z [m].
+    """
+
+    x_radius: Size
+    y_radius: Size
+    z_radius: Size
+
+    dimension = 3
+    formula = "z̄ = 3c/8, Izz = m·(a² + b²)/5, Ixx = m·(b²/5 + 19c²/320)"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        a, b, c = self.x_radius, self.y_radius, self.z_radius
+        return Unit((2.0 / 3.0) * PI * a * b * c, (0.0, 0.0, 0.375 * c), a * a / 5.0, b * b / 5.0, 19.0 * c * c / 320.0)
+
+
+@tagged("shape")
+@record
+class Torus:
+    """A solid ring of circular section about z, its middle at the origin.
+
+    Parameters
+    ----------
+    ring_radius : Size
+        Radius of the circle through the middles of the sections [m].
+    radius : Size
+        Radius of the section [m].
+    """
+
+    ring_radius: Size
+    radius: Size
+
+    dimension = 3
+    formula = "Izz = m·(R² + 3r²/4), Ixx = Iyy = m·(R²/2 + 5r²/8)"
+
+    def unit(self) -> Unit:
+        """Of mass one."""
+        ring, square = self.ring_radius, self.radius * self.radius
+        require_ring(ring, self.radius)
+        own = 0.5 * ring * ring + 0.375 * square
+        return Unit(2.0 * PI * PI * ring * square, CENTRE, own, own, 0.25 * square)

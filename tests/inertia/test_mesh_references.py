@@ -1,0 +1,92 @@
+"""Meshes against exact references: errors, bounds, and what the family promises of thin and of distant bodies."""
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mpmath import mp, mpf
+from references.inertia_solids import triangles, write_stl
+
+from dynamics_cli.inertia.amount import OfArealDensity, OfDensity
+from dynamics_cli.inertia.mesh.surface import LengthUnit
+from dynamics_cli.inertia.mesh.task import mesh
+from dynamics_cli.numerics.tracked import Tracked
+
+FILE = Path(__file__).parents[1] / "references" / "inertia_mesh.json"
+CASES: list[dict[str, Any]] = json.loads(FILE.read_text(encoding="utf-8"))["cases"]
+U = mpf(2) ** -53
+EVERY = pytest.mark.parametrize("index", range(len(CASES)), ids=[case["name"] for case in CASES])
+
+
+def plain(tree: Any) -> Any:
+    if isinstance(tree, dict):
+        return {name: part if name == "solid" else plain(part) for name, part in tree.items()}
+    if isinstance(tree, list):
+        return [plain(part) for part in tree]
+    return float(tree) if isinstance(tree, str) else tree
+
+
+def by_address(record: Any, address: str) -> Any:
+    for name in address.replace("]", "").replace("[", ".").split("."):
+        record = record[int(name)] if name.isdigit() else getattr(record, name)
+    return record
+
+
+@cache
+def measured(index: int, folder: Path) -> list[tuple[str, Any, Any, Any]]:
+    """Address, reference, true error and stated bound of every result of a case."""
+    mp.dps = 60
+    case = CASES[index]
+    inputs = plain(case["inputs"])
+    path = folder / f"{index}.stl"
+    write_stl(path, triangles(inputs), binary=inputs["single"])
+    one = Tracked(1.0, 0.0, (1.0,))
+    amount = OfArealDensity(one) if inputs["shell"] else OfDensity(one)
+    made = mesh(str(path), length_unit=LengthUnit("m"), amount=amount)  # type: ignore[arg-type]
+    found = []
+    for address, text in case["results"].items():
+        own, reference = by_address(made, address), mpf(text)
+        error = max(abs(own.value - reference) - abs(reference) * mpf(10) ** -39, mpf(0))
+        found.append((address, reference, error, mpf(own.error)))
+    return found
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("meshes")
+
+
+def scale_of(address: str, rows: list[tuple[str, Any, Any, Any]]) -> Any:
+    """What an error is measured by: the number, but for coordinates and products the largest of their kind."""
+    kind = address.split(".")[0].split("[")[0]
+    kin = {"products": ("products", "moments"), "centroid": ("centroid",), "moments": ("moments",)}.get(kind)
+    return max(abs(r) for a, r, _, _ in rows if (a == address if kin is None else a.startswith(kin)))
+
+
+def cancelled(index: int) -> float:
+    """How much larger than their difference two surfaces are: a wall of 1 % leaves 3 % of the volume."""
+    return 1.0 / (1.0 - 0.99**3) if "hollow" in CASES[index]["name"] and not CASES[index]["inputs"]["shell"] else 1.0
+
+
+@EVERY
+def test_every_bound_holds(index: int, folder: Path) -> None:
+    rows = measured(index, folder)
+    assert [(a, float(e), float(b)) for a, _, e, b in rows if e > b] == []
+
+
+@EVERY
+def test_thin_or_far_no_digit_is_lost(index: int, folder: Path) -> None:
+    for address, reference, error, _ in measured(index, folder):
+        if address.startswith(("principal", "volume", "area")):
+            assert error <= 2e-15 * cancelled(index) * abs(reference), address
+
+
+@EVERY
+def test_bounds_are_within_reason(index: int, folder: Path) -> None:
+    rows = measured(index, folder)
+    for address, _, error, bound in rows:
+        if address.startswith("centroid"):
+            continue
+        assert bound <= 100 * max(error, U * cancelled(index) * scale_of(address, rows)), address

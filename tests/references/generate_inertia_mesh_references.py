@@ -1,0 +1,160 @@
+"""Writes inertia_mesh.json: solids and shells of triangles to 40 digits, for ordinary and hard triangles.
+
+Corners are doubles, so volumes and moments are rational: they are summed exactly, about the origin of the file, from
+the corners of each triangle, and moved to the mass centre exactly. Areas take square roots of 80 digits. Principal
+moments by mpmath's QR. Run: python tests/references/generate_inertia_mesh_references.py [FILE]. The same bytes every
+time.
+"""
+
+import json
+import sys
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from inertia_solids import triangles
+from mpmath import eigsy, matrix, mp, mpf, nstr, sqrt
+
+HERE = Path(__file__).resolve().parent
+STILL = (1.0, 0.0, 0.0, 0.0)
+TURN = (0.75, -0.5, 0.25, 0.375)
+
+
+def recipe(
+    solid: str, stretch: Any = (1.0, 1.0, 1.0), turn: Any = STILL, offset: Any = (0.0, 0.0, 0.0), **more: Any
+) -> dict[str, Any]:
+    """The inputs of a case."""
+    made = {"solid": solid, "stretch": stretch, "quaternion": turn, "offset": offset, "single": False, "shell": False}
+    return {**made, **more}
+
+
+def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
+    """Kind, name, why it is hard, inputs."""
+    for solid in ("ball 1", "ball 2", "box", "tetrahedron", "bracket", "hollow ball"):
+        for single in (False, True):
+            for turn in (STILL, TURN):
+                name = f"{solid}{' turned' if turn is TURN else ''}{' single' if single else ''}"
+                yield "ordinary", name, "", recipe(solid, (1.0, 0.75, 0.5), turn, (0.25, -0.5, 1.0), single=single)
+    for solid in ("ball 1", "bracket", "hollow ball"):
+        why = "a surface's weights are square roots"
+        yield "ordinary", f"shell of {solid}", why, recipe(solid, (1.0, 0.75, 0.5), TURN, (0.25, -0.5, 1.0), shell=True)
+    why = "moments about the origin exceed those about the centroid by the square of the offset"
+    for power in (2, 4, 6, 8):
+        far = 10.0**power
+        yield (
+            "hard",
+            f"ball at 1e{power} sizes",
+            why,
+            recipe("ball 2", (1.0, 0.75, 0.5), TURN, (far, -0.7 * far, 0.3 * far)),
+        )
+    for power in (1, 3, 5):
+        far = 10.0**power
+        inputs = recipe("ball 2", (1.0, 0.75, 0.5), TURN, (far, -0.7 * far, 0.3 * far), single=True)
+        yield "hard", f"ball at 1e{power} sizes, single", why, inputs
+    why = "the least moment is the square of the slenderness smaller, and turning loses it"
+    for power in (3, 6):
+        thin = 10.0**-power
+        for single in (False, True):
+            last = " single" if single else ""
+            for turn in (STILL, TURN):
+                name = f"needle 1e{power}{' turned' if turn is TURN else ''}{last}"
+                yield "hard", name, why, recipe("ball 2", (1.0, 1.25 * thin, thin), turn, single=single)
+        inputs = recipe("ball 2", (1.0, 1.25 * thin, thin), TURN, (10.0, 4.0, -3.0))
+        yield "hard", f"needle 1e{power} turned at 10 sizes", why, inputs
+        yield "hard", f"box needle 1e{power} turned", why, recipe("box", (1.0, 1.25 * thin, thin), TURN)
+    why = "the volume is a small difference of large terms, and the least second moment smaller still"
+    for power in (3, 6):
+        thin = 10.0**-power
+        for single in (False, True):
+            last = " single" if single else ""
+            yield "hard", f"plate 1e{power} turned{last}", why, recipe("ball 2", (1.0, 0.75, thin), TURN, single=single)
+        yield "hard", f"box plate 1e{power} turned", why, recipe("box", (1.0, 0.75, thin), TURN, (3.0, -2.0, 1.0))
+    why = "three lengths of different size: the tensor is graded"
+    yield "hard", "blade", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN)
+    yield "hard", "blade far off", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN, (300.0, 500.0, -200.0))
+    why = "equal moments determine no axes"
+    yield "hard", "cube turned", why, recipe("box", (1.0, 1.0, 1.0), TURN)
+    yield "hard", "ball turned", why, recipe("ball 2", (1.0, 1.0, 1.0), TURN)
+    yield "hard", "round needle", why, recipe("ball 2", (1.0, 1e-4, 1e-4), TURN)
+    why = "fifth powers of lengths reach towards the ends of the range of a double"
+    yield "hard", "huge", why, recipe("bracket", (1e40, 1e40, 1e40), TURN)
+    yield "hard", "minute", why, recipe("bracket", (1e-45, 1e-45, 1e-45), TURN)
+    yield "hard", "least of single precision", why, recipe("bracket", (1e-38, 1e-38, 1e-38), TURN, single=True)
+    why = "a thin wall between two surfaces that nearly cancel"
+    yield "hard", "hollow ball far off", why, recipe("hollow ball", (1.0, 0.75, 0.5), TURN, (1e3, -2e3, 5e2))
+
+
+def integrals(inputs: dict[str, Any]) -> dict[str, str]:
+    """Measure, centroid, tensor and principal moments of unit density."""
+    total, first, second = (Fraction(0) if not inputs["shell"] else mpf(0)), [0, 0, 0], [[0] * 3 for _ in range(3)]
+    for triangle in triangles(inputs):
+        corners = [[Fraction(x) for x in p] for p in triangle]
+        weight = area_of(corners) if inputs["shell"] else six_volumes(corners)
+        if inputs["shell"]:
+            corners = [[real(x) for x in p] for p in corners]
+        middle = [sum(p[k] for p in corners) for k in range(3)]
+        total += weight
+        for i in range(3):
+            first[i] += weight * middle[i]
+            for j in range(3):
+                second[i][j] += weight * (middle[i] * middle[j] + sum(p[i] * p[j] for p in corners))
+    divisors = (2, 6, 24) if inputs["shell"] else (6, 24, 120)
+    measure = total / divisors[0]
+    centre = [x / divisors[1] / measure for x in first]
+    s = [[real(second[i][j] / divisors[2] - measure * centre[i] * centre[j]) for j in range(3)] for i in range(3)]
+    spread = sorted(eigsy(matrix(s), eigvals_only=True), reverse=True)
+    trace = s[0][0] + s[1][1] + s[2][2]
+    out = {"area" if inputs["shell"] else "volume": real(measure)}
+    out |= {f"centroid[{k}]": real(centre[k]) for k in range(3)}
+    out |= {f"moments.{n}": trace - s[k][k] for k, n in enumerate(("xx", "yy", "zz"))}
+    out |= {f"products.{n}": -s[i][j] for n, (i, j) in {"xy": (0, 1), "yz": (1, 2), "zx": (2, 0)}.items()}
+    out["principal_moments.first"] = spread[1] + spread[2]
+    out["principal_moments.second"] = spread[2] + spread[0]
+    out["principal_moments.third"] = spread[0] + spread[1]
+    return {name: nstr(value, 40) for name, value in out.items()}
+
+
+def real(x: Any) -> mpf:
+    """A ratio as a real number."""
+    return mpf(x.numerator) / x.denominator if isinstance(x, Fraction) else mpf(x)
+
+
+def six_volumes(corners: list[list[Fraction]]) -> Fraction:
+    """Six times the volume of the tetrahedron on a triangle from the origin."""
+    a, b, c = corners
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+
+
+def area_of(corners: list[list[Fraction]]) -> mpf:
+    """Twice the area of a triangle."""
+    a, b, c = corners
+    e, f = [b[k] - a[k] for k in range(3)], [c[k] - a[k] for k in range(3)]
+    n = [e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3] for k in range(3)]
+    return sqrt(real(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]))
+
+
+def written(tree: Any) -> Any:
+    """Doubles as text that reads back to the same bits."""
+    if isinstance(tree, float):
+        return repr(tree)
+    if isinstance(tree, dict):
+        return {name: written(part) for name, part in tree.items()}
+    return [written(part) for part in tree] if isinstance(tree, list | tuple) else tree
+
+
+def main(file: Path) -> None:
+    """Write every case."""
+    mp.dps = 90
+    out = []
+    for kind, name, why, inputs in cases():
+        case = {"task": "mesh", "kind": kind, "name": name, **({"why": why} if why else {})}
+        out.append({**case, "inputs": written(inputs), "results": integrals(inputs)})
+    data = {"about": __doc__.split("\n\n")[0].strip(), "cases": out} if __doc__ else {}
+    file.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "inertia_mesh.json")
