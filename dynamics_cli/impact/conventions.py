@@ -5,7 +5,18 @@ Everything here takes single numbers, arrays and tracked numbers. Every result n
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin, where
-from dynamics_cli.quantities import Angle, Mass, PlanarVelocity, Ratio, RoadSpeed, Speed, Text, Weight
+from dynamics_cli.quantities import (
+    Angle,
+    Mass,
+    PlanarVelocity,
+    Positive,
+    Ratio,
+    Restitution,
+    RoadSpeed,
+    Speed,
+    Text,
+    Weight,
+)
 from dynamics_cli.records import Choice, record
 
 PI = 3.141592653589793
@@ -105,6 +116,19 @@ class ByWeight:
     """
 
     weight: Weight
+
+
+@record
+class Fixed:
+    """A body that does not give way: a wall, a floor, a barrier.
+
+    Parameters
+    ----------
+    fixed : bool
+        Yes for a body that keeps its velocity whatever strikes it.
+    """
+
+    fixed: bool
 
 
 def mass_of(bulk: ByMass | ByWeight, gravity: float, name: str = "the body") -> float:
@@ -227,3 +251,34 @@ def clock(angle: float) -> float:
     hours = getattr(angle, "value", angle) * (6.0 / PI)
     whole = (hours + ROUNDER) - ROUNDER
     return where(whole <= 0.0, whole + 12.0, whole)
+
+
+@record
+class Restituted:
+    """A contact by its coefficient of restitution.
+
+    Parameters
+    ----------
+    restitution : Restitution
+        Coefficient of restitution, separation speed over closing speed [-].
+    """
+
+    restitution: Restitution
+
+
+@record
+class Energetic:
+    """A contact that may give energy: an explosive, a spring let go, a bumper under pressure.
+
+    Parameters
+    ----------
+    energetic_contact : Positive
+        Separation speed over closing speed; above 1 the contact adds energy [-].
+    """
+
+    energetic_contact: Positive
+
+    @property
+    def restitution(self) -> float:
+        """The ratio as a coefficient of restitution."""
+        return self.energetic_contact
