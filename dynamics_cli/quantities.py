@@ -150,6 +150,9 @@ if TYPE_CHECKING:
     AngularImpulse = float
     Pressure = float
     Stiffness = float
+    LineForce = float
+    CrushStiffness = float
+    SpeedSlope = float
     Damping = float
     Temperature = float
     # read in a way of their own
@@ -273,6 +276,27 @@ else:
     Pressure = Kind("pressure", "Pa", si="MPa", us="psi", example="30 psi", about="a pressure or stress")
     Stiffness = Kind(
         "stiffness", "N/m", si="N/mm", us="lbf/in", low=0.0, example="20 N/mm", about="force per deflection"
+    )
+    LineForce = Kind(
+        "force per width", "N/m", si="N/cm", us="lbf/in", low=0.0, example="350 lbf/in", about="force per width crushed"
+    )
+    CrushStiffness = Kind(
+        "crush stiffness",
+        "N/m^2",
+        si="N/cm^2",
+        us="lbf/in^2",
+        above=0.0,
+        example="60 lbf/in^2",
+        about="force per width and per depth of crush",
+    )
+    SpeedSlope = Kind(
+        "speed per crush",
+        "1/s",
+        si="km/h/cm",
+        us="mph/in",
+        above=0.0,
+        example="1.6 mph/in",
+        about="impact speed per depth of crush",
     )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")

@@ -213,9 +213,7 @@ def central(
     return CentralImpact(**{**answer.__dict__, "checks": _checks(answer, before, restitution)})
 
 
-def _approach(
-    first: float | None, second: float | None, closing: float | None
-) -> tuple[tuple[float, float], float]:
+def _approach(first: float | None, second: float | None, closing: float | None) -> tuple[tuple[float, float], float]:
     """Velocities before and the closing speed, whichever of them were given."""
     ahead: float = 0.0 if first is None else first
     if closing is None:

@@ -243,7 +243,8 @@ def pdof(impulse: tuple[float, float], zero: tuple[float, float], axes: Axes = A
     x, y = 0.0 - impulse[0], 0.0 - impulse[1]
     across = x * zero[1] - y * zero[0]
     # seen from above, x turns towards y counterclockwise unless z points down
-    return atan2(0.0 - across if axes == "sae" else across, x * zero[0] + y * zero[1])
+    angle = atan2(0.0 - across if axes == "sae" else across, x * zero[0] + y * zero[1])
+    return where(angle <= -PI, angle + 2.0 * PI, angle)
 
 
 def clock(angle: float) -> float:

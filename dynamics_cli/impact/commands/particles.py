@@ -47,4 +47,70 @@ OBLIQUE = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (CENTRAL, OBLIQUE)
+MOMENTUM = Task(
+    "momentum",
+    "Speeds before an impact from the vehicles' motion after it: 360° momentum, up to two unknowns.",
+    Model(
+        "collinear momentum and energy",
+        HERE + "momentum:momentum_and_energy",
+        source=BOOK + "10.10; conservation of momentum along the line",
+        formula="u² = w² + 2·E/m_r; {first.approach_speed|v₁} = V + u·m_r/m₁; "
+        "{second.approach_speed|v₂} = V − u·m_r/m₂",
+        assumptions=(SHORT, "the vehicles met on one line", "all energy lost went into the deformation"),
+        suffices=HERE + "momentum:energy_suffices",
+    ),
+    Model(
+        "360° momentum",
+        HERE + "momentum:momentum",
+        source=BOOK + "9.5; cross products with the approach directions",
+        formula="{first.approach_speed|v₁} = (m₁·{first.exit_speed|u₁}·sin({second.approach_heading|α₂} − "
+        "{first.exit_heading|β₁}) + m₂·{second.exit_speed|u₂}·sin({second.approach_heading|α₂} − "
+        "{second.exit_heading|β₂}))/(m₁·sin({second.approach_heading|α₂} − {first.approach_heading|α₁})); "
+        "{angle_condition|κ} = cot((α₂ − α₁)/2)",
+        assumptions=(SHORT, "the speeds after are those of the mass centres just after the impact"),
+    ),
+    examples=(
+        'dynamics impact momentum --first-mass "1500 kg" --first-approach-heading "0 deg" --first-exit-speed "8 m/s" '
+        '--first-exit-heading "40 deg" --second-mass "1200 kg" --second-approach-heading "90 deg" '
+        '--second-exit-speed "9 m/s" --second-exit-heading "37 deg"',
+        'dynamics impact momentum --first-weight "3400 lbf" --first-approach-heading "90 deg" --first-exit-speed '
+        '"22 mph" --first-exit-heading "40 deg" --second-weight "2900 lbf" --second-approach-heading "0 deg" '
+        '--second-exit-speed "20 mph" --second-exit-heading "35 deg" --axes compass --units us',
+        'dynamics impact momentum --first-mass "1000 kg" --first-approach-heading "0 deg" --first-exit-speed "5 m/s" '
+        '--first-exit-heading "0 deg" --second-mass "1400 kg" --second-approach-heading "0 deg" --second-exit-speed '
+        '"6 m/s" --second-exit-heading "0 deg" --first-ees "25 km/h" --second-ees "15 km/h"',
+    ),
+)
+
+CRUSH = Task(
+    "crush",
+    "Energy of deformation, EBS and ΔV from measured crush.",
+    Model(
+        "linear force–deflection, A B G",
+        HERE + "crush:crush",
+        source="Campbell, SAE 740565 (1974), and the CRASH3 damage algorithm (NHTSA), as commonly published",
+        formula=(
+            "{first.energy|E₁} = L·({first.stiffness_g|G} + {first.stiffness_a|A}·{first.mean_crush|C} + "
+            "½·{first.stiffness_b|B}·mean(C²))·(1 + tan²α); "
+            "p = √(2·m_r·{energy|E}·(1 + e)/(1 − e)); {first.delta_v|ΔV₁} = p/m₁",
+        ),
+        assumptions=(
+            "the force per width grows linearly with depth of crush: A + B·C",
+            "crush is linear between stations, which are equally spaced",
+            "with the other vehicle the damaged regions reach a common velocity; energies are those that remain lost",
+        ),
+    ),
+    examples=(
+        'dynamics impact crush --first-mass "1500 kg" --first-stiffness-a "350 lbf/in" --first-stiffness-b '
+        '"60 lbf/in^2" --first-stations "5,12,18,20,14,6 in" --first-width "60 in"',
+        'dynamics impact crush --first-weight "3300 lbf" --first-no-damage-speed "5 mph" --first-speed-slope '
+        '"1.6 mph/in" --first-test-mass "3300 lb" --first-test-width "66 in" --first-mean-crush "14 in" '
+        '--first-width "66 in" --first-force-angle "10 deg" --second-fixed --restitution 0.1 --units us',
+        'dynamics impact crush --first-mass "1500 kg" --first-stiffness-a "600 N/cm" --first-stiffness-b "45 N/cm^2" '
+        '--first-stations "10,25,30,12 cm" --first-width "150 cm" --second-mass "1200 kg" --second-stiffness-a '
+        '"250 N/cm" --second-stiffness-b "40 N/cm^2" --second-stations "5,22,28,10 cm" --second-width "160 cm" '
+        '--second-lever-arm "0.4 m" --second-yaw-inertia "1800 kg m^2"',
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (CENTRAL, OBLIQUE, MOMENTUM, CRUSH)
