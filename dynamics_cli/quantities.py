@@ -163,8 +163,12 @@ if TYPE_CHECKING:
     Direction = tuple[float, float, float]
     Velocity = tuple[float, float, float]
     AngularVelocity = tuple[float, float, float]
+    ImpulseVector = tuple[float, float, float]
+    MomentVector = tuple[float, float, float]
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
+    PlanarImpulse = tuple[float, float]
+    ImpulseVector = tuple[float, float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
@@ -321,6 +325,26 @@ else:
         example="0, 0, 2 rad/s",
         about="an angular velocity",
     )
+    ImpulseVector = Kind(
+        "impulse vector",
+        "N*s",
+        form="vector",
+        size=3,
+        si="N*s",
+        us="lbf*s",
+        example="0, 3, 1 N*s",
+        about="an impulse in space",
+    )
+    MomentVector = Kind(
+        "angular impulse vector",
+        "N*m*s",
+        form="vector",
+        size=3,
+        si="N*m*s",
+        us="lbf*ft*s",
+        example="0, 3, 1 N*m*s",
+        about="an angular impulse in space",
+    )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
     )
@@ -333,6 +357,19 @@ else:
         us="mph",
         example="30 mph @ 45 deg",
         about="a velocity in the plane",
+    )
+    PlanarImpulse = Kind(
+        "planar impulse",
+        "N*s",
+        form="planar",
+        size=2,
+        si="N*s",
+        us="lbf*s",
+        example="3000, 400 N*s",
+        about="an impulse in the plane",
+    )
+    ImpulseVector = Kind(
+        "impulse vector", "N*s", form="vector", size=3, si="N*s", us="lbf*s", example="1, 0, 2 N*s", about="an impulse"
     )
     InertiaTensor = Kind(
         "inertia tensor",

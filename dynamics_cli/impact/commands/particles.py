@@ -113,4 +113,122 @@ CRUSH = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (CENTRAL, OBLIQUE, MOMENTUM, CRUSH)
+DROP = Task(
+    "drop",
+    "A body dropped on a floor: restitution from heights or times, and its bounces.",
+    Model(
+        "bounces with constant restitution",
+        HERE + "drop:drop",
+        source=BOOK + "9.10",
+        formula="{impact_speed|v} = √(2·{gravity|g}·{drop_height|h}); hₙ = {restitution|e}²ⁿ·h; "
+        "{time_to_rest|T} = {fall_time|t₀}·(1 + e)/(1 − e)",
+        assumptions=("the floor is fixed and level", "no air drag", "restitution does not depend on speed"),
+    ),
+    examples=(
+        'dynamics impact drop --height "1 m" --rebound-height "0.64 m"',
+        'dynamics impact drop --height "6 ft" --restitution 0.82 --bounces 4 --mass "0.13 lb" --units us',
+        'dynamics impact drop --flight-time "0.62 s" --next-flight-time "0.53 s"',
+    ),
+    table="bounces",
+    arrays=False,
+)
+
+PENDULUM = Task(
+    "pendulum",
+    "Ballistic pendulum: speed of a shot from the swing of what it struck.",
+    Model(
+        "momentum in the impact, energy in the swing",
+        HERE + "pendulum:pendulum",
+        source=BOOK + "9.10 and 10.5",
+        formula="{pendulum_speed|V} = √(2·{gravity|g}·{rise|h}); "
+        "{speed|v} = V·({shot_mass|m} + {effective_mass|M})/((1 + {restitution|e})·{shot_mass|m})",
+        assumptions=(SHORT, "the pendulum hangs at rest and has not moved when the impact is over"),
+    ),
+    examples=(
+        'dynamics impact pendulum --shot-mass "10 g" --block-mass "2 kg" --rise "10 cm"',
+        'dynamics impact pendulum --shot-mass "8 g" --block-mass "1.5 kg" --swing "18 deg" --length "1.2 m"',
+        'dynamics impact pendulum --shot-mass "10 g" --block-mass "3 kg" --swing "20 deg" --inertia "1.1 kg m^2" '
+        '--centre-distance "0.55 m" --impact-distance "0.6 m"',
+    ),
+)
+
+SEIZE = Task(
+    "seize",
+    "A moving body of which a point or an axis is suddenly held fast.",
+    Model(
+        "angular momentum about what is held",
+        HERE + "seize:seize",
+        source=BOOK + "9.12 and 10.12",
+        formula=(
+            "ω' = H_O/I_O; {energy_lost|E} = ½·{plate_mass|m}·Δv² + ½·Δω·I_G·Δω",
+            "ω' = H_O/I_O; {energy_lost|E} = ½·{mass|m}·Δv² + ½·Δω·I_G·Δω",
+        ),
+        assumptions=(SHORT, "what holds the body does not move, slip or rebound"),
+    ),
+    examples=(
+        'dynamics impact seize --plate-mass "1 kg" --side "1 m" --spin "10 rad/s" --seized edge',
+        'dynamics impact seize --plate-mass "1 kg" --side "1 m" --spin "10 rad/s" --seized corner',
+        'dynamics impact seize --mass "2 kg" --inertia "[[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.25]] kg*m^2" '
+        '--angular-velocity "1, 2, 3 rad/s" --velocity "0.5, 0, 0 m/s" --point "0.2, -0.1, 0 m"',
+    ),
+)
+
+STEP = Task(
+    "step",
+    "A rolling wheel that meets a step: the least speed to get over, and what the impact leaves.",
+    Model(
+        "impact about the edge, then energy",
+        HERE + "step:step",
+        source=BOOK + "10.11",
+        formula="{least_speed|v} = √(2·{gravity|g}·{height|h}·(κ + 1))/(κ + 1 − {height|h}/{radius|r}); "
+        "{angular_ratio|ω'/ω} = (κ + 1 − {height|h}/{radius|r})/(κ + 1)",
+        assumptions=("the wheel rolls without slip", "the edge does not give way; no rebound and no slip on it"),
+    ),
+    examples=(
+        'dynamics impact step --radius "300 mm" --height "100 mm"',
+        'dynamics impact step --radius "13 in" --height "4 in" --speed "6 ft/s" --mass "40 lb" --inertia-factor 0.7 '
+        "--units us",
+    ),
+)
+
+CHAIN = Task(
+    "chain",
+    "Several bodies in line that touch, by a named law: sequential pairs, or all contacts at one moment.",
+    Model(
+        "pairs in sequence and contacts at one moment, side by side",
+        HERE + "chain:chain",
+        source=BOOK + "9.10, pair by pair; Glocker & Pfeiffer (1995) for contacts at one moment",
+        formula="pair: p = (1 + {restitution|e})·m_r·u; at one moment: K·p ≥ (1 + e)·u, p ≥ 0, one of them an equality",
+        assumptions=(SHORT, "all bodies touch; rigid bodies do not decide which law holds"),
+    ),
+    examples=(
+        'dynamics impact chain --body "mass=1 kg, velocity=1 m/s" --body "mass=1 kg" --body "mass=1 kg" '
+        "--restitution 1",
+        'dynamics impact chain --body "mass=2 kg, velocity=3 m/s" --body "mass=1 kg" --body "mass=0.5 kg, '
+        'restitution=0.5" --body "mass=1 kg, velocity=-1 m/s" --restitution 0.9 --law sequential',
+    ),
+    table="bodies",
+    arrays=False,
+    tracked=False,
+)
+
+YAW_INERTIA = Task(
+    "yaw-inertia",
+    "Yaw moment of inertia of a road vehicle, estimated by named rules with their scatter.",
+    Model(
+        "named rules",
+        HERE + "yaw_inertia:yaw_inertia",
+        source="Burg, as commonly used in reconstruction; dynamic index, as commonly published in vehicle dynamics",
+        formula="{yaw_inertia|J} from 0.1269·{mass|m}·{length|L}·{wheelbase|R}, m·a·b, m·(L² + {width|B}²)/12",
+        assumptions=("a passenger car without unusual load", "an estimate: rules scatter by 10 to 20 %"),
+    ),
+    examples=(
+        'dynamics impact yaw-inertia --mass "1500 kg" --wheelbase "2.7 m" --length "4.6 m" --width "1.8 m"',
+        'dynamics impact yaw-inertia --weight "3451 lbf" --wheelbase "107 in" --length "190 in" --rule burg --units us',
+    ),
+    table="rules",
+)
+
+TASKS: "tuple[Task, ...]" = (
+    CENTRAL, OBLIQUE, DROP, PENDULUM, SEIZE, STEP, CHAIN, MOMENTUM, CRUSH, YAW_INERTIA,
+)  # fmt: skip
