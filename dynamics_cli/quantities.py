@@ -168,7 +168,6 @@ if TYPE_CHECKING:
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     PlanarImpulse = tuple[float, float]
-    ImpulseVector = tuple[float, float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
@@ -367,9 +366,6 @@ else:
         us="lbf*s",
         example="3000, 400 N*s",
         about="an impulse in the plane",
-    )
-    ImpulseVector = Kind(
-        "impulse vector", "N*s", form="vector", size=3, si="N*s", us="lbf*s", example="1, 0, 2 N*s", about="an impulse"
     )
     InertiaTensor = Kind(
         "inertia tensor",

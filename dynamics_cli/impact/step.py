@@ -173,8 +173,7 @@ def step(
     leaves = sqrt(gravity * (radius - height)) / ratio
     advice = _never_stays(least, leaves)
     if speed is None:
-        none = dict.fromkeys(StepMet.fields[4:13])  # type: ignore[attr-defined]
-        return StepMet(least, ratio, share, leaves, **none, advice=advice)
+        return StepMet(least, ratio, share, leaves, None, None, None, None, None, None, None, None, None, (), advice)
     require(speed > 0.0, "a speed of {0:.6g} m/s does not bring the wheel to the step", speed, code="no-impact")
     spin = speed / radius
     after = ratio * spin
