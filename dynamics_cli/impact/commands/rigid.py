@@ -1,5 +1,34 @@
-"""Tasks of `dynamics impact`: rigid."""
+"""Tasks of `dynamics impact`: rigid bodies with friction."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
 
-TASKS: "tuple[Task, ...]" = ()
+HERE = "dynamics_cli.impact."
+SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
+POINT = "the bodies are rigid and touch at one point with Coulomb friction"
+KELLER = "J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000)"
+
+PLANAR = Task(
+    "planar",
+    "Two rigid bodies, or one and a barrier, with friction and restitution, by five laws.",
+    Model(
+        "planar impact with friction",
+        HERE + "planar:planar",
+        source=KELLER + "; R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods (2011)",
+        formula="u' = u + K·p; dp_t = −{friction|μ}·sgn(u_t)·dp_n while it slips, −(k_x/k_t)·dp_n while it sticks; "
+        "{normal_impulse|p_n}, {tangential_impulse|p_t} where the law with {restitution|e} ends",
+        assumptions=(SHORT, POINT),
+        method="closed-form Routh–Keller path",
+    ),
+    examples=(
+        'dynamics impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
+        '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
+        '"0, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --friction 0.5 --restitution 0.1',
+        'dynamics impact planar --first-mass "1 kg" --first-radius-of-gyration "0.2 m" --first-velocity "3, -4 m/s" '
+        '--first-lever "0.3, -0.4 m" --second-fixed --normal "-90 deg" --friction 0.3 --restitution 0.6 --law all',
+        'dynamics impact planar --first-mass "0.5 kg" --first-inertia "2e-4 kg*m^2" --first-velocity "1, -2 m/s" '
+        '--first-lever "0, -20 mm" --first-spin "300 rpm" --second-fixed --normal "-90 deg" --friction 0.2 '
+        '--restitution 0.8 --contact-radius "20 mm" --contact-modulus "2 GPa" --json',
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (PLANAR,)
