@@ -135,7 +135,7 @@ def planar(
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
-    meeting = _meeting(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
+    meeting = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
     asked = LAWS[0] if law == "all" else law
     found = outcome(meeting, asked)
     energetic = _adds_energy(contact.restitution)
@@ -162,7 +162,7 @@ def planar(
     )
 
 
-def _meeting(
+def meeting_of(
     one: Solid,
     two: Solid,
     inward: Pair,

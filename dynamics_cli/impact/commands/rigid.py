@@ -31,4 +31,27 @@ PLANAR = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (PLANAR,)
+ENVELOPE = Task(
+    "envelope",
+    "ΔV of a planar impact over a region of restitution and friction.",
+    Model(
+        "planar impact with friction, over a region",
+        HERE + "envelope:envelope",
+        source=KELLER,
+        formula="ΔV = |p|/m at every point of {least_restitution|e} to {greatest_restitution|e}, "
+        "{least_friction|μ} to {greatest_friction|μ}",
+        assumptions=(SHORT, POINT),
+        method="closed-form Routh–Keller path on a grid",
+    ),
+    examples=(
+        'dynamics impact envelope --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
+        '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
+        '"0, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --greatest-restitution 0.3 --least-friction 0.2 '
+        "--greatest-friction 0.8",
+    ),
+    table="map",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (PLANAR, ENVELOPE)
