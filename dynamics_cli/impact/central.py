@@ -1,8 +1,10 @@
 """Central impact: two bodies on one line, and the line of impact inside every oblique one."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.impact.contact import Push, push
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
 from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_finite, single
+from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -100,6 +102,8 @@ class CentralImpact:
         Kinetic energy turned into other forms; negative when the contact gives energy [J].
     share_lost : Ratio
         The same over the kinetic energy of the closing motion, 1 − e² [-].
+    push : Push
+        Duration and force; needs a stiffness of the contact.
     """
 
     first: AfterCentral
@@ -112,6 +116,7 @@ class CentralImpact:
     reduced_mass: Mass
     energy_lost: Energy
     share_lost: Ratio
+    push: Push | None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -138,6 +143,7 @@ def central(
     second: Struck,
     contact: Restituted | Energetic,
     closing_speed: RoadSpeed | None = None,
+    force: Spring | Hertz | None = None,
     gravity: Gravity = STANDARD_GRAVITY,
 ) -> CentralImpact:
     """Two bodies meet head on: velocities after, impulse and energy from masses, velocities and restitution.
@@ -156,6 +162,8 @@ def central(
         Coefficient of restitution, or the ratio of speeds of a contact that gives energy.
     closing_speed : RoadSpeed
         Relative speed before, where it is known better than the difference of two velocities tells [m/s].
+    force : Spring | Hertz
+        Stiffness of the contact, for duration and peak force.
     gravity : Gravity
         Acceleration of gravity, for bodies given by weight [m/s^2].
 
@@ -208,6 +216,7 @@ def central(
         reduced_mass=reduced,
         energy_lost=lost,
         share_lost=share,
+        push=push(force, reduced, closing, restitution),
         advice=contact_advice(contact),
     )
     return CentralImpact(**{**answer.__dict__, "checks": _checks(answer, before, restitution)})

@@ -315,9 +315,8 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     speeds = [body.velocity for body in bodies], [row.velocity for row in rows]
     parts = [[body.mass * v for body, v in zip(bodies, side, strict=True)] for side in speeds]
     pushes = [row.impulse_to_next or 0.0 for row in rows]
-    checks = balance(
-        f"{name}: momentum", *map(_sum, parts), _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)])
-    )
+    size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)])
+    checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)
     energies = [_sum([0.5 * m * v for m, v in zip(*side, strict=True)]) for side in zip(parts, speeds, strict=True)]
     scale = energies[0] + _sum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
     checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale)

@@ -357,7 +357,7 @@ def momentum_and_energy(
     terms[1].speed = sense * (common - side * (reduced / masses[1]) * closing)
     for term in terms[:2]:
         require(
-            term.speed >= -1e-12 * closing,
+            term.speed >= -1e-12 * closing,  # type: ignore[operator]
             f"the speed of {term.name} would be " + "{0:.4g} m/s: it would have moved backwards",
             term.speed,
             code="backwards",

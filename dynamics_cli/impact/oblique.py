@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.central import contact_advice, plain_above, reduced_mass, require_approach, struck_mass
+from dynamics_cli.impact.contact import Push, push
 from dynamics_cli.impact.conventions import (
     AXES,
     PDOF_ZERO,
@@ -24,6 +25,7 @@ from dynamics_cli.impact.conventions import (
     velocity_of,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite
+from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -182,6 +184,8 @@ class ObliqueImpact:
         Relative speed across the line, which stays [m/s].
     energy_lost : Energy
         Kinetic energy turned into other forms [J].
+    push : Push
+        Duration and force; needs a stiffness of the contact.
     conventions : Conventions
         Axes, headings and the zero of PDOF.
     """
@@ -194,6 +198,7 @@ class ObliqueImpact:
     separation_speed: RoadSpeed
     sliding_speed: RoadSpeed
     energy_lost: Energy
+    push: Push | None
     conventions: Conventions
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -205,6 +210,7 @@ def oblique(
     second: Met,
     line: Normal | Centres | Offset,
     contact: Restituted | Energetic,
+    force: Spring | Hertz | None = None,
     axes: Axes = AXES,
     pdof_zero: PdofZero = PDOF_ZERO,
     gravity: Gravity = STANDARD_GRAVITY,
@@ -225,6 +231,8 @@ def oblique(
         The line of impact: its direction, the centres of two spheres, or how far off centre they meet.
     contact : Restituted | Energetic
         Coefficient of restitution, or the ratio of speeds of a contact that gives energy.
+    force : Spring | Hertz
+        Stiffness of the contact, for duration and peak force.
     axes : Axes
         Axes of velocities and headings: mathematical, compass, sae or iso.
     pdof_zero : PdofZero
@@ -281,6 +289,7 @@ def oblique(
         separation_speed=contact.restitution * closing,
         sliding_speed=absolute(cross(normal, relative)),
         energy_lost=0.5 * share * (compression * closing),
+        push=push(force, reduced, closing, contact.restitution),
         conventions=conventions(axes, pdof_zero),
         advice=contact_advice(contact),
     )

@@ -22,7 +22,8 @@ CENTRAL = Task(
         'dynamics impact central --first-mass "2 kg" --first-velocity "3 m/s" --second-mass "1 kg" --restitution 0.5',
         'dynamics impact central --first-weight "3400 lbf" --first-velocity "30 mph" --second-weight "2600 lbf" '
         '--second-velocity "-25 mph" --restitution 0.15 --units us',
-        'dynamics impact central --first-mass "0.058 kg" --first-velocity "20 m/s" --second-fixed --restitution 0.73',
+        'dynamics impact central --first-mass "0.058 kg" --first-velocity "20 m/s" --second-fixed --restitution 0.73 '
+        '--contact-stiffness "60 kN/m"',
     ),
 )
 
@@ -41,7 +42,8 @@ OBLIQUE = Task(
         'dynamics impact oblique --first-mass "1 kg" --first-velocity "20 cm/s @ 45 deg" --second-mass "1 kg" '
         '--second-velocity "15 cm/s @ 150 deg" --normal "0 deg" --restitution 0.95',
         'dynamics impact oblique --first-mass "0.17 kg" --first-velocity "3, 0 m/s" --second-mass "0.17 kg" '
-        '--offset "20 mm" --first-radius "28.6 mm" --second-radius "28.6 mm" --restitution 0.94 --json',
+        '--offset "20 mm" --first-radius "28.6 mm" --second-radius "28.6 mm" --restitution 0.94 '
+        '--contact-radius "14.3 mm" --contact-modulus "2.9 GPa" --json',
         'dynamics impact oblique --first-mass "0.6 kg" --first-speed "10 m/s" --first-heading "-30 deg" --second-fixed '
         '--normal "-90 deg" --restitution 0.75',
     ),
