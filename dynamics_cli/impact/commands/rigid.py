@@ -54,4 +54,29 @@ ENVELOPE = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (PLANAR, ENVELOPE)
+SPATIAL = Task(
+    "spatial",
+    "Two rigid bodies in space, or one and a barrier, with friction: Keller's equations.",
+    Model(
+        "impact in space with friction",
+        HERE + "spatial:spatial",
+        source=KELLER,
+        formula="du = K·(−{friction|μ}·u_t/|u_t|, 1)·dp_n while it slips; p_t = −K_tt⁻¹·k_tn·p_n while it sticks; "
+        "{normal_impulse|p_n} where the law with {restitution|e} ends",
+        assumptions=(SHORT, POINT),
+        method="Taylor series of order 24",
+    ),
+    examples=(
+        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02, 0, 0], [0, 0.03, 0.004], [0, 0.004, '
+        '0.04]] kg*m^2" --first-lever "0.1, 0.05, -0.2 m" --first-velocity "3, 1, -4 m/s" --first-spin "0, 5, 2 rad/s" '
+        '--second-fixed --normal "0, 0, -1" --friction 0.4 --restitution 0.6',
+        'dynamics impact spatial --first-mass "1500 kg" --first-inertia "[[500, 0, 0], [0, 2400, 0], [0, 0, 2500]] '
+        'kg*m^2" --first-lever "2, -0.4, 0.1 m" --first-velocity "15, 0, 0 m/s" --second-mass "1200 kg" '
+        '--second-inertia "[[400, 0, 0], [0, 1700, 0], [0, 0, 1800]] kg*m^2" --second-lever "-0.8, 0.5, 0.05 m" '
+        '--second-velocity "0, 10, 0 m/s" --normal "0.98, 0.17, 0" --friction 0.5 --restitution 0.1 --json',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE)
