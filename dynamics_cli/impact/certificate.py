@@ -47,9 +47,7 @@ def _momentum(states: "tuple[tuple[Solid, AfterPlanar], ...]", size: float) -> t
     return checks
 
 
-def _turning(
-    states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | None, size: float
-) -> tuple[Check, ...]:
+def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | None, size: float) -> tuple[Check, ...]:
     """Angular momentum of each body about the contact, where the impulse has no moment but a moment impulse."""
     checks: tuple[Check, ...] = ()
     for (body, end), name, way in zip(states, ("first", "second"), (-1.0, 1.0), strict=True):
@@ -65,9 +63,7 @@ def _turning(
     return checks
 
 
-def _kinematics(
-    states: "tuple[tuple[Solid, AfterPlanar], ...]", found: Outcome, inward: Pair
-) -> tuple[Check, ...]:
+def _kinematics(states: "tuple[tuple[Solid, AfterPlanar], ...]", found: Outcome, inward: Pair) -> tuple[Check, ...]:
     """Velocities after, taken to the contact, give the relative velocity the law ended with."""
     speeds, relative = 0.0, [0.0, 0.0]
     for (body, end), way in zip(states, (1.0, -1.0), strict=True):

@@ -286,9 +286,7 @@ class _Region:
 
         m, k = self.meeting, self.meeting.mobility
         function = impulses if self.law in ON_THE_PATH else ratio_impulses
-        pn, pt = function(
-            k.tangential, k.coupling, k.normal, k.determinant, m.slip, m.approach, mu, e, law=self.law
-        )
+        pn, pt = function(k.tangential, k.coupling, k.normal, k.determinant, m.slip, m.approach, mu, e, law=self.law)
         kx = k.coupling
         lost = -pn * (m.approach + 0.5 * k.normal * pn + kx * pt) - pt * (m.slip + 0.5 * k.tangential * pt)
         if self.law != "stronge":

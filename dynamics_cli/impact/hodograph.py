@@ -195,21 +195,46 @@ def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
 
 
 class End:
-    """How an impact in space ended."""
+    """How an impact in space ended, in the frame of the contact."""
 
     __slots__ = ("compression", "heat", "history", "impulse", "slip_impulse", "steps", "velocity", "work", "work_back")
 
-    def __init__(self, slip: Slip, history: str) -> None:
-        state = slip.state
-        self.velocity = state[X], state[Y], state[V]
-        self.impulse = state[FX], state[FY], state[P]
-        self.compression = slip.compression
-        self.work = slip.work
-        self.work_back = state[W] + slip.work
-        self.heat = state[H]
-        self.slip_impulse = state[P]
-        self.steps = slip.steps
+    def __init__(
+        self,
+        velocity: "Vector",
+        impulse: "Vector",
+        compression: float,
+        work: float,
+        work_back: float,
+        heat: float,
+        history: str,
+        slip_impulse: float,
+        steps: int = 0,
+    ) -> None:
+        self.velocity = velocity
+        self.impulse = impulse
+        self.compression = compression
+        self.work = work
+        self.work_back = work_back
+        self.heat = heat
         self.history = history
+        self.slip_impulse = slip_impulse
+        self.steps = steps
+
+
+def _end_of(slip: Slip, history: str) -> End:
+    state = slip.state
+    return End(
+        velocity=(state[X], state[Y], state[V]),
+        impulse=(state[FX], state[FY], state[P]),
+        compression=slip.compression or 0.0,
+        work=slip.work,
+        work_back=state[W] + slip.work,
+        heat=state[H],
+        history=history,
+        slip_impulse=state[P],
+        steps=slip.steps,
+    )
 
 
 def travel(
@@ -229,7 +254,7 @@ def travel(
     else:
         slip = march(k, start, friction, restitution, law, order, stride)
         if not slip.stopped:
-            return End(slip, "slip")
+            return _end_of(slip, "slip")
     return _straight(k, slip, start[2], friction, restitution, law, at_rest)
 
 
@@ -249,7 +274,7 @@ def _straight(
     slope = k33 + k13 * ratio[0] + k23 * ratio[1]
     begin = state[P]
     words = ("slip from rest", "stick") if at_rest else ("slip, slip anew", "slip, stick")
-    end = End(slip, words[sticks])
+    end = _end_of(slip, words[sticks] if friction > 0.0 else "slip without friction")
     more, speed = 0.0, state[V]
     if not slip.restoring:
         more = -speed / slope
@@ -264,7 +289,7 @@ def _straight(
     before = (state[X], state[Y]) if at_rest else (0.0, 0.0)
     end.velocity = before[0] + growth[0] * more, before[1] + growth[1] * more, after
     end.impulse = state[FX] + ratio[0] * more, state[FY] + ratio[1] * more, begin + more
-    end.slip_impulse = begin
+    end.slip_impulse = begin if friction > 0.0 else begin + more
     return end
 
 
@@ -276,7 +301,7 @@ def _restitution(
         after = -restitution * approach
         return (after - speed) / slope, after
     if law == "poisson":
-        rest = (1.0 + restitution) * end.compression - impulse  # type: ignore[operator]
+        rest = (1.0 + restitution) * end.compression - impulse
         return rest, speed + slope * rest
     left = max(restitution * restitution * end.work - end.work_back, 0.0)
     after = sqrt(speed * speed + 2.0 * slope * left)

@@ -153,7 +153,7 @@ def critical_ratio(meeting: Meeting) -> tuple[float, float]:
 
 
 def _pair(k: Mobility, tangential: float, normal: float) -> tuple[float, float]:
-    """det K times the impulse that changes the relative velocity by (tangential, normal)."""
+    """Det K times the impulse that changes the relative velocity by (tangential, normal)."""
     along = multiply_add(k.normal, tangential, -(k.coupling * normal))
     across = multiply_add(k.tangential, normal, -(k.coupling * tangential))
     return along, across

@@ -94,10 +94,7 @@ def _history(
 
     require(stiffness > 0.0, "a contact without stiffness has no duration", code="no-stiffness")
     power = 2.5 if hertz else 2.0
-    if hertz:
-        peak = exp(0.4 * log(stiffness) + 0.6 * log(2.5 * work))
-    else:
-        peak = sqrt(2.0 * stiffness * work)
+    peak = exp(0.4 * log(stiffness) + 0.6 * log(2.5 * work)) if hertz else sqrt(2.0 * stiffness * work)
     quarter = HERTZ_QUARTER if hertz else HALF_PI
     deep = power * work / peak
     turned = approach + slope * first
@@ -157,12 +154,13 @@ def _before(
     for node, weight in legendre(NODES):
         z = top * node
         fourth = z * z * z * z
-        total = total + weight * (2.0 * z / sqrt(speed * speed - 2.0 * slope * work * (fourth * z if hertz else fourth)))
+        square = speed * speed - 2.0 * slope * work * (fourth * z if hertz else fourth)
+        total = total + weight * (2.0 * z / sqrt(square))
     return deflection * top * total
 
 
 def _fifth_root(x: float) -> float:
-    """z with z⁵ = x, so that x^(2/5) = z²."""
+    """The fifth root z, whose square is x^(2/5)."""
     return exp(0.2 * log(x))
 
 

@@ -2,6 +2,7 @@
 
 from dynamics_cli.core.task import Model, Task
 
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
 HERE = "dynamics_cli.impact."
 SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
 POINT = "the bodies are rigid and touch at one point with Coulomb friction"
@@ -79,4 +80,45 @@ SPATIAL = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE)
+SOLVE = Task(
+    "solve",
+    "A scene of two bodies and one contact, by the smallest model that it calls for.",
+    Model(
+        "central, bodies that meet on one line",
+        HERE + "scene:solve_central",
+        source=BOOK + "9.10",
+        formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
+        assumptions=(SHORT,),
+        suffices=HERE + "scene:central_suffices",
+    ),
+    Model(
+        "oblique, smooth bodies without spin",
+        HERE + "scene:solve_oblique",
+        source=BOOK + "9.11",
+        formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
+        assumptions=(SHORT, "nothing acts across the normal"),
+        suffices=HERE + "scene:oblique_suffices",
+    ),
+    Model(
+        "planar, rigid bodies with friction in one plane",
+        HERE + "scene:solve_planar",
+        source=KELLER,
+        formula="u' = u + K·p in the plane of normal and slip, {slip_history|history}",
+        assumptions=(SHORT, POINT, "the slip keeps its line"),
+        method="closed-form Routh–Keller path",
+        suffices=HERE + "scene:planar_suffices",
+    ),
+    Model(
+        "spatial, rigid bodies with friction in space",
+        HERE + "scene:solve",
+        source=KELLER,
+        formula="du = K·(−μ·u_t/|u_t|, 1)·dp_n, {slip_history|history}",
+        assumptions=(SHORT, POINT),
+        method="Taylor series of order 24",
+    ),
+    examples=("dynamics impact solve corner_strike.toml", "dynamics impact solve thrown_block.toml --explain"),
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE, SOLVE)
