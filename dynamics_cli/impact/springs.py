@@ -13,7 +13,7 @@ from dynamics_cli.records import record
 
 HALF_PI = 1.5707963267948966
 # ∫₀¹ dx/√(1 − x^(5/2)) = √π Γ(2/5)/(5/2 · Γ(9/10))
-HERTZ_QUARTER = 1.4716383139869846
+HERTZ_QUARTER = 1.4716375921623523
 NODES = 28
 
 
