@@ -5,7 +5,7 @@ from dynamics_cli.impact.contact import Push, push
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
 from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_finite, single
 from dynamics_cli.impact.springs import Hertz, Spring
-from dynamics_cli.numerics.elementary import absolute, where
+from dynamics_cli.numerics.elementary import absolute, multiply_add, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Energy,
@@ -203,8 +203,12 @@ def central(
     require_finite(impulse * closing, "the energy of the impact")
     share = (1.0 - restitution) * (1.0 + restitution)
     lost = 0.5 * share * (compression * closing)
+    shares = -(reduced / one), 0.0 if two is None else reduced / two
     changes = -(impulse / one), 0.0 if two is None else impulse / two
-    after = before[0] + changes[0], before[1] + changes[1]
+    # to the common velocity and on from it: 1 + e would round away digits of what is left after the impact
+    common = multiply_add(shares[0], closing, before[0])
+    meeting = common, multiply_add(shares[1], closing, before[1])
+    after = [multiply_add(restitution * share, closing, way) for share, way in zip(shares, meeting, strict=True)]
     answer = CentralImpact(
         first=AfterCentral(after[0], changes[0], -impulse * (before[0] + 0.5 * changes[0]), one),
         second=AfterCentral(after[1], changes[1], impulse * (before[1] + 0.5 * changes[1]), two),
@@ -212,7 +216,7 @@ def central(
         compression_impulse=compression,
         closing_speed=closing,
         separation_speed=restitution * closing,
-        common_velocity=before[0] - compression / one,
+        common_velocity=common,
         reduced_mass=reduced,
         energy_lost=lost,
         share_lost=share,

@@ -9,13 +9,15 @@ UNIT_ROUNDOFF = 2.0**-53
 # Closing speeds below this share of the greatest are rounding.
 NOTHING = 1e-14
 MOST_COLLISIONS = 20000
+MOST_ROUNDS = 2000
 
 
 class ChainLaw(Choice):
     """How a chain of touching bodies shares an impact.
 
     sequential: one pair at a time, the pair that closes fastest first, until none closes. simultaneous: all contacts at
-    one moment, each opening at e times the speed it closed at, or faster. all: both, side by side.
+    one moment are pushed until none closes, and e times as much again (Moreau); once more while a pair closes.
+    all: both, side by side.
     """
 
     names = ("all", "sequential", "simultaneous")
@@ -77,7 +79,7 @@ class LawAnswer:
     energy_lost : Energy
         Energy lost [J].
     collisions : Count
-        Collisions of single pairs, or 1 for all at one moment.
+        Collisions of single pairs, or rounds of all contacts at one moment.
     """
 
     law: Text
@@ -115,7 +117,7 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
 
     Equation
     --------
-    Pair: p = (1 + e) m_r u. At one moment: K p − (1 + e) u ≥ 0, p ≥ 0, one of them zero at every contact.
+    Pair: p = (1 + e) m_r u. At one moment: p = (1 + e) c with K c − u ≥ 0, c ≥ 0, one of them zero at every contact.
 
     Parameters
     ----------
@@ -144,8 +146,8 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.10, applied pair by pair; the
-    complementarity form is that of Glocker & Pfeiffer (1995) without friction.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.10, applied pair by pair; Moreau's law
+    of impact (1988) for all contacts at one moment.
 
     Examples
     --------
@@ -236,30 +238,52 @@ def _sequential(bodies: tuple[Body, ...], ratios: list[float]) -> Answer:
 
 
 def _simultaneous(bodies: tuple[Body, ...], ratios: list[float]) -> Answer:
-    """All contacts at one moment: an M-matrix, so the set of acting contacts only grows until nothing is short."""
-    closing = _closing([body.velocity for body in bodies])
-    wanted = [(1.0 + e) * u for e, u in zip(ratios, closing, strict=True)]
+    """All contacts at one moment, in rounds until no pair closes."""
     weights = [1.0 / body.mass for body in bodies]
-    acting = [value > 0.0 for value in wanted]
+    closing = _closing([body.velocity for body in bodies])
+    scale = max(abs(body.velocity) for body in bodies)
+    total = [0.0] * len(ratios)
+    lost, size = 0.0, 0.0
+    for count in range(MOST_ROUNDS):
+        if max(closing) <= NOTHING * scale:
+            gained = lost < -1e-12 * size
+            return total, count, lost, f"unlike restitutions would give {-lost:.4g} J to the bodies" if gained else ""
+        plastic = _plastic(weights, closing)
+        push = [(1.0 + e) * p for e, p in zip(ratios, plastic, strict=True)]
+        after = [u - o for u, o in zip(closing, _opened(weights, push), strict=True)]
+        if len(set(ratios)) == 1:
+            share = 0.5 * (1.0 - ratios[0]) * (1.0 + ratios[0])
+            works = [share * p * o for p, o in zip(plastic, _opened(weights, plastic), strict=True)]
+        else:
+            works = [0.5 * p * (u + v) for p, u, v in zip(push, closing, after, strict=True)]
+        lost += _sum(works)
+        size += _sum([abs(work) for work in works])
+        total = [one + more for one, more in zip(total, push, strict=True)]
+        # from the bodies again: their velocities, not the relative ones, are what is answered
+        after = [body.velocity + change for body, change in zip(bodies, _changes(bodies, total), strict=True)]
+        closing = _closing(after)
+    return total, MOST_ROUNDS, lost, f"the pairs still close after {MOST_ROUNDS} rounds"
+
+
+def _changes(bodies: tuple[Body, ...], impulses: list[float]) -> list[float]:
+    """Changes of velocity from the impulses between the bodies."""
+    padded = [0.0, *impulses, 0.0]
+    return [(padded[i] - padded[i + 1]) / body.mass for i, body in enumerate(bodies)]
+
+
+def _plastic(weights: list[float], closing: list[float]) -> list[float]:
+    """Least impulses after which no pair closes: an M-matrix, so the set of acting contacts only grows."""
+    scale = max(abs(u) for u in closing)
+    acting = [u > 0.0 for u in closing]
     impulses: list[float] = []
-    for _ in range(len(ratios) + 1):
-        impulses = _tridiagonal(weights, wanted, acting)
+    for _ in range(len(closing) + 1):
+        impulses = _tridiagonal(weights, closing, acting)
         opened = _opened(weights, impulses)
-        scale = max(abs(v) for v in wanted)
-        short = [not a and o < w - 1e-15 * scale for a, o, w in zip(acting, opened, wanted, strict=True)]
+        short = [not a and o < u - 1e-15 * scale for a, o, u in zip(acting, opened, closing, strict=True)]
         if not any(short):
             break
         acting = [a or s for a, s in zip(acting, short, strict=True)]
-    after = [u - o for u, o in zip(closing, _opened(weights, impulses), strict=True)]
-    exact = len(set(ratios)) == 1
-    works = [
-        0.5 * p * ((1.0 - e) * u if a else u + v)
-        for p, e, u, v, a in zip(impulses, ratios, closing, after, acting, strict=True)
-    ]
-    lost = _sum(works)
-    size = _sum([abs(work) for work in works])
-    gained = lost < (-1e-13 * size if exact else -1e-12 * size)
-    return impulses, 1, lost, f"unlike restitutions would give {-lost:.4g} J to the bodies" if gained else ""
+    return impulses
 
 
 def _opened(weights: list[float], impulses: list[float]) -> list[float]:
@@ -302,10 +326,8 @@ def _tridiagonal(weights: list[float], wanted: list[float], acting: list[bool]) 
 
 def _after(name: str, bodies: tuple[Body, ...], impulses: list[float]) -> tuple[AfterChain, ...]:
     rows = []
-    for index, body in enumerate(bodies):
-        pushed = impulses[index - 1] if index else 0.0
+    for index, (body, change) in enumerate(zip(bodies, _changes(bodies, impulses), strict=True)):
         pushes = impulses[index] if index < len(impulses) else None
-        change = (pushed - (pushes or 0.0)) / body.mass
         rows.append(AfterChain(name, index + 1, body.velocity + change, change, pushes))
     return tuple(rows)
 
@@ -345,16 +367,23 @@ def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice
 def _bounds(
     bodies: tuple[Body, ...], answers: list[LawAnswer], after: list[tuple[AfterChain, ...]]
 ) -> tuple[ErrorBound, ...]:
-    """Rounding of so many collisions, and for pairs what is left below the smallest closing speed."""
-    bounds = []
+    """Rounding of so many collisions, absolute in size, stated relative to each result."""
+    found: list[tuple[str, float, float]] = []
     place = 0
-    for answer, rows in zip(answers, after, strict=True):
+    for index, (answer, rows) in enumerate(zip(answers, after, strict=True)):
         impulses = [row.impulse_to_next or 0.0 for row in rows]
+        roundings = (8.0 + 4.0 * answer.collisions + 4.0 * len(bodies)) * UNIT_ROUNDOFF
+        # every impulse is as wrong as the velocities it came from, which all impulses made
+        fastest = max(abs(body.velocity) + abs(row.delta_v) for body, row in zip(bodies, rows, strict=True))
+        total = _sum([body.mass * body.velocity * body.velocity for body in bodies])
+        found.append((f"laws[{index}].energy_lost", answer.energy_lost, 2.0 * roundings * total))
         for j, (body, row) in enumerate(zip(bodies, rows, strict=True)):
-            pushed = (impulses[j - 1] if j else 0.0) + impulses[j]
-            size = abs(body.velocity) + pushed / body.mass
-            rounding = (6.0 + 4.0 * answer.collisions + 4.0 * len(bodies)) * UNIT_ROUNDOFF * size
-            if row.velocity != 0.0:
-                bounds.append(ErrorBound(f"bodies[{place}].velocity", rounding / abs(row.velocity)))
+            near = [bodies[k].mass for k in (j - 1, j, j + 1) if 0 <= k < len(bodies)]
+            wrong = roundings * (fastest + ((impulses[j - 1] if j else 0.0) + impulses[j]) / body.mass)
+            found.append((f"bodies[{place}].velocity", row.velocity, wrong))
+            found.append((f"bodies[{place}].delta_v", row.delta_v, wrong))
+            if row.impulse_to_next is not None:
+                push = roundings * (impulses[j] + max(near) * fastest)
+                found.append((f"bodies[{place}].impulse_to_next", row.impulse_to_next, push))
             place += 1
-    return tuple(bounds)
+    return tuple(ErrorBound(name, wrong / abs(value)) for name, value, wrong in found if value != 0.0)

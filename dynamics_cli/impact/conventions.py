@@ -4,7 +4,7 @@ Everything here takes single numbers, arrays and tracked numbers. Every result n
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin, where
+from dynamics_cli.numerics.elementary import atan2, cos, hypot, multiply_add, sin, where
 from dynamics_cli.quantities import (
     Angle,
     Mass,
@@ -224,14 +224,16 @@ def delta_v(
     axes: Axes = AXES,
     pdof_zero: PdofZero = PDOF_ZERO,
     travel: tuple[float, float] = (1.0, 0.0),
+    size: float = 1.0,
 ) -> DeltaV:
     """ΔV = J/m of a body whose nose points along the unit vector `nose`, travelling along `travel` before.
 
-    The impulse, not a difference of velocities: no digits cancel.
+    The impulse, not a difference of velocities: no digits cancel. It may be given as a direction and its `size`.
     """
-    x, y = impulse[0] / mass, impulse[1] / mass
-    longitudinal = x * nose[0] + y * nose[1]
-    lateral = y * nose[0] - x * nose[1]
+    change = size / mass
+    x, y = impulse[0] * change, impulse[1] * change
+    longitudinal = change * multiply_add(impulse[0], nose[0], impulse[1] * nose[1])
+    lateral = change * multiply_add(impulse[1], nose[0], -(impulse[0] * nose[1]))
     zero = {"heading": nose, "travel": travel, "scene": direction_of(0.0, axes)}[pdof_zero]
     angle = pdof(impulse, zero, axes)
     hours = angle if pdof_zero == "heading" else pdof(impulse, nose, axes)
@@ -241,7 +243,7 @@ def delta_v(
 def pdof(impulse: tuple[float, float], zero: tuple[float, float], axes: Axes = AXES) -> float:
     """Angle from `zero`, clockwise seen from above, to where the force came from: against the impulse; in (−π, π]."""
     x, y = 0.0 - impulse[0], 0.0 - impulse[1]
-    across = x * zero[1] - y * zero[0]
+    across = multiply_add(x, zero[1], -(y * zero[0]))
     # seen from above, x turns towards y counterclockwise unless z points down
     angle = atan2(0.0 - across if axes == "sae" else across, x * zero[0] + y * zero[1])
     return where(angle <= -PI, angle + 2.0 * PI, angle)

@@ -11,11 +11,12 @@ from dynamics_cli.impact.conventions import (
     Conventions,
     DeltaV,
     PdofZero,
+    clock,
     conventions,
-    delta_v,
     direction_of,
     heading_of,
     mass_of,
+    pdof,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, plain, single
 from dynamics_cli.impact.momentum_terms import CAUTION, Branch, Term, solve
@@ -364,6 +365,7 @@ def momentum_and_energy(
             hint="check its heading; --branch smaller says that the second vehicle closed in on the first",
         )
     answer = _answer(terms, (first, second), axes, pdof_zero, None, None)
+    answer = MomentumFound(**{**answer.__dict__, "energy_lost": energy})
     return _certified(answer, terms, check=False, along=line)
 
 
@@ -407,16 +409,51 @@ def _velocity(term: Term, axes: Axes) -> Pair:
     return term.speed * x, term.speed * y  # type: ignore[operator]
 
 
-def _impulse(terms: list[Term], velocities: list[Pair]) -> Pair:
-    """Impulse on the first vehicle, from whichever vehicle has the smaller momenta: less is lost in the difference."""
-    amounts = [absolute(t.amount) for t in terms]
-    first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
-    parts = []
-    for axis in (0, 1):
-        own = terms[0].mass * (velocities[2][axis] - velocities[0][axis])
-        other = terms[1].mass * (velocities[1][axis] - velocities[3][axis])
-        parts.append(where(first_smaller, own, other))
-    return parts[0], parts[1]
+class Exchange:
+    """The impulse on the first vehicle along any heading, from whichever vehicle has the smaller momenta.
+
+    Differences of headings go into sine and cosine, so what a speed cannot reach does not spoil it.
+    """
+
+    def __init__(self, terms: list[Term], axes: Axes) -> None:
+        self.terms = terms
+        self.left = -1.0 if axes == "compass" else 1.0
+        amounts = [absolute(t.amount) for t in terms]
+        self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
+
+    def _part(self, mass: float, before: Term, after: Term, heading: float, turn: object) -> float:
+        parts = [term.speed * turn(term.heading - heading) for term in (before, after)]  # type: ignore[operator]
+        return mass * (parts[1] - parts[0])
+
+    def components(self, heading: float) -> Pair:
+        """Impulse along a heading, and to its left (in SAE axes to its right)."""
+        t = self.terms
+        found = []
+        for turn in (cos, sin):
+            own = self._part(t[0].mass, t[0], t[2], heading, turn)
+            other = self._part(t[1].mass, t[3], t[1], heading, turn)
+            found.append(where(self.first_smaller, own, other))
+        return found[0], self.left * found[1]
+
+
+def _delta_v(exchange: Exchange, sign: float, term: Term, nose: float, axes: Axes, zero: PdofZero) -> DeltaV:
+    """ΔV of one vehicle from the impulse, in the scene's axes and its own."""
+    change = sign / term.mass
+    along, across = exchange.components(nose)
+    ahead, beside = exchange.components(0.0)
+    # heading zero is the x axis, or north
+    x, y = (-beside, ahead) if axes == "compass" else (ahead, beside)
+    reference = {"heading": nose, "travel": term.heading, "scene": 0.0}[zero]
+    facing = (along, across) if zero == "heading" else exchange.components(reference)  # type: ignore[arg-type]
+    angle = _pdof(sign * facing[0], sign * facing[1], axes)
+    hours = angle if zero == "heading" else _pdof(sign * along, sign * across, axes)
+    x, y = change * x, change * y
+    return DeltaV((x, y), hypot(x, y), change * along, change * across, angle, clock(hours))
+
+
+def _pdof(along: float, across: float, axes: Axes) -> float:
+    """PDOF of an impulse with parts along and across the zero."""
+    return pdof((along, across), (1.0, 0.0), axes)
 
 
 def _answer(
@@ -428,28 +465,29 @@ def _answer(
     closure: float | None,
 ) -> MomentumFound:
     velocities = [_velocity(term, axes) for term in terms]
-    impulse = _impulse(terms, velocities)
+    exchange = Exchange(terms, axes)
+    ahead, beside = exchange.components(0.0)
+    impulse = (-beside, ahead) if axes == "compass" else (ahead, beside)
     size = hypot(*impulse)
     struck = size > 0.0
     require(struck, "no impact: neither vehicle changes its velocity", code="no-impact", hint="check the speeds after")
     way = impulse[0] / size, impulse[1] / size
     bodies = []
     for index, (term, vehicle, sign) in enumerate(zip(terms[:2], vehicles, (1.0, -1.0), strict=True)):
-        travel = direction_of(term.heading, axes)  # type: ignore[arg-type]
-        nose = travel if vehicle.nose is None else direction_of(vehicle.nose, axes)
-        own = sign * impulse[0], sign * impulse[1]
-        middle = [0.5 * (velocities[index][axis] + velocities[index + 2][axis]) for axis in (0, 1)]
+        nose = term.heading if vehicle.nose is None else vehicle.nose
+        after = terms[index + 2]
+        gained = 0.5 * term.mass * ((after.speed - term.speed) * (after.speed + term.speed))  # type: ignore[operator]
         bodies.append(
             Reconstructed(
-                *(term.speed, term.heading, terms[index + 2].speed, terms[index + 2].heading),  # type: ignore[arg-type]
-                delta_v=delta_v(own, term.mass, nose, axes=axes, pdof_zero=zero, travel=travel),
-                energy_change=own[0] * middle[0] + own[1] * middle[1],
+                *(term.speed, term.heading, after.speed, after.heading),  # type: ignore[arg-type]
+                delta_v=_delta_v(exchange, sign, term, nose, axes, zero),  # type: ignore[arg-type]
+                energy_change=gained,
             )
         )
     before = velocities[0][0] - velocities[1][0], velocities[0][1] - velocities[1][1]
-    after = velocities[2][0] - velocities[3][0], velocities[2][1] - velocities[3][1]
+    apart = velocities[2][0] - velocities[3][0], velocities[2][1] - velocities[3][1]
     closing = -(before[0] * way[0] + before[1] * way[1])
-    parting = after[0] * way[0] + after[1] * way[1]
+    parting = apart[0] * way[0] + apart[1] * way[1]
     lost = 0.5 * size * (closing - parting)
     total = [terms[2].mass * velocities[2][axis] + terms[3].mass * velocities[3][axis] for axis in (0, 1)]
     return MomentumFound(
@@ -501,21 +539,23 @@ def _certified(answer: MomentumFound, terms: list[Term], *, check: bool, along: 
         for name, turn in (("momentum along heading zero", cos), ("momentum across heading zero", sin)):
             sides = [t.mass * t.speed * turn(t.heading) for t in terms]  # type: ignore[operator,arg-type]
             checks += balance(name, sides[0] + sides[1], sides[2] + sides[3], size)
-    if along is not None:
+    # the second path may bend from the line by a few degrees, which is neglected
+    straight = along is None or _straight(terms)
+    if along is not None and straight:
         sides = [t.mass * t.speed * cos(t.heading - along) for t in terms]  # type: ignore[operator]
-        checks += _collinear_check(sides[0] + sides[1], sides[2] + sides[3], size, terms)
-    changes = answer.first.energy_change + answer.second.energy_change
-    checks += balance("energy", changes, -answer.energy_lost, work + absolute(answer.first.energy_change))
+        checks += balance("momentum along the line", sides[0] + sides[1], sides[2] + sides[3], size)
+    if straight:
+        changes = answer.first.energy_change + answer.second.energy_change
+        sizes = absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
+        checks += balance("energy", changes, -answer.energy_lost, work + sizes)
     checks += not_above("energy never gained", -answer.energy_lost, 0.0, work) if check else ()
     return MomentumFound(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
 
 
-def _collinear_check(before: float, after: float, size: float, terms: list[Term]) -> tuple[Check, ...]:
-    """Momentum along the line; the second path may bend from it by a few degrees, which is neglected."""
-    bend = absolute(sin(terms[1].heading - terms[0].heading))  # type: ignore[operator]
-    if not single(bend) or plain(bend) > 1e-9:
-        return ()
-    return balance("momentum along the line", before, after, size)
+def _straight(terms: list[Term]) -> bool:
+    """Whether all four vectors lie on one line; not told of arrays."""
+    bends = [absolute(sin(t.heading - terms[0].heading)) for t in terms[1:]]  # type: ignore[operator]
+    return single(*bends) and all(plain(bend) <= 1e-9 for bend in bends)
 
 
 def _advice(answer: MomentumFound, size: float) -> tuple[Advice, ...]:

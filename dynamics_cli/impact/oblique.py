@@ -277,12 +277,11 @@ def oblique(
     compression = reduced * closing
     size = (1.0 + contact.restitution) * compression
     require_finite(size * closing, "the energy of the impact")
-    impulse = size * normal[0], size * normal[1]
-    back = -impulse[0], -impulse[1]
+    back = -normal[0], -normal[1]
     share = (1.0 - contact.restitution) * (1.0 + contact.restitution)
     answer = ObliqueImpact(
-        first=_after(one, before[0], back, normal, _nose(first.nose, before[0], axes), axes, pdof_zero),
-        second=_after(two, before[1], impulse, normal, _nose(second.nose, before[1], axes), axes, pdof_zero),
+        first=_after(one, before[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
+        second=_after(two, before[1], size, normal, _nose(second.nose, before[1], axes), axes, pdof_zero, 1.0),
         impulse=size,
         normal_direction=heading_of(normal[0], normal[1], axes),
         closing_speed=closing,
@@ -354,25 +353,26 @@ def travel_of(velocity: Pair, axes: Axes) -> Pair:
 
 
 def _after(
-    mass: float | None, before: Pair, impulse: Pair, normal: Pair, nose: Pair, axes: Axes, zero: PdofZero
+    mass: float | None, before: Pair, size: float, way: Pair, nose: Pair, axes: Axes, zero: PdofZero, sense: float
 ) -> AfterOblique:
-    """State of one body after its impulse."""
+    """State of one body after an impulse of a size along a direction, which is the normal times `sense`."""
     change: DeltaV | None = None
-    after = before
-    half: Pair = (0.0, 0.0)
+    after, along, gain = before, dot(before, way), 0.0
+    middle = along
     if mass is not None:
-        change = delta_v(impulse, mass, nose, axes=axes, pdof_zero=zero, travel=travel_of(before, axes))
-        x, y = change.vector
-        after = before[0] + x, before[1] + y
-        half = 0.5 * x, 0.5 * y
+        travel = travel_of(before, axes)
+        change = delta_v(way, mass, nose, axes=axes, pdof_zero=zero, travel=travel, size=size)
+        gain = size / mass
+        middle = along + 0.5 * gain
+        after = multiply_add(way[0], gain, before[0]), multiply_add(way[1], gain, before[1])
     return AfterOblique(
         velocity=after,
         speed=hypot(after[0], after[1]),
         heading=heading_of(after[0], after[1], axes),
-        normal_velocity=dot(after, normal),
-        tangential_velocity=cross(normal, before),
+        normal_velocity=sense * (along + gain),
+        tangential_velocity=sense * cross(way, before),
         delta_v=change,
-        energy_change=dot(impulse, (before[0] + half[0], before[1] + half[1])),
+        energy_change=size * middle,
     )
 
 
@@ -394,6 +394,7 @@ def _checks(
     speeds = hypot(before[0][0], before[0][1]) + hypot(before[1][0], before[1][1]) + answer.closing_speed
     parted = two.normal_velocity - one.normal_velocity
     checks += balance("restitution", parted, contact.restitution * answer.closing_speed, speeds)
+    checks += balance("velocity along the line", dot(normal, one.velocity), one.normal_velocity, speeds)
     checks += balance("nothing across the line", cross(normal, one.velocity), one.tangential_velocity, speeds)
     work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
     checks += balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)

@@ -193,7 +193,7 @@ def seize(*, body: SquarePlate | AnyBody) -> Seized:
     turned = times(inertia, lost_spin)
     couple = add(turned, cross(way, impulse))
     lost = 0.5 * mass * dot(lost_velocity, lost_velocity) + 0.5 * dot(turned, lost_spin)
-    left = 0.5 * dot(times(about, after), after)
+    left = 0.5 * dot(momentum, after)
     speed = _size(spin)
     checks = _checks(couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * _size(velocity))
     checks += balance("energy", before, left + lost, before) + not_above("energy never gained", left, before, before)

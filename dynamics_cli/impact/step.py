@@ -193,7 +193,7 @@ def step(
         speed_on_step=ratio * sqrt(left),
         greatest_rise=down,
         energy_lost=None if mass is None else 0.5 * mass * whole * speed * speed * share,
-        impulse_forward=None if mass is None else -mass * speed * (1.0 - ratio * (1.0 - depth)),
+        impulse_forward=None if mass is None else -mass * speed * (depth * (1.0 + whole - depth) / whole),
         impulse_upward=None if mass is None else mass * speed * ratio * sqrt(depth * (2.0 - depth)),
         advice=advice,
     )

@@ -199,8 +199,9 @@ CHAIN = Task(
     Model(
         "pairs in sequence and contacts at one moment, side by side",
         HERE + "chain:chain",
-        source=BOOK + "9.10, pair by pair; Glocker & Pfeiffer (1995) for contacts at one moment",
-        formula="pair: p = (1 + {restitution|e})·m_r·u; at one moment: K·p ≥ (1 + e)·u, p ≥ 0, one of them an equality",
+        source=BOOK + "9.10, pair by pair; Moreau (1988) for contacts at one moment",
+        formula="pair: p = (1 + {restitution|e})·m_r·u; "
+        "at one moment: p = (1 + e)·c, K·c ≥ u, c ≥ 0, one of them an equality",
         assumptions=(SHORT, "all bodies touch; rigid bodies do not decide which law holds"),
     ),
     examples=(
