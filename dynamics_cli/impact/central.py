@@ -251,14 +251,14 @@ def _approach(first: float | None, second: float | None, closing: float | None) 
     return (ahead, other), closing
 
 
-def require_approach(closing: float) -> None:
+def require_approach(closing: float, hint: str = CLOSING_HINT) -> None:
     """Refuse bodies that do not approach each other."""
     require(
         closing > 0.0,
         "no impact: the bodies do not approach each other, their closing speed is {0:.6g} m/s",
         closing,
         code="no-impact",
-        hint=CLOSING_HINT,
+        hint=hint,
     )
 
 

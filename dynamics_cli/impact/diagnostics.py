@@ -17,7 +17,7 @@ def single(*values: object) -> bool:
     return not any(getattr(value, "ndim", 0) for value in values)
 
 
-def balance(name: str, left: float, right: float, scale: float) -> tuple[Check, ...]:
+def balance(name: str, left: float, right: float, scale: float, least: float = TOLERANCE) -> tuple[Check, ...]:
     """Check that two sides agree relative to `scale`, or within the rounding bounds that they carry.
 
     Nothing for arrays, nor where the sides are so small or large that digits may be lost.
@@ -30,7 +30,7 @@ def balance(name: str, left: float, right: float, scale: float) -> tuple[Check, 
     error: float = (getattr(left, "error", 0.0) + getattr(right, "error", 0.0)) / size
     if not error < 1.0:
         return ()
-    tolerance = max(TOLERANCE, 1.01 * error)
+    tolerance = max(least, 1.01 * error)
     residual = abs(plain(left) - plain(right)) / size
     return (Check(name=name, passed=residual <= tolerance, value=residual, tolerance=tolerance),)
 

@@ -34,6 +34,10 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 Pair = tuple[float, float]
 # Paths this close to one line (sine of 10 degrees) may be taken as collinear.
 COLLINEAR = 0.17364817766693033
@@ -390,7 +394,7 @@ def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
 
 def _heading(speed: float | None, heading: float | None) -> float | None:
     """Heading as given; of a vehicle at rest any will do."""
-    if heading is None and type(speed) is float and speed == 0.0:
+    if heading is None and speed is not None and single(speed) and plain(speed) == 0.0:
         return 0.0
     return heading
 
@@ -421,7 +425,7 @@ class Exchange:
         amounts = [absolute(t.amount) for t in terms]
         self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
 
-    def _part(self, mass: float, before: Term, after: Term, heading: float, turn: object) -> float:
+    def _part(self, mass: float, before: Term, after: Term, heading: float, turn: "Callable[[float], float]") -> float:
         parts = [term.speed * turn(term.heading - heading) for term in (before, after)]  # type: ignore[operator]
         return mass * (parts[1] - parts[0])
 

@@ -272,7 +272,7 @@ def oblique(
     relative = before[0][0] - before[1][0], before[0][1] - before[1][1]
     normal = _normal(line, relative, axes)
     closing = dot(relative, normal)
-    require_approach(closing)
+    require_approach(closing, "the line of impact points from the first body to the second: turn it by 180 degrees")
     reduced = reduced_mass(one, two)
     compression = reduced * closing
     size = (1.0 + contact.restitution) * compression

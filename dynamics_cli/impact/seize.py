@@ -241,6 +241,16 @@ def _require_inertia(inertia: Tensor) -> None:
             *moments,
             code="no-body",
         )
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        product = inertia[i][j]
+        require(
+            product * product <= moments[i] * moments[j] * (1.0 + 1e-9),
+            "a product of inertia of {0:.6g} kg·m² belongs to no body with moments {1:.6g} and {2:.6g} kg·m²",
+            product,
+            moments[i],
+            moments[j],
+            code="no-body",
+        )
 
 
 def _unit(axis: Vector) -> Vector:

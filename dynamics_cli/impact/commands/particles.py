@@ -62,7 +62,7 @@ MOMENTUM = Task(
         suffices=HERE + "momentum:energy_suffices",
     ),
     Model(
-        "360° momentum",
+        "momentum in the plane",
         HERE + "momentum:momentum",
         source=BOOK + "9.5; cross products with the approach directions",
         formula="{first.approach_speed|v₁} = (m₁·{first.exit_speed|u₁}·sin({second.approach_heading|α₂} − "
