@@ -35,6 +35,8 @@ class Reader:
         self.files: list[dict[str, str]] = []
         # Distributions by address; None where only certain values are taken.
         self.uncertain: dict[str, Distribution] | None = None
+        # Which inputs are results of earlier documents: file, address there, and its covariance.
+        self.origins: dict[str, tuple[str, str, Any]] = {}
         self._defaults: dict[str, str] = {}
         if units:
             from dynamics_cli.core.defaults import default_units
