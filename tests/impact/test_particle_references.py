@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from references.comparison import HERE, cases
-from references.impact_particles_comparison import answer, disagreements, flat, leaves, measure
+from references.comparison import HERE
+from references.impact_particles_comparison import answer, cases, disagreements, flat, leaves, measure
 from references.impact_particles_tasks import CASE_BY_CASE, TASKS, UNTRACKED
 
 from dynamics_cli.numerics.tracked import Tracked
@@ -26,7 +26,7 @@ INSENSITIVE = {"momentum_and_energy 8: restitution"}
 
 
 def test_there_are_enough_hard_cases() -> None:
-    every = [case for task in TASKS for case in cases(FILE, task)]
+    every = [case for task in TASKS for case in cases(task)]
     hard = [case for case in every if case["kind"] == "hard"]
     assert len(every) >= 180
     assert len(hard) >= 60
@@ -35,7 +35,7 @@ def test_there_are_enough_hard_cases() -> None:
 
 @pytest.mark.parametrize("task", TRACKED)
 def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
-    measured = [one for case in cases(FILE, task) for one in measure(TASKS[task], case)]
+    measured = [one for case in cases(task) for one in measure(TASKS[task], case)]
     judged = [one for one in measured if one.condition <= WELL_CONDITIONED and one.where not in INSENSITIVE]
     assert len(judged) > len(measured) / 2
     worst = max(judged, key=lambda one: one.ulps)
@@ -43,7 +43,7 @@ def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
 
 
 def test_chains_are_right_to_a_few_roundings_of_the_fastest_body() -> None:
-    for case in cases(FILE, "chain"):
+    for case in cases("chain"):
         measured = measure(TASKS["chain"], case)
         speeds = [abs(float(body.get("velocity", "0"))) for body in case["inputs"]["bodies"]]
         hits = next(one.value for one in measured if one.where.endswith("collisions"))
@@ -54,7 +54,7 @@ def test_chains_are_right_to_a_few_roundings_of_the_fastest_body() -> None:
 
 @pytest.mark.parametrize("task", TASKS)
 def test_stated_bound_holds_and_is_tight(task: str) -> None:
-    for case in cases(FILE, task):
+    for case in cases(task):
         for one in measure(TASKS[task], case):
             assert one.error <= one.bound, one
             if one.value == 0.0 or task in UNTRACKED or case["name"] in CORNERS:
@@ -67,14 +67,14 @@ def test_stated_bound_holds_and_is_tight(task: str) -> None:
 
 @pytest.mark.parametrize("task", [task for task in TASKS if task not in CASE_BY_CASE])
 def test_arrays_give_the_bits_of_scalars(task: str) -> None:
-    for seed, case in enumerate(cases(FILE, task)[:16]):
+    for seed, case in enumerate(cases(task)[:16]):
         assert not disagreements(TASKS[task], case, seed)
 
 
 @pytest.mark.parametrize("task", TASKS)
 def test_checks_pass_and_name_themselves(task: str) -> None:
     named = set()
-    for case in cases(FILE, task):
+    for case in cases(task):
         result = answer(TASKS[task], task, case["inputs"], list(leaves(case["inputs"])))
         assert all(check.passed for check in result.checks), (case["name"], result.checks)
         named |= {check.name for check in result.checks}
@@ -83,7 +83,7 @@ def test_checks_pass_and_name_themselves(task: str) -> None:
 
 @pytest.mark.parametrize("task", TRACKED)
 def test_derivatives_are_those_of_the_answer(task: str) -> None:
-    for case in cases(FILE, task)[:5]:
+    for case in cases(task)[:5]:
         tree = case["inputs"]
         numbers = list(leaves(tree))
         tracked = flat(answer(TASKS[task], task, tree, Tracked.inputs(numbers)))

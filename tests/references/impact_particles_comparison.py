@@ -1,15 +1,24 @@
 """Builds the particle tasks' inputs from reference cases, and measures answers against them."""
 
+import json
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any
 
 import numpy as np
 from mpmath import mp, mpf
-from references.comparison import Measured
+from references.comparison import HERE, Measured
 from references.impact_particles_tasks import CLASSES, UNTRACKED
 
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.tracked import Tracked
+
+
+@cache
+def cases(task: str) -> list[dict[str, Any]]:
+    """The reference cases of one task."""
+    data = json.loads((HERE / "impact_particles.json").read_text(encoding="utf-8"))
+    return [case for case in data["cases"] if case["task"] == task]
 
 
 def leaves(tree: Any) -> Iterator[float]:
