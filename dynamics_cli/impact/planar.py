@@ -139,8 +139,8 @@ def planar(
     asked = LAWS[0] if law == "all" else law
     found = outcome(meeting, asked)
     energetic = _adds_energy(contact.restitution)
-    refuse(found, asked, energetic)
     require_finite(found.normal * meeting.approach, "the energy of the impact")
+    refuse(found, asked, energetic)
     answer = _answer(found, asked, meeting, one, two, inward, axes, pdof_zero)
     alternatives, missing = _all_laws(meeting, one, two, inward, energetic) if law == "all" else ({}, ())
     duration, peak = contact_history(force, meeting, found, asked)
@@ -186,6 +186,17 @@ def meeting_of(
             hint="leave out the closing speed, or mend the velocities",
         )
         approach = -closing
+    else:
+        # below this the direction of the normal, rounded, is all there is of an approach
+        slide = absolute(relative[0]) + absolute(relative[1])
+        require(
+            (approach >= 0.0) | (-approach > 2.0**-52 * slide),
+            "no impact: the bodies slide along each other, closing at {0:.3g} m/s of {1:.6g} m/s, which is rounding",
+            -approach,
+            slide,
+            code="no-impact",
+            hint="give --closing-speed if they do meet",
+        )
     require_approach(-approach)
     k, arms = mobility(one, two, inward)
     compliance: float = 0.0

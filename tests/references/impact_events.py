@@ -1,4 +1,4 @@
-"""Planar impacts followed event by event in 60 digits: an independent account of the path that the program has in closed form.
+"""Planar impacts followed event by event in many digits: an account of the path that knows no closed form.
 
 The march knows nothing of phases: from the present velocity it asks which way the contact slips or whether friction can
 hold it, goes straight to the next event (slip stops, compression ends, work or impulse or speed of the end reached), and
@@ -6,8 +6,6 @@ asks again.
 """
 
 from mpmath import mp, mpf, sqrt
-
-mp.dps = 60
 
 
 def friction_ratio(kt, kx, ut, mu):
@@ -30,6 +28,8 @@ def follow(kt, kx, kn, ut, un, mu, e, law):
     restoring = mpf(0)
     phase = "compression"
     states = []
+    if ut == 0:
+        first_slip = p
     for _ in range(12):
         c = friction_ratio(kt, kx, ut, mu)
         dn, dt = kn + kx * c, kt * c + kx
@@ -73,6 +73,7 @@ def follow(kt, kx, kn, ut, un, mu, e, law):
         "normal": p, "tangential": pt, "compression": compression,
         "normal_after": un, "tangential_after": ut, "compression_work": work, "restitution_work": restoring,
         "friction_work": rubbed, "states": states,
+        "slip_impulse": p if first_slip is None or mu == 0 else first_slip,
     }  # fmt: skip
 
 
