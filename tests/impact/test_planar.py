@@ -33,7 +33,7 @@ def draw(seed: int) -> dict[str, Any]:
         }
         try:
             hit(scene)
-        except Exception:  # noqa: BLE001  bodies that separate
+        except Exception:
             continue
         return scene
 
@@ -171,7 +171,7 @@ def test_newton_may_gain_energy_and_is_then_refused() -> None:
     outcome = bounce(rod, 0.6, 1.0, law=Law("all"))
     assert outcome.newton is None
     assert outcome.stronge is not None
-    assert [one.result for one in outcome.advice if one.code == "law-inadmissible"][0] == "newton"
+    assert "newton" in [one.result for one in outcome.advice if one.code == "law-inadmissible"]
     with pytest.raises(Exception, match="gains"):
         bounce(rod, 0.6, 1.0, law=Law("newton"))
 
@@ -293,7 +293,8 @@ def marched(scene: dict[str, Any], force: Spring | Hertz, found: PlanarImpact) -
 
 CALL = (
     "impact", "planar", "--first-mass", "1 kg", "--first-inertia", "0.4 kg*m^2", "--first-lever", "0, -1 m",
-    "--first-velocity", "1, -2 m/s", "--second-fixed", "--normal", "-90 deg", "--friction", "0.3", "--restitution", "0.5",
+    "--first-velocity", "1, -2 m/s", "--second-fixed", "--normal", "-90 deg", "--friction", "0.3",
+    "--restitution", "0.5",
 )  # fmt: skip
 
 

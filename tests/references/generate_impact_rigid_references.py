@@ -273,7 +273,6 @@ def hard() -> list[Case]:
                 "two events in one, from both sides",
                 scene(body(1.0, 0.5, (0.5, 0.0), (1.0, 0.375 * (1.0 + shift)), 0.0), fixed(), 0.0, 0.25, 0.5, law),
             )
-            # fmt: skip
         add("slip at rest", "there is no first slip: stick or the way out is decided by K alone",
             scene(body(1.0, 0.5, (0.75, 0.5), (2.0, 0.0), 0.0), fixed(), 0.0, 0.2, 0.5, law,
                   ))  # fmt: skip

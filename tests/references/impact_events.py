@@ -1,8 +1,7 @@
 """Planar impacts followed event by event in many digits: an account of the path that knows no closed form.
 
-The march knows nothing of phases: from the present velocity it asks which way the contact slips or whether friction can
-hold it, goes straight to the next event (slip stops, compression ends, work or impulse or speed of the end reached), and
-asks again.
+The march knows nothing of phases: from the present velocity it asks which way the contact slips or whether friction
+can hold it, goes straight to the next event (slip stops, compression ends, the law's end is reached), and asks again.
 """
 
 from mpmath import mp, mpf, sqrt
@@ -32,7 +31,9 @@ def follow(kt, kx, kn, ut, un, mu, e, law):
         first_slip = p
     for _ in range(12):
         c = friction_ratio(kt, kx, ut, mu)
-        dn, dt = kn + kx * c, kt * c + kx
+        # what sticks stays: the rounding of k_x/k_t is no slip
+        held = ut == 0 and abs(kx) <= mu * kt
+        dn, dt = kn + kx * c, mpf(0) if held else kt * c + kx
         way = "stick" if ut == 0 and dt == 0 else ("+" if ut > 0 or (ut == 0 and dt > 0) else "-")
         if not states or states[-1] != way:
             states.append(way)
