@@ -4,6 +4,7 @@ from dynamics_cli.core.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
 HERE = "dynamics_cli.impact."
+PICTURES = HERE + "particle_pictures:"
 SHORT = "the impact is short: forces other than that of contact have no impulse"
 
 CENTRAL = Task(
@@ -25,6 +26,7 @@ CENTRAL = Task(
         'dynamics impact central --first-mass "0.058 kg" --first-velocity "20 m/s" --second-fixed --restitution 0.73 '
         '--contact-stiffness "60 kN/m"',
     ),
+    plot=PICTURES + "central",
 )
 
 OBLIQUE = Task(
@@ -47,6 +49,7 @@ OBLIQUE = Task(
         'dynamics impact oblique --first-mass "0.6 kg" --first-speed "10 m/s" --first-heading "-30 deg" --second-fixed '
         '--normal "-90 deg" --restitution 0.75',
     ),
+    plot=PICTURES + "oblique",
 )
 
 MOMENTUM = Task(
@@ -82,6 +85,7 @@ MOMENTUM = Task(
         '--first-exit-heading "0 deg" --second-mass "1400 kg" --second-approach-heading "0 deg" --second-exit-speed '
         '"6 m/s" --second-exit-heading "0 deg" --first-ees "25 km/h" --second-ees "15 km/h"',
     ),
+    plot=PICTURES + "momentum",
 )
 
 CRUSH = Task(
@@ -113,6 +117,7 @@ CRUSH = Task(
         '"250 N/cm" --second-stiffness-b "40 N/cm^2" --second-stations "5,22,28,10 cm" --second-width "160 cm" '
         '--second-lever-arm "0.4 m" --second-yaw-inertia "1800 kg m^2"',
     ),
+    plot=PICTURES + "crush",
 )
 
 DROP = Task(
@@ -133,6 +138,7 @@ DROP = Task(
     ),
     table="bounces",
     arrays=False,
+    plot=PICTURES + "drop",
 )
 
 PENDULUM = Task(
@@ -213,6 +219,7 @@ CHAIN = Task(
     table="bodies",
     arrays=False,
     tracked=False,
+    plot=PICTURES + "chain",
 )
 
 YAW_INERTIA = Task(
@@ -230,6 +237,7 @@ YAW_INERTIA = Task(
         'dynamics impact yaw-inertia --weight "3451 lbf" --wheelbase "107 in" --length "190 in" --rule burg --units us',
     ),
     table="rules",
+    plot=PICTURES + "yaw_inertia",
 )
 
 TASKS: "tuple[Task, ...]" = (
