@@ -34,9 +34,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 Pair = tuple[float, float]
 # Paths this close to one line (sine of 10 degrees) may be taken as collinear.
@@ -421,37 +418,50 @@ class Exchange:
 
     def __init__(self, terms: list[Term], axes: Axes) -> None:
         self.terms = terms
+        self.plane = [_velocity(term, axes) for term in terms]
         self.left = -1.0 if axes == "compass" else 1.0
         amounts = [absolute(t.amount) for t in terms]
         self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
 
-    def _part(self, mass: float, before: Term, after: Term, heading: float, turn: "Callable[[float], float]") -> float:
-        parts = [term.speed * turn(term.heading - heading) for term in (before, after)]  # type: ignore[operator]
-        return mass * (parts[1] - parts[0])
+    def _turned(self, index: int, heading: float | None) -> Pair:
+        """Velocity of one vehicle along a heading (None: that of the scene's axes) and across it."""
+        term = self.terms[index]
+        if heading is None:
+            return self.plane[index]
+        if heading is term.heading:
+            return term.speed, 0.0  # type: ignore[return-value]
+        apart = term.heading - heading  # type: ignore[operator]
+        return term.speed * cos(apart), self.left * (term.speed * sin(apart))  # type: ignore[operator]
 
-    def components(self, heading: float) -> Pair:
-        """Impulse along a heading, and to its left (in SAE axes to its right)."""
-        t = self.terms
-        found = []
-        for turn in (cos, sin):
-            own = self._part(t[0].mass, t[0], t[2], heading, turn)
-            other = self._part(t[1].mass, t[3], t[1], heading, turn)
-            found.append(where(self.first_smaller, own, other))
-        return found[0], self.left * found[1]
+    def components(self, heading: float | None) -> Pair:
+        """Impulse along a heading, and to its left (in SAE axes to its right); along the axes x and y for None."""
+        smaller = self.first_smaller
+        found: list[Pair] = []
+        for before, after, mass, wanted in (
+            (0, 2, self.terms[0].mass, smaller),
+            (3, 1, self.terms[1].mass, ~smaller if hasattr(smaller, "ndim") else not smaller),
+        ):
+            if not hasattr(smaller, "ndim") and not wanted:
+                continue
+            old, new = self._turned(before, heading), self._turned(after, heading)
+            found.append((mass * (new[0] - old[0]), mass * (new[1] - old[1])))
+        if len(found) == 1:
+            return found[0]
+        return where(smaller, found[0][0], found[1][0]), where(smaller, found[0][1], found[1][1])
 
 
-def _delta_v(exchange: Exchange, sign: float, term: Term, nose: float, axes: Axes, zero: PdofZero) -> DeltaV:
+def _delta_v(
+    exchange: Exchange, impulse: Pair, sign: float, term: Term, nose: float, axes: Axes, zero: PdofZero
+) -> DeltaV:
     """ΔV of one vehicle from the impulse, in the scene's axes and its own."""
     change = sign / term.mass
     along, across = exchange.components(nose)
-    ahead, beside = exchange.components(0.0)
-    # heading zero is the x axis, or north
-    x, y = (-beside, ahead) if axes == "compass" else (ahead, beside)
-    reference = {"heading": nose, "travel": term.heading, "scene": 0.0}[zero]
-    facing = (along, across) if zero == "heading" else exchange.components(reference)  # type: ignore[arg-type]
+    facing = along, across
+    if zero != "heading":
+        facing = exchange.components(term.heading if zero == "travel" else 0.0)
     angle = _pdof(sign * facing[0], sign * facing[1], axes)
     hours = angle if zero == "heading" else _pdof(sign * along, sign * across, axes)
-    x, y = change * x, change * y
+    x, y = change * impulse[0], change * impulse[1]
     return DeltaV((x, y), hypot(x, y), change * along, change * across, angle, clock(hours))
 
 
@@ -468,10 +478,9 @@ def _answer(
     condition: float | None,
     closure: float | None,
 ) -> MomentumFound:
-    velocities = [_velocity(term, axes) for term in terms]
     exchange = Exchange(terms, axes)
-    ahead, beside = exchange.components(0.0)
-    impulse = (-beside, ahead) if axes == "compass" else (ahead, beside)
+    velocities = exchange.plane
+    impulse = exchange.components(None)
     size = hypot(*impulse)
     struck = size > 0.0
     require(struck, "no impact: neither vehicle changes its velocity", code="no-impact", hint="check the speeds after")
@@ -484,7 +493,7 @@ def _answer(
         bodies.append(
             Reconstructed(
                 *(term.speed, term.heading, after.speed, after.heading),  # type: ignore[arg-type]
-                delta_v=_delta_v(exchange, sign, term, nose, axes, zero),  # type: ignore[arg-type]
+                delta_v=_delta_v(exchange, impulse, sign, term, nose, axes, zero),  # type: ignore[arg-type]
                 energy_change=gained,
             )
         )
@@ -539,7 +548,7 @@ def _certified(answer: MomentumFound, terms: list[Term], *, check: bool, along: 
             hint="check the speeds after and the headings",
         )
     checks: tuple[Check, ...] = ()
-    if check:
+    if check and single(size):
         for name, turn in (("momentum along heading zero", cos), ("momentum across heading zero", sin)):
             sides = [t.mass * t.speed * turn(t.heading) for t in terms]  # type: ignore[operator,arg-type]
             checks += balance(name, sides[0] + sides[1], sides[2] + sides[3], size)
