@@ -34,7 +34,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
-
 Pair = tuple[float, float]
 # Paths this close to one line (sine of 10 degrees) may be taken as collinear.
 COLLINEAR = 0.17364817766693033
