@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.impact.contact import Push, push
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
-from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_finite, single
+from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_finite, require_sizes, single
 from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, multiply_add, where
 from dynamics_cli.quantities import (
@@ -193,6 +193,9 @@ def central(
     >>> hit.first.velocity, hit.second.velocity
     (1.5, 3.0)
     """
+    require_sizes(
+        first=first, second=second, contact=contact, closing_speed=closing_speed, force=force, gravity=gravity
+    )
     one = mass_of(first.bulk, gravity, "the first body")
     two = struck_mass(second.bulk, gravity, "the second body")
     before, closing = _approach(first.velocity, second.velocity, closing_speed)
@@ -284,7 +287,7 @@ def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Res
         left = one.mass * one.velocity + two.mass * two.velocity
         size = absolute(held[0]) + absolute(held[1]) + answer.impulse
         momentum = balance("momentum", held[0] + held[1], left, size)
-    speeds = absolute(before[0]) + absolute(before[1]) + answer.closing_speed
+    speeds = absolute(before[0]) + absolute(before[1]) + answer.closing_speed + answer.separation_speed
     restituted = balance("restitution", two.velocity - one.velocity, restitution * answer.closing_speed, speeds)
     work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
     energy = balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)

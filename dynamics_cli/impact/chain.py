@@ -1,7 +1,7 @@
 """Several bodies in line that touch: the answer is not unique, so every answer names its law."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.diagnostics import TOLERANCE, balance, not_above, require_finite
+from dynamics_cli.impact.diagnostics import TOLERANCE, balance, not_above, require_finite, require_sizes
 from dynamics_cli.quantities import Count, Energy, Impulse, Mass, Restitution, Speed, Text
 from dynamics_cli.records import Advice, Check, Choice, ErrorBound, Numerics, record
 
@@ -155,6 +155,7 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
     >>> [one.velocity for one in chain(bodies=row, restitution=1.0, law=ChainLaw("sequential")).bodies]
     [0.0, 0.0, 1.0]
     """
+    require_sizes(bodies=bodies, restitution=restitution)
     require(len(bodies) >= 2, "a chain has two bodies or more", code="too-few", hint='repeat --body "mass=1 kg"')
     require(
         bodies[-1].restitution is None,
@@ -353,7 +354,9 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     speeds = [body.velocity for body in bodies], [row.velocity for row in rows]
     parts = [[body.mass * v for body, v in zip(bodies, side, strict=True)] for side in speeds]
     pushes = [row.impulse_to_next or 0.0 for row in rows]
-    size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)])
+    # velocities are as right as the fastest of them is rounded
+    fastest = max(abs(v) for v in speeds[0])
+    size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)]) + _sum([b.mass * fastest for b in bodies])
     checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)
     energies = [_sum([0.5 * m * v for m, v in zip(*side, strict=True)]) for side in zip(parts, speeds, strict=True)]
     scale = energies[0] + _sum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
@@ -361,7 +364,6 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale, room)
     checks += not_above(f"{name}: energy never gained", -answer.energy_lost, 0.0, scale)
     checks += not_above(f"{name}: no tension", -min(pushes), 0.0, max(pushes))
-    fastest = max(abs(v) for v in speeds[0])
     return checks + not_above(f"{name}: no pair closes", max(_closing(speeds[1])), 0.0, fastest)
 
 

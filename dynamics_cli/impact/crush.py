@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.central import reduced_mass, struck_mass
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Fixed, mass_of
 from dynamics_cli.impact.crush_stiffness import BarrierTest, Campbell, Coefficients, coefficients
-from dynamics_cli.impact.diagnostics import balance, plain, single
+from dynamics_cli.impact.diagnostics import balance, plain, require_sizes, single
 from dynamics_cli.numerics.elementary import absolute, cos, sin, sqrt
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -261,6 +261,7 @@ def crush(
     >>> round(crush(first=car).first.energy, 6)
     66150.0
     """
+    require_sizes(first=first, second=second, restitution=restitution, gravity=gravity)
     one, advice = _damage(first, mass_of(first.bulk, gravity, "the first vehicle"), "first")
     mass = None if second is None else struck_mass(second.bulk, gravity, "the second vehicle")
     two: DamageFound | None = None

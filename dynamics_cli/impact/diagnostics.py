@@ -3,6 +3,8 @@
 from dynamics_cli.errors import require
 from dynamics_cli.records import Check
 
+# Between these, products and quotients of several numbers keep all their digits.
+SMALLEST, LARGEST = 1e-40, 1e40
 # A residual check that fails is a fault of the program, so it leaves room for sums of many roundings.
 TOLERANCE = 1e-12
 
@@ -54,3 +56,30 @@ def require_finite(value: float, what: str) -> None:
         code="range",
         hint="check the size of the inputs",
     )
+
+
+def require_sizes(**given: object) -> None:
+    """Refuse numbers so small or large that a calculation of several of them would leave the range of a double."""
+    for name, value in given.items():
+        _require_size(name, value)
+
+
+def _require_size(name: str, value: object) -> None:
+    if value is None or isinstance(value, (str, bool)):
+        return
+    fields = getattr(value, "fields", None)
+    if fields is not None:
+        for field in fields:
+            _require_size(f"{name}.{field}", getattr(value, field))
+    elif isinstance(value, tuple):
+        for index, part in enumerate(value):
+            _require_size(f"{name}[{index}]", part)
+    else:
+        size = abs(value)  # type: ignore[arg-type]
+        require(
+            (size == 0.0) | ((size > SMALLEST) & (size < LARGEST)),
+            name + " is {0:.3g} in SI units: the calculation holds sizes from 1e-40 to 1e40",
+            value,
+            code="range",
+            hint="check the size of the number and its unit",
+        )

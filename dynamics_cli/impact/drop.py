@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import Restituted
-from dynamics_cli.impact.diagnostics import balance, not_above, plain, single
+from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_sizes, single
 from dynamics_cli.numerics.elementary import exp, log, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -184,6 +184,7 @@ def drop(
     >>> round(found.restitution, 12), round(found.bounces[1].height, 12)
     (0.8, 0.4096)
     """
+    require_sizes(evidence=evidence, height=height, mass=mass, gravity=gravity)
     require(bounces <= 10000, f"{bounces} bounces are more than a list should hold", code="too-many")
     restitution, height = _found(evidence, height, gravity)
     require(height > 0.0, "a drop from a height of {0:.6g} m is no impact", height, code="no-impact")

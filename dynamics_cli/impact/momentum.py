@@ -18,7 +18,7 @@ from dynamics_cli.impact.conventions import (
     mass_of,
     pdof,
 )
-from dynamics_cli.impact.diagnostics import balance, not_above, plain, single
+from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_sizes, single
 from dynamics_cli.impact.momentum_terms import CAUTION, Branch, Term, solve
 from dynamics_cli.numerics.elementary import absolute, cos, hypot, sin, sqrt, where
 from dynamics_cli.quantities import (
@@ -251,6 +251,7 @@ def momentum(
         code="damage-unused",
         hint="leave them out, or leave the choice of model to the program",
     )
+    require_sizes(first=first, second=second, gravity=gravity)
     masses = _masses(first, second, gravity)
     terms = _terms(first, second, masses)
     solution = solve(terms, branch)
@@ -321,6 +322,7 @@ def momentum_and_energy(
     """
     require(damage is not None, "no energies of deformation are given", code="no-energy")
     assert damage is not None
+    require_sizes(first=first, second=second, damage=damage, gravity=gravity)
     masses = _masses(first, second, gravity)
     energy = _deformation(damage, masses)
     for one in (first, second):
@@ -552,14 +554,17 @@ def _certified(answer: MomentumFound, terms: list[Term], *, check: bool, along: 
             sides = [t.mass * t.speed * turn(t.heading) for t in terms]  # type: ignore[operator,arg-type]
             checks += balance(name, sides[0] + sides[1], sides[2] + sides[3], size)
     # the second path may bend from the line by a few degrees, which is neglected
-    straight = along is None or _straight(terms)
+    straight = check if along is None else _straight(terms)
     if along is not None and straight:
         sides = [t.mass * t.speed * cos(t.heading - along) for t in terms]  # type: ignore[operator]
         checks += balance("momentum along the line", sides[0] + sides[1], sides[2] + sides[3], size)
     if straight:
         changes = answer.first.energy_change + answer.second.energy_change
-        sizes = absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
-        checks += balance("energy", changes, -answer.energy_lost, work + sizes)
+        # what is lost is a difference of these
+        kinetic = [0.5 * absolute(t.amount) * t.speed for t in terms]  # type: ignore[operator]
+        checks += balance(
+            "energy", changes, -answer.energy_lost, work + kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3]
+        )
     checks += not_above("energy never gained", -answer.energy_lost, 0.0, work) if check else ()
     return MomentumFound(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
 

@@ -24,7 +24,7 @@ from dynamics_cli.impact.conventions import (
     mass_of,
     velocity_of,
 )
-from dynamics_cli.impact.diagnostics import balance, not_above, require_finite
+from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
 from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, sqrt, where
 from dynamics_cli.quantities import (
@@ -266,6 +266,7 @@ def oblique(
     >>> round(hit.first.normal_velocity, 7), round(hit.second.normal_velocity, 7)
     (-0.1231175, 0.1346175)
     """
+    require_sizes(first=first, second=second, line=line, contact=contact, force=force, gravity=gravity)
     one = mass_of(first.bulk, gravity, "the first body")
     two = struck_mass(second.bulk, gravity, "the second body")
     before = velocity_of(first.motion, axes), velocity_of(second.motion, axes)
@@ -392,11 +393,12 @@ def _checks(
             size = absolute(held[0]) + absolute(held[1]) + answer.impulse
             checks += balance(name, held[0] + held[1], left, size)
     speeds = hypot(before[0][0], before[0][1]) + hypot(before[1][0], before[1][1]) + answer.closing_speed
+    speeds = speeds + answer.separation_speed
     parted = two.normal_velocity - one.normal_velocity
     checks += balance("restitution", parted, contact.restitution * answer.closing_speed, speeds)
     checks += balance("velocity along the line", dot(normal, one.velocity), one.normal_velocity, speeds)
     checks += balance("nothing across the line", cross(normal, one.velocity), one.tangential_velocity, speeds)
-    work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
+    work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * speeds
     checks += balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
     if plain_above(contact.restitution):
         return checks

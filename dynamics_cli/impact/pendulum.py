@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import ByMass, ByWeight, mass_of
-from dynamics_cli.impact.diagnostics import balance, not_above, require_finite
+from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
 from dynamics_cli.numerics.elementary import absolute, hypot, sin, sqrt
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -77,6 +77,7 @@ class Sideways:
     @property
     def rise(self) -> float:
         """L − √(L² − x²) without cancellation."""
+        require(self.length > 0.0, "cords of {0:.6g} m let nothing swing", self.length, code="no-length")
         require(
             self.travel <= self.length,
             "cords of {0:.6g} m do not let the block travel {1:.6g} m sideways",
@@ -218,6 +219,7 @@ def pendulum(
     >>> round(pendulum(shot_mass=0.01, block=Block(ByMass(2.0)), swing=Rise(0.1)).speed, 6)
     281.495459
     """
+    require_sizes(shot_mass=shot_mass, block=block, swing=swing, restitution=restitution, gravity=gravity)
     mass = mass_of(block.bulk, gravity, "the block")
     require(shot_mass > 0.0, "a shot of {0:.6g} kg strikes nothing", shot_mass, code="no-mass")
     if isinstance(swing, Hinged):

@@ -1,7 +1,7 @@
 """A moving body of which a point or an axis is suddenly held fast."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, single
+from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes, single
 from dynamics_cli.impact.vectors import Tensor, Vector, add, cross, dot, moved, scale, solve, subtract, times
 from dynamics_cli.numerics.elementary import absolute, maximum, sqrt
 from dynamics_cli.quantities import (
@@ -167,10 +167,13 @@ def seize(*, body: SquarePlate | AnyBody) -> Seized:
     >>> round(seize(body=plate).angular_ratio, 12), round(seize(body=plate).energy_ratio, 12)
     (0.176776695297, 0.125)
     """
+    require_sizes(body=body)
     whole = _plate(body) if isinstance(body, SquarePlate) else body
-    mass, inertia = whole.mass, whole.inertia
+    mass = whole.mass
     require(mass > 0.0, "a body of {0:.6g} kg has nothing to hold", mass, code="no-mass")
-    _require_inertia(inertia)
+    _require_inertia(whole.inertia)
+    (a, b, c), (_, d, e), (_, _, f) = whole.inertia
+    inertia = (a, b, c), (b, d, e), (c, e, f)
     spin, velocity = whole.angular_velocity, whole.velocity
     way = scale(-1.0, whole.point)
     own = times(inertia, spin)
@@ -195,7 +198,9 @@ def seize(*, body: SquarePlate | AnyBody) -> Seized:
     lost = 0.5 * mass * dot(lost_velocity, lost_velocity) + 0.5 * dot(turned, lost_spin)
     left = 0.5 * dot(momentum, after)
     speed = _size(spin)
-    checks = _checks(couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * _size(velocity))
+    checks = _checks(
+        couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * (_size(velocity) + _size(centre))
+    )
     checks += balance("energy", before, left + lost, before) + not_above("energy never gained", left, before, before)
     return Seized(
         angular_velocity=after,
@@ -243,6 +248,13 @@ def _require_inertia(inertia: Tensor) -> None:
         )
     for i, j in ((0, 1), (0, 2), (1, 2)):
         product = inertia[i][j]
+        require(
+            absolute(product - inertia[j][i]) <= 1e-6 * total,
+            "an inertia tensor is symmetric, but {0:.6g} and {1:.6g} kg·m² stand across from each other",
+            product,
+            inertia[j][i],
+            code="no-body",
+        )
         require(
             product * product <= moments[i] * moments[j] * (1.0 + 1e-9),
             "a product of inertia of {0:.6g} kg·m² belongs to no body with moments {1:.6g} and {2:.6g} kg·m²",

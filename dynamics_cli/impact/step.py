@@ -1,7 +1,7 @@
 """A rolling wheel that meets a step: what the impact on the edge leaves, and the least speed to get over."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.diagnostics import balance, not_above, plain, single
+from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_sizes, single
 from dynamics_cli.numerics.elementary import sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -154,6 +154,7 @@ def step(
     >>> round(step(radius=0.3, height=0.1).least_speed, 6)
     1.470191
     """
+    require_sizes(radius=radius, height=height, wheel=wheel, speed=speed, mass=mass, gravity=gravity)
     require(radius > 0.0, "a wheel of radius {0:.6g} m does not roll", radius, code="no-radius")
     require(height > 0.0, "a step of {0:.6g} m is none: the wheel rolls on", height, code="no-impact")
     require(
@@ -246,4 +247,4 @@ def _checks(answer: StepMet, factor: float, speed: float, depth: float, mass: fl
     side = sqrt(depth * (2.0 - depth))
     moment = answer.impulse_forward * (1.0 - depth) + answer.impulse_upward * side
     size = mass * speed
-    return checks + balance("moment of the impulse about the axle", moment, factor * (1.0 - ratio) * size, size)
+    return checks + balance("moment of the impulse about the axle", moment, factor * (depth / whole) * size, size)

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import ByMass, ByWeight, mass_of
-from dynamics_cli.impact.diagnostics import not_above, plain, single
+from dynamics_cli.impact.diagnostics import not_above, plain, require_sizes, single
 from dynamics_cli.numerics.elementary import maximum, minimum, sqrt
 from dynamics_cli.quantities import STANDARD_GRAVITY, Distance, Gravity, Inertia, Length, Mass, Text
 from dynamics_cli.records import Advice, Check, Choice, record
@@ -125,6 +125,9 @@ def yaw_inertia(
     >>> round(yaw_inertia(bulk=ByMass(1500.0), wheelbase=2.7, length=4.6, width=1.8).yaw_inertia, 1)
     2716.0
     """
+    require_sizes(
+        bulk=bulk, wheelbase=wheelbase, length=length, width=width, front_distance=front_distance, gravity=gravity
+    )
     mass = mass_of(bulk, gravity, "the vehicle")
     require(wheelbase > 0.0, "a wheelbase of {0:.6g} m is none", wheelbase, code="no-size")
     front = 0.5 * wheelbase if front_distance is None else front_distance

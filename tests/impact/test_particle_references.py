@@ -36,7 +36,11 @@ def test_there_are_enough_hard_cases() -> None:
 @pytest.mark.parametrize("task", TRACKED)
 def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
     measured = [one for case in cases(task) for one in measure(TASKS[task], case)]
-    judged = [one for one in measured if one.condition <= WELL_CONDITIONED and one.where not in INSENSITIVE]
+    judged = [
+        one
+        for one in measured
+        if one.condition <= WELL_CONDITIONED and one.where not in INSENSITIVE and one.reference != 0
+    ]
     assert len(judged) > len(measured) / 2
     worst = max(judged, key=lambda one: one.ulps)
     assert worst.ulps <= MOST_ULPS, worst

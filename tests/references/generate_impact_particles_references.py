@@ -164,13 +164,13 @@ def centrals(generator: random.Random) -> Iterator[Case]:
         yield "hard", "speeds that agree to nearly all digits: only the difference counts", pair(1e3, 300.0, 7e2, close)
     gap = {"first": {"bulk": mass(1e3), "velocity": 300.0}, "second": {"bulk": mass(7e2)}, "closing_speed": 1e-12}
     yield "hard", "a closing speed of 1e-12 m/s given at 300 m/s", {**base, **gap}
-    for e in (0.0, 1.0, 0.9999999999999999, 1e-100):
+    for e in (0.0, 1.0, 0.9999999999999999, 1e-39):
         why = "the ends of restitution: 1 - e² cancels if it is not factored"
         yield "hard", why, pair(3.0, 4.0, 2.0, -1.0, contact=restituted(e))
     why = "equal masses with e = 1 exchange velocities: the first comes to rest exactly"
     yield "hard", why, pair(0.7, 1.3, 0.7, 0.0, contact=restituted(1.0))
-    yield "hard", "speeds near the end of the range, squares are large", pair(1e-3, 1e120, 2e-3, -1e119)
-    yield "hard", "speeds near the other end, squares are tiny", pair(1e3, 1e-120, 2e3, -1e-121)
+    yield "hard", "speeds near the end of the range, squares are large", pair(1e-3, 1e39, 2e-3, -1e38)
+    yield "hard", "speeds near the other end, squares are tiny", pair(1e3, 1e-38, 2e3, -1e-39)
     wall = {"first": {"bulk": mass(2.0), "velocity": 3.0}, "second": {"bulk": FIXED, "velocity": -40.0}, **base}
     yield "hard", "a wall that comes to meet the body and does work on it", wall
     energetic = {"record": "Energetic", "energetic_contact": 1.7}
@@ -581,7 +581,7 @@ def seizes(generator: random.Random) -> Iterator[Case]:
     yield "hard", "a thin rod: inertias of very different size", {"body": {**base, **thin}}
     own = {"point": [0.0, 0.0, 0.0], "velocity": [0.0, 0.0, 0.0]}
     yield "hard", "held at the mass centre about which it turns: nothing is lost", {"body": {**base, **own}}
-    plate = {"record": "SquarePlate", "plate_mass": 1e-60, "side": 1e40, "spin": 1e-30}
+    plate = {"record": "SquarePlate", "plate_mass": 1e-39, "side": 1e38, "spin": 1e-30}
     yield "hard", "a plate of sizes far apart", {"body": {**plate, "seized": {"choice": "SeizedPart", "name": "edge"}}}
 
 
