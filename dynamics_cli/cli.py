@@ -18,6 +18,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "units": ("dynamics_cli.convert.commands", "List, show and search units; the book's conversion table."),
     "coords": ("dynamics_cli.convert.commands", "Cartesian, cylindrical and spherical coordinates."),
     "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
+    "impact": ("dynamics_cli.impact.commands", "Impacts, from two balls to a two-car crash with friction."),
     "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
     "inertia": ("dynamics_cli.inertia.commands", "Mass properties and principal axes of shapes, assemblies and meshes."),
 }

@@ -154,6 +154,9 @@ if TYPE_CHECKING:
     AngularImpulse = float
     Pressure = float
     Stiffness = float
+    LineForce = float
+    CrushStiffness = float
+    SpeedSlope = float
     Damping = float
     Temperature = float
     # read in a way of their own
@@ -173,8 +176,11 @@ if TYPE_CHECKING:
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
+    ImpulseVector = tuple[float, float, float]
+    MomentVector = tuple[float, float, float]
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
+    PlanarImpulse = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
@@ -300,6 +306,27 @@ else:
     Stiffness = Kind(
         "stiffness", "N/m", si="N/mm", us="lbf/in", low=0.0, example="20 N/mm", about="force per deflection"
     )
+    LineForce = Kind(
+        "force per width", "N/m", si="N/cm", us="lbf/in", low=0.0, example="350 lbf/in", about="force per width crushed"
+    )
+    CrushStiffness = Kind(
+        "crush stiffness",
+        "N/m^2",
+        si="N/cm^2",
+        us="lbf/in^2",
+        above=0.0,
+        example="60 lbf/in^2",
+        about="force per width and per depth of crush",
+    )
+    SpeedSlope = Kind(
+        "speed per crush",
+        "1/s",
+        si="km/h/cm",
+        us="mph/in",
+        above=0.0,
+        example="1.6 mph/in",
+        about="impact speed per depth of crush",
+    )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")
     # read in a way of their own
@@ -393,6 +420,18 @@ else:
     )
     AngularMomentumVector = Kind(
         "angular momentum vector",
+    ImpulseVector = Kind(
+        "impulse vector",
+        "N*s",
+        form="vector",
+        size=3,
+        si="N*s",
+        us="lbf*s",
+        example="0, 3, 1 N*s",
+        about="an impulse in space",
+    )
+    MomentVector = Kind(
+        "angular impulse vector",
         "N*m*s",
         form="vector",
         size=3,
@@ -408,6 +447,8 @@ else:
         size=4,
         example="0.92388, 0, 0, 0.382683",
         about="a rotation as the quaternion w, x, y, z, its scalar first",
+        example="0, 3, 1 N*m*s",
+        about="an angular impulse in space",
     )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
@@ -421,6 +462,16 @@ else:
         us="mph",
         example="30 mph @ 45 deg",
         about="a velocity in the plane",
+    )
+    PlanarImpulse = Kind(
+        "planar impulse",
+        "N*s",
+        form="planar",
+        size=2,
+        si="N*s",
+        us="lbf*s",
+        example="3000, 400 N*s",
+        about="an impulse in the plane",
     )
     InertiaTensor = Kind(
         "inertia tensor",

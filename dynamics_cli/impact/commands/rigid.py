@@ -1,5 +1,124 @@
-"""Tasks of `dynamics impact`: rigid."""
+"""Tasks of `dynamics impact`: rigid bodies with friction."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
 
-TASKS: "tuple[Task, ...]" = ()
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
+HERE = "dynamics_cli.impact."
+SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
+POINT = "the bodies are rigid and touch at one point with Coulomb friction"
+KELLER = "J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000)"
+
+PLANAR = Task(
+    "planar",
+    "Two rigid bodies, or one and a barrier, with friction and restitution, by five laws.",
+    Model(
+        "planar impact with friction",
+        HERE + "planar:planar",
+        source=KELLER + "; R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods (2011)",
+        formula="u' = u + K·p; dp_t = −{friction|μ}·sgn(u_t)·dp_n while it slips, −(k_x/k_t)·dp_n while it sticks; "
+        "{normal_impulse|p_n}, {tangential_impulse|p_t} where the law with {restitution|e} ends",
+        assumptions=(SHORT, POINT),
+        method="closed-form Routh–Keller path",
+    ),
+    examples=(
+        'dynamics impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
+        '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
+        '"0, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --friction 0.5 --restitution 0.1',
+        'dynamics impact planar --first-mass "1 kg" --first-radius-of-gyration "0.2 m" --first-velocity "3, -4 m/s" '
+        '--first-lever "0.3, -0.4 m" --second-fixed --normal "-90 deg" --friction 0.3 --restitution 0.6 --law all',
+        'dynamics impact planar --first-mass "0.5 kg" --first-inertia "2e-4 kg*m^2" --first-velocity "1, -2 m/s" '
+        '--first-lever "0, -20 mm" --first-spin "300 rpm" --second-fixed --normal "-90 deg" --friction 0.2 '
+        '--restitution 0.8 --contact-radius "20 mm" --contact-modulus "2 GPa" --json',
+    ),
+)
+
+ENVELOPE = Task(
+    "envelope",
+    "ΔV of a planar impact over a region of restitution and friction.",
+    Model(
+        "planar impact with friction, over a region",
+        HERE + "envelope:envelope",
+        source=KELLER,
+        formula="ΔV = |p|/m at every point of {least_restitution|e} to {greatest_restitution|e}, "
+        "{least_friction|μ} to {greatest_friction|μ}",
+        assumptions=(SHORT, POINT),
+        method="closed-form Routh–Keller path on a grid",
+    ),
+    examples=(
+        'dynamics impact envelope --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
+        '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
+        '"0, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --greatest-restitution 0.3 --least-friction 0.2 '
+        "--greatest-friction 0.8",
+    ),
+    table="map",
+    arrays=False,
+    tracked=False,
+)
+
+SPATIAL = Task(
+    "spatial",
+    "Two rigid bodies in space, or one and a barrier, with friction: Keller's equations.",
+    Model(
+        "impact in space with friction",
+        HERE + "spatial:spatial",
+        source=KELLER,
+        formula="du = K·(−{friction|μ}·u_t/|u_t|, 1)·dp_n while it slips; p_t = −K_tt⁻¹·k_tn·p_n while it sticks; "
+        "{normal_impulse|p_n} where the law with {restitution|e} ends",
+        assumptions=(SHORT, POINT),
+        method="Taylor series of order 24",
+    ),
+    examples=(
+        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02, 0, 0], [0, 0.03, 0.004], [0, 0.004, '
+        '0.04]] kg*m^2" --first-lever "0.1, 0.05, -0.2 m" --first-velocity "3, 1, -4 m/s" --first-spin "0, 5, 2 rad/s" '
+        '--second-fixed --normal "0, 0, -1" --friction 0.4 --restitution 0.6',
+        'dynamics impact spatial --first-mass "1500 kg" --first-inertia "[[500, 0, 0], [0, 2400, 0], [0, 0, 2500]] '
+        'kg*m^2" --first-lever "2, -0.4, 0.1 m" --first-velocity "15, 0, 0 m/s" --second-mass "1200 kg" '
+        '--second-inertia "[[400, 0, 0], [0, 1700, 0], [0, 0, 1800]] kg*m^2" --second-lever "-0.8, 0.5, 0.05 m" '
+        '--second-velocity "0, 10, 0 m/s" --normal "0.98, 0.17, 0" --friction 0.5 --restitution 0.1 --json',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
+SOLVE = Task(
+    "solve",
+    "A scene of two bodies and one contact, by the smallest model that it calls for.",
+    Model(
+        "central, bodies that meet on one line",
+        HERE + "scene:solve_central",
+        source=BOOK + "9.10",
+        formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
+        assumptions=(SHORT,),
+        suffices=HERE + "scene:central_suffices",
+    ),
+    Model(
+        "oblique, smooth bodies without spin",
+        HERE + "scene:solve_oblique",
+        source=BOOK + "9.11",
+        formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
+        assumptions=(SHORT, "nothing acts across the normal"),
+        suffices=HERE + "scene:oblique_suffices",
+    ),
+    Model(
+        "planar, rigid bodies with friction in one plane",
+        HERE + "scene:solve_planar",
+        source=KELLER,
+        formula="u' = u + K·p in the plane of normal and slip, {slip_history|history}",
+        assumptions=(SHORT, POINT, "the slip keeps its line"),
+        method="closed-form Routh–Keller path",
+        suffices=HERE + "scene:planar_suffices",
+    ),
+    Model(
+        "spatial, rigid bodies with friction in space",
+        HERE + "scene:solve",
+        source=KELLER,
+        formula="du = K·(−μ·u_t/|u_t|, 1)·dp_n, {slip_history|history}",
+        assumptions=(SHORT, POINT),
+        method="Taylor series of order 24",
+    ),
+    examples=("dynamics impact solve corner_strike.toml", "dynamics impact solve thrown_block.toml --explain"),
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE, SOLVE)

@@ -1,0 +1,52 @@
+"""How long a central impact lasts and how hard it pushes, where the contact has a stiffness."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.springs import HALF_PI, HERTZ_QUARTER, Hertz, Spring
+from dynamics_cli.numerics.elementary import exp, log, sqrt
+from dynamics_cli.quantities import Force, Size, Time
+from dynamics_cli.records import record
+
+
+@record
+class Push:
+    """The course of the contact.
+
+    Parameters
+    ----------
+    duration : Time
+        Time from touch to release: compression, and e times as long for restitution [s].
+    peak_force : Force
+        Greatest force, at the greatest compression [N].
+    mean_force : Force
+        Impulse over duration [N].
+    compression : Size
+        Greatest approach of the bodies after touching [m].
+    """
+
+    duration: Time
+    peak_force: Force
+    mean_force: Force
+    compression: Size
+
+
+def push(force: Spring | Hertz | None, reduced: float, closing: float, restitution: float) -> Push | None:
+    """Duration and forces of a spring, F = kδ, or of Hertz's law, F = ⁴⁄₃ E*√R δ^1.5, that unloads to e² of the work.
+
+    Unloading falls from the peak by the same power of a deflection e² as large, which takes e times as long.
+    """
+    if force is None:
+        return None
+    if isinstance(force, Spring):
+        stiffness = force.contact_stiffness
+        require(stiffness > 0.0, "a contact of stiffness {0:.6g} N/m does not push", stiffness, code="no-stiffness")
+        pace = sqrt(reduced / stiffness)
+        depth, peak, quarter = closing * pace, closing * sqrt(reduced * stiffness), HALF_PI
+    else:
+        stiffness = (4.0 / 3.0) * force.contact_modulus * sqrt(force.contact_radius)
+        require(stiffness > 0.0, "a contact of stiffness {0:.6g} does not push", stiffness, code="no-stiffness")
+        work = 1.25 * reduced * closing * closing
+        require(work > 1e-290, "the impact is too weak: it leaves the range of a double", code="range")
+        depth, quarter = exp(0.4 * log(work / stiffness)), HERTZ_QUARTER
+        peak, pace = work / depth, depth / closing
+    duration = (1.0 + restitution) * quarter * pace
+    return Push(duration, peak, (1.0 + restitution) * reduced * closing / duration, depth)

@@ -1,0 +1,405 @@
+"""Oblique impact of particles and smooth spheres: the central impact on the line of impact, nothing across it."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.central import contact_advice, plain_above, reduced_mass, require_approach, struck_mass
+from dynamics_cli.impact.contact import Push, push
+from dynamics_cli.impact.conventions import (
+    AXES,
+    PDOF_ZERO,
+    Axes,
+    ByMass,
+    BySpeed,
+    ByVelocity,
+    ByWeight,
+    Conventions,
+    DeltaV,
+    Energetic,
+    Fixed,
+    PdofZero,
+    Restituted,
+    conventions,
+    delta_v,
+    direction_of,
+    heading_of,
+    mass_of,
+    velocity_of,
+)
+from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
+from dynamics_cli.impact.springs import Hertz, Spring
+from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, sqrt, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Distance,
+    Energy,
+    Gravity,
+    Impulse,
+    Length,
+    PlanarPosition,
+    PlanarVelocity,
+    RoadSpeed,
+    Speed,
+)
+from dynamics_cli.records import Advice, Check, record
+
+Pair = tuple[float, float]
+
+
+@record
+class Moving:
+    """A body that moves in the plane.
+
+    Parameters
+    ----------
+    bulk : ByMass | ByWeight
+        Its mass or its weight.
+    motion : ByVelocity | BySpeed
+        Its velocity before, by components or by speed and heading.
+    nose : Angle
+        Heading of its nose, for PDOF; its direction of travel when left out [rad].
+    """
+
+    bulk: ByMass | ByWeight
+    motion: ByVelocity | BySpeed
+    nose: Angle | None = None
+
+
+@record
+class Met:
+    """The other body, which may rest or be fixed.
+
+    Parameters
+    ----------
+    bulk : ByMass | ByWeight | Fixed
+        Its mass or its weight, or that it is fixed.
+    motion : ByVelocity | BySpeed
+        Its velocity before; at rest when left out.
+    nose : Angle
+        Heading of its nose, for PDOF; its direction of travel when left out [rad].
+    """
+
+    bulk: ByMass | ByWeight | Fixed
+    motion: ByVelocity | BySpeed = ByVelocity((0.0, 0.0))
+    nose: Angle | None = None
+
+
+@record
+class Normal:
+    """The line of impact by its direction.
+
+    Parameters
+    ----------
+    normal : Angle
+        Direction of the line of impact from the first body to the second, counted like a heading [rad].
+    """
+
+    normal: Angle
+
+
+@record
+class Centres:
+    """The line of impact through the centres of two spheres as they touch.
+
+    Parameters
+    ----------
+    first_centre : PlanarPosition
+        Centre of the first sphere [m].
+    second_centre : PlanarPosition
+        Centre of the second sphere [m].
+    """
+
+    first_centre: PlanarPosition
+    second_centre: PlanarPosition
+
+
+@record
+class Offset:
+    """The line of impact of two spheres from the distance at which their centres would pass each other.
+
+    Parameters
+    ----------
+    offset : Length
+        Distance of the second centre from the relative path of the first, positive on its left (x towards y) [m].
+    first_radius : Distance
+        Radius of the first sphere [m].
+    second_radius : Distance
+        Radius of the second sphere [m].
+    """
+
+    offset: Length
+    first_radius: Distance
+    second_radius: Distance
+
+
+@record
+class AfterOblique:
+    """One body after the impact.
+
+    Parameters
+    ----------
+    velocity : PlanarVelocity
+        Velocity after, along the axes [m/s].
+    speed : RoadSpeed
+        Speed after [m/s].
+    heading : Angle
+        Direction of travel after [rad].
+    normal_velocity : Speed
+        Part of the velocity after along the line of impact, from the first body to the second [m/s].
+    tangential_velocity : Speed
+        Part across the line, which the impact does not change, positive on the left of the line [m/s].
+    delta_v : DeltaV
+        Change of velocity, from the impulse over the mass; none of a fixed body.
+    energy_change : Energy
+        Change of the kinetic energy [J].
+    """
+
+    velocity: PlanarVelocity
+    speed: RoadSpeed
+    heading: Angle
+    normal_velocity: Speed
+    tangential_velocity: Speed
+    delta_v: DeltaV | None
+    energy_change: Energy
+
+
+@record
+class ObliqueImpact:
+    """What an oblique impact of smooth bodies did.
+
+    Parameters
+    ----------
+    first : AfterOblique
+        The first body.
+    second : AfterOblique
+        The second body.
+    impulse : Impulse
+        Size of the impulse, along the line of impact [N·s].
+    normal_direction : Angle
+        Direction of the line of impact from the first body to the second [rad].
+    closing_speed : RoadSpeed
+        Relative speed along the line before [m/s].
+    separation_speed : RoadSpeed
+        Relative speed along the line after [m/s].
+    sliding_speed : RoadSpeed
+        Relative speed across the line, which stays [m/s].
+    energy_lost : Energy
+        Kinetic energy turned into other forms [J].
+    push : Push
+        Duration and force; needs a stiffness of the contact.
+    conventions : Conventions
+        Axes, headings and the zero of PDOF.
+    """
+
+    first: AfterOblique
+    second: AfterOblique
+    impulse: Impulse
+    normal_direction: Angle
+    closing_speed: RoadSpeed
+    separation_speed: RoadSpeed
+    sliding_speed: RoadSpeed
+    energy_lost: Energy
+    push: Push | None
+    conventions: Conventions
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def oblique(
+    *,
+    first: Moving,
+    second: Met,
+    line: Normal | Centres | Offset,
+    contact: Restituted | Energetic,
+    force: Spring | Hertz | None = None,
+    axes: Axes = AXES,
+    pdof_zero: PdofZero = PDOF_ZERO,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> ObliqueImpact:
+    """Two particles or smooth spheres meet at an angle: the line of impact sees a central impact, nothing acts across.
+
+    Equation
+    --------
+    p = (1 + e) m_r u_n along n, u_n = (v₁ − v₂)·n; tangential velocities stay; loss ½ m_r (1 − e²) u_n².
+
+    Parameters
+    ----------
+    first : Moving
+        The first body.
+    second : Met
+        The second body; at rest unless its motion is given.
+    line : Normal | Centres | Offset
+        The line of impact: its direction, the centres of two spheres, or how far off centre they meet.
+    contact : Restituted | Energetic
+        Coefficient of restitution, or the ratio of speeds of a contact that gives energy.
+    force : Spring | Hertz
+        Stiffness of the contact, for duration and peak force.
+    axes : Axes
+        Axes of velocities and headings: mathematical, compass, sae or iso.
+    pdof_zero : PdofZero
+        Where a force of PDOF zero comes from: heading, travel or scene.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+
+    Returns
+    -------
+    ObliqueImpact
+        Velocities, ΔV and PDOF of both bodies, impulse, energies.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies separate or pass each other (no impact), a mass is zero, or the line has no direction.
+
+    Notes
+    -----
+    Without friction there is no impulse across the line and no spin; with friction or shape use the planar impact.
+    The impulse decides: ΔV is J/m and the loss is never a difference of kinetic energies.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.11.
+
+    Examples
+    --------
+    >>> one, two = Moving(ByMass(1.0), ByVelocity((0.1414, 0.1414))), Met(ByMass(1.0), ByVelocity((-0.1299, 0.075)))
+    >>> hit = oblique(first=one, second=two, line=Normal(0.0), contact=Restituted(0.95))
+    >>> round(hit.first.normal_velocity, 7), round(hit.second.normal_velocity, 7)
+    (-0.1231175, 0.1346175)
+    """
+    require_sizes(first=first, second=second, line=line, contact=contact, force=force, gravity=gravity)
+    one = mass_of(first.bulk, gravity, "the first body")
+    two = struck_mass(second.bulk, gravity, "the second body")
+    before = velocity_of(first.motion, axes), velocity_of(second.motion, axes)
+    relative = before[0][0] - before[1][0], before[0][1] - before[1][1]
+    normal = _normal(line, relative, axes)
+    closing = dot(relative, normal)
+    require_approach(closing, "the line of impact points from the first body to the second: turn it by 180 degrees")
+    reduced = reduced_mass(one, two)
+    compression = reduced * closing
+    size = (1.0 + contact.restitution) * compression
+    require_finite(size * closing, "the energy of the impact")
+    back = -normal[0], -normal[1]
+    share = (1.0 - contact.restitution) * (1.0 + contact.restitution)
+    answer = ObliqueImpact(
+        first=_after(one, before[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
+        second=_after(two, before[1], size, normal, _nose(second.nose, before[1], axes), axes, pdof_zero, 1.0),
+        impulse=size,
+        normal_direction=heading_of(normal[0], normal[1], axes),
+        closing_speed=closing,
+        separation_speed=contact.restitution * closing,
+        sliding_speed=absolute(cross(normal, relative)),
+        energy_lost=0.5 * share * (compression * closing),
+        push=push(force, reduced, closing, contact.restitution),
+        conventions=conventions(axes, pdof_zero),
+        advice=contact_advice(contact),
+    )
+    return ObliqueImpact(**{**answer.__dict__, "checks": _checks(answer, (one, two), before, normal, contact)})
+
+
+def dot(a: Pair, b: Pair) -> float:
+    """Scalar product, rounded as if in twice the precision."""
+    return multiply_add(a[0], b[0], a[1] * b[1])
+
+
+def cross(a: Pair, b: Pair) -> float:
+    """The part of a × b out of the plane."""
+    return multiply_add(a[0], b[1], -(a[1] * b[0]))
+
+
+def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> Pair:
+    """Unit vector of the line of impact, from the first body to the second."""
+    if isinstance(line, Normal):
+        return direction_of(line.normal, axes)
+    if isinstance(line, Centres):
+        return _unit(
+            (line.second_centre[0] - line.first_centre[0], line.second_centre[1] - line.first_centre[1]),
+            "the centres coincide: the line of impact has no direction",
+            "no-line",
+        )
+    way = _unit(relative, "no impact: the bodies do not move against each other", "no-impact")
+    reach = line.first_radius + line.second_radius
+    require(reach > 0.0, "spheres of radius zero have no offset", code="no-radius")
+    require(
+        absolute(line.offset) < reach,
+        "no impact: an offset of {0:.6g} m passes spheres whose radii sum to {1:.6g} m",
+        line.offset,
+        reach,
+        code="no-impact",
+    )
+    across = line.offset / reach
+    along = sqrt((reach - line.offset) / reach * ((reach + line.offset) / reach))
+    return along * way[0] - across * way[1], along * way[1] + across * way[0]
+
+
+def _unit(vector: Pair, message: str, code: str) -> Pair:
+    size = hypot(vector[0], vector[1])
+    require(size > 0.0, message, code=code)
+    return vector[0] / size, vector[1] / size
+
+
+def _nose(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
+    """Direction of the nose: given, else that of travel, else that of heading zero."""
+    if nose is not None:
+        return direction_of(nose, axes)
+    return travel_of(velocity, axes)
+
+
+def travel_of(velocity: Pair, axes: Axes) -> Pair:
+    """Unit vector of travel, of a body at rest the direction of heading zero."""
+    speed = hypot(velocity[0], velocity[1])
+    moves = speed > 0.0
+    safe = where(moves, speed, 1.0)
+    zero = direction_of(0.0, axes)
+    return where(moves, velocity[0] / safe, zero[0]), where(moves, velocity[1] / safe, zero[1])
+
+
+def _after(
+    mass: float | None, before: Pair, size: float, way: Pair, nose: Pair, axes: Axes, zero: PdofZero, sense: float
+) -> AfterOblique:
+    """State of one body after an impulse of a size along a direction, which is the normal times `sense`."""
+    change: DeltaV | None = None
+    after, along, gain = before, dot(before, way), 0.0
+    middle = along
+    if mass is not None:
+        travel = travel_of(before, axes)
+        change = delta_v(way, mass, nose, axes=axes, pdof_zero=zero, travel=travel, size=size)
+        gain = size / mass
+        middle = along + 0.5 * gain
+        after = multiply_add(way[0], gain, before[0]), multiply_add(way[1], gain, before[1])
+    return AfterOblique(
+        velocity=after,
+        speed=hypot(after[0], after[1]),
+        heading=heading_of(after[0], after[1], axes),
+        normal_velocity=sense * (along + gain),
+        tangential_velocity=sense * cross(way, before),
+        delta_v=change,
+        energy_change=size * middle,
+    )
+
+
+def _checks(
+    answer: ObliqueImpact,
+    masses: tuple[float, float | None],
+    before: tuple[Pair, Pair],
+    normal: Pair,
+    contact: Restituted | Energetic,
+) -> tuple[Check, ...]:
+    one, two = answer.first, answer.second
+    checks: tuple[Check, ...] = ()
+    if masses[1] is not None:
+        for axis, name in enumerate(("momentum along x", "momentum along y")):
+            held = masses[0] * before[0][axis], masses[1] * before[1][axis]
+            left = masses[0] * one.velocity[axis] + masses[1] * two.velocity[axis]
+            size = absolute(held[0]) + absolute(held[1]) + answer.impulse
+            checks += balance(name, held[0] + held[1], left, size)
+    speeds = hypot(before[0][0], before[0][1]) + hypot(before[1][0], before[1][1]) + answer.closing_speed
+    speeds = speeds + answer.separation_speed
+    parted = two.normal_velocity - one.normal_velocity
+    checks += balance("restitution", parted, contact.restitution * answer.closing_speed, speeds)
+    checks += balance("velocity along the line", dot(normal, one.velocity), one.normal_velocity, speeds)
+    checks += balance("nothing across the line", cross(normal, one.velocity), one.tangential_velocity, speeds)
+    work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * speeds
+    checks += balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
+    if plain_above(contact.restitution):
+        return checks
+    return checks + not_above("energy never gained", -answer.energy_lost, 0.0, work)

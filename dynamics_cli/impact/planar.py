@@ -1,0 +1,334 @@
+"""Planar impact of two rigid bodies with friction: the path of the contact, its end by a named law, its certificate."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.bodies import (
+    Pair,
+    RigidBody,
+    RigidTarget,
+    Solid,
+    contact_velocity,
+    dot,
+    mobility,
+    solid,
+)
+from dynamics_cli.impact.central import contact_advice, require_approach
+from dynamics_cli.impact.certificate import (
+    certificate,
+    lever_advice,
+    restituted_advice,
+    side_advice,
+)
+from dynamics_cli.impact.conventions import (
+    AXES,
+    PDOF_ZERO,
+    Axes,
+    Energetic,
+    PdofZero,
+    Restituted,
+    conventions,
+    direction_of,
+    heading_of,
+)
+from dynamics_cli.impact.diagnostics import plain, require_finite, single
+from dynamics_cli.impact.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
+from dynamics_cli.impact.planar_results import Alternative, Critical, PlanarImpact, after_impact
+from dynamics_cli.impact.springs import Hertz, Spring, contact_history
+from dynamics_cli.numerics.elementary import absolute, hypot, where
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Friction,
+    Gravity,
+    PlanarPosition,
+    Ratio,
+    RoadSpeed,
+)
+from dynamics_cli.records import Advice
+
+
+def planar(
+    *,
+    first: RigidBody,
+    second: RigidTarget,
+    normal: Angle,
+    friction: Friction,
+    contact: Restituted | Energetic,
+    law: Law = LAW,
+    contact_point: PlanarPosition | None = None,
+    moment_restitution: Ratio = 1.0,
+    closing_speed: RoadSpeed | None = None,
+    force: Spring | Hertz | None = None,
+    axes: Axes = AXES,
+    pdof_zero: PdofZero = PDOF_ZERO,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> PlanarImpact:
+    """Two rigid bodies in the plane, or one and a fixed barrier, meet at a point with friction and restitution.
+
+    Equation
+    --------
+    u' = u + K p, K = [[k_t, k_x], [k_x, k_n]], k_t = Σ(1/m + r_n²/J), k_n = Σ(1/m + r_t²/J), k_x = −Σ r_t r_n/J;
+    slip: dp_t = −μ sgn(u_t) dp_n, stick: dp_t = −(k_x/k_t) dp_n where |k_x| ≤ μ k_t; end by the law.
+
+    Parameters
+    ----------
+    first : RigidBody
+        The first body.
+    second : RigidTarget
+        The second body, or a fixed barrier.
+    normal : Angle
+        Direction of the contact normal from the first body to the second, counted like a heading [rad].
+    friction : Friction
+        Coefficient of friction at the contact; for Brach's law the limit of the impulse ratio [-].
+    contact : Restituted | Energetic
+        Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.
+    law : Law
+        What ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side.
+    contact_point : PlanarPosition
+        Where the bodies touch, when bodies are placed by their centres [m].
+    moment_restitution : Ratio
+        Brach's moment coefficient: 1 without a moment at the contact, 0 when it brings both bodies to one spin [-].
+    closing_speed : RoadSpeed
+        Normal speed of approach at the contact, where it is known better than the velocities tell [m/s].
+    force : Spring | Hertz
+        Stiffness of the contact, for duration and peak force.
+    axes : Axes
+        Axes of vectors, headings and spins: mathematical, compass, sae or iso.
+    pdof_zero : PdofZero
+        Where a force of PDOF zero comes from: heading, travel or scene.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+
+    Returns
+    -------
+    PlanarImpact
+        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws where asked for.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law has
+        no push or gains energy.
+
+    Notes
+    -----
+    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; the
+    impulse decides ΔV and the work of the forces decides the energy. Newton's and Brach's laws can gain energy: such an
+    answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
+
+    References
+    ----------
+    E. J. Routh, Dynamics of a System of Rigid Bodies (1877); J. B. Keller, Impact with friction, J. Appl. Mech. 53
+    (1986); W. J. Stronge, Impact Mechanics (2000); R. M. Brach, R. M. Brach, Vehicle Accident Analysis and
+    Reconstruction Methods (2011).
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.bodies import ByGyration, Lever
+    >>> from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
+    >>> ball = RigidBody(ByMass(1.0), ByGyration(0.5), Lever((0.0, -1.0)), ByVelocity((1.0, -2.0)))
+    >>> floor = RigidTarget(Fixed(True))
+    >>> hit = planar(first=ball, second=floor, normal=-1.5707963267948966, friction=0.1, contact=Restituted(0.5))
+    >>> round(hit.normal_impulse, 12), round(hit.tangential_impulse, 12), hit.slip_history
+    (3.0, 0.3, 'slip')
+    """
+    one = solid(first, contact_point, axes, gravity, "the first body")
+    two = solid(second, contact_point, axes, gravity, "the second body")
+    towards = direction_of(normal, axes)
+    inward = -towards[0], -towards[1]
+    meeting = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
+    asked = LAWS[0] if law == "all" else law
+    found = outcome(meeting, asked)
+    energetic = _adds_energy(contact.restitution)
+    require_finite(found.normal * meeting.approach, "the energy of the impact")
+    refuse(found, asked, energetic)
+    answer = _answer(found, asked, meeting, one, two, inward, axes, pdof_zero)
+    alternatives, missing = _all_laws(meeting, one, two, inward, energetic) if law == "all" else ({}, ())
+    duration, peak = contact_history(force, meeting, found, asked)
+    advice = (
+        contact_advice(contact) + missing + side_advice(one, two, towards) + lever_advice(one, two)
+        + restituted_advice(asked, moment_restitution)
+    )  # fmt: skip
+    checks = certificate(answer, found, asked, meeting, one, two, inward)
+    return PlanarImpact(
+        **{
+            **answer.__dict__,
+            **alternatives,
+            "conventions": conventions(axes, pdof_zero),
+            "duration": duration,
+            "peak_force": peak,
+            "checks": checks,
+            "advice": advice,
+        }
+    )
+
+
+def meeting_of(
+    one: Solid,
+    two: Solid,
+    inward: Pair,
+    closing: float | None,
+    friction: float,
+    restitution: float,
+    moment_restitution: float,
+) -> Meeting:
+    """Velocities and mobility in the frame of the contact; refuses bodies that do not approach there."""
+    relative = contact_velocity(one, two)
+    across = -inward[1], inward[0]
+    approach = dot(relative, inward)
+    if closing is not None:
+        speeds = absolute(relative[0]) + absolute(relative[1]) + absolute(one.velocity[0]) + absolute(one.velocity[1])
+        require(
+            absolute(closing + approach) <= 1e-6 * closing + 4e-15 * speeds,
+            "the velocities close at {0:.9g} m/s at the contact, but the closing speed is {1:.9g} m/s",
+            -approach,
+            closing,
+            code="contradiction",
+            hint="leave out the closing speed, or mend the velocities",
+        )
+        approach = -closing
+    else:
+        # below this the direction of the normal, rounded, is all there is of an approach
+        slide = absolute(relative[0]) + absolute(relative[1])
+        require(
+            (approach >= 0.0) | (-approach > 2.0**-52 * slide),
+            "no impact: the bodies slide along each other, closing at {0:.3g} m/s of {1:.6g} m/s, which is rounding",
+            -approach,
+            slide,
+            code="no-impact",
+            hint="give --closing-speed if they do meet",
+        )
+    require_approach(-approach)
+    k, arms = mobility(one, two, inward)
+    compliance: float = 0.0
+    for body in (one, two):
+        if body.inertia is not None:
+            compliance = compliance + 1.0 / body.inertia
+    return Meeting(
+        mobility=k,
+        slip=dot(relative, across),
+        approach=approach,
+        friction=friction,
+        restitution=restitution,
+        turning=one.spin - two.spin,
+        moment_restitution=moment_restitution,
+        compliance=compliance,
+        arms=arms,
+    )
+
+
+def _adds_energy(restitution: float) -> bool:
+    """Whether a single contact is meant to add energy."""
+    return single(restitution) and bool(plain(restitution) > 1.0)
+
+
+def refuse(found: Outcome, law: str, energetic: bool) -> None:
+    """Refuse a law that has no push or gains energy."""
+    require(found.feasible, f"{law}: {found.why}", code="no-push", hint="--law stronge always answers")
+    if energetic:
+        return
+    require(
+        found.lost >= -1e-12 * found.scale,
+        f"{law}: the law gains {{0:.6g}} J of energy here, which no passive contact does",
+        -found.lost,
+        code="energy-gained",
+        hint="--law stronge never gains energy",
+    )
+
+
+def _scene_impulse(found: Outcome, inward: Pair) -> Pair:
+    """The impulse on body 1 along the axes of the scene."""
+    x = found.normal * inward[0] - found.tangential * inward[1]
+    y = found.normal * inward[1] + found.tangential * inward[0]
+    return x, y
+
+
+def _answer(
+    found: Outcome, law: str, m: Meeting, one: Solid, two: Solid, inward: Pair, axes: Axes, zero: PdofZero
+) -> PlanarImpact:
+    impulse = _scene_impulse(found, inward)
+    back = -impulse[0], -impulse[1]
+    moment = found.moment
+    lost = found.lost
+    return PlanarImpact(
+        first=after_impact(one, impulse, moment, axes, zero),
+        second=after_impact(two, back, None if moment is None else -moment, axes, zero),
+        law=str(law),
+        slip_history=found.history,
+        impulse=back,
+        impulse_magnitude=hypot(found.normal, found.tangential),
+        normal_impulse=found.normal,
+        tangential_impulse=found.tangential,
+        moment_impulse=None if moment is None else -moment,
+        impulse_direction=heading_of(back[0], back[1], axes),
+        impulse_ratio=found.tangential / found.normal,
+        critical=_critical(m),
+        compression_impulse=found.compression,
+        slip_impulse=found.first_slip,
+        closing_speed=-m.approach,
+        separation_speed=found.normal_after,
+        sliding_before=0.0 - m.slip,
+        sliding_after=0.0 - found.tangential_after,
+        energy_lost=lost,
+        energy_lost_normal=found.normal_lost,
+        energy_lost_tangential=found.tangential_lost,
+        energy_lost_moment=found.moment_lost,
+        conventions=conventions(axes, zero),
+    )
+
+
+def _critical(m: Meeting) -> Critical:
+    """Critical impulse ratio; with no normal impulse it would be infinite and is left out."""
+    along, across = critical_ratio(m)
+    exists = across != 0.0
+    if single(exists) and not exists:
+        return Critical(None, None, absolute(m.mobility.coupling) / m.mobility.tangential)
+    ratio = along / across
+    share = absolute(ratio)
+    if single(share) and not share > 0.0:
+        return Critical(ratio, None, absolute(m.mobility.coupling) / m.mobility.tangential)
+    return Critical(ratio, m.friction / share, absolute(m.mobility.coupling) / m.mobility.tangential)
+
+
+def _all_laws(
+    m: Meeting, one: Solid, two: Solid, inward: Pair, energetic: bool
+) -> tuple[dict[str, Alternative | None], tuple[Advice, ...]]:
+    """Every law's answer by name; of one case, a law without an answer is None and says why."""
+    answers: dict[str, Alternative | None] = {}
+    missing: tuple[Advice, ...] = ()
+    for law in LAWS:
+        name = law.replace("-", "_")
+        found = outcome(m, law)
+        if single(found.feasible) and not found.feasible:
+            why = found.why
+        elif single(found.lost) and not energetic and found.gains:
+            why = f"it gains {-plain(found.lost):.6g} J of energy here, which no passive contact does"
+        else:
+            # of many rows, those where a law has no answer are taken out and asked one by one
+            refuse(found, law, energetic)
+            answers[name] = _alternative(found, one, two, inward)
+            continue
+        answers[name] = None
+        missing += (Advice("law-inadmissible", f"{law}: {why}", "note", result=name),)
+    return answers, missing
+
+
+def _alternative(found: Outcome, one: Solid, two: Solid, inward: Pair) -> Alternative:
+    impulse = _scene_impulse(found, inward)
+    size = hypot(found.normal, found.tangential)
+    first = after_impact(one, impulse, found.moment, AXES, PDOF_ZERO)
+    second = after_impact(
+        two, (-impulse[0], -impulse[1]), None if found.moment is None else -found.moment, AXES, PDOF_ZERO
+    )
+    return Alternative(
+        normal_impulse=found.normal,
+        tangential_impulse=found.tangential,
+        impulse_ratio=found.tangential / where(found.normal != 0.0, found.normal, 1.0),
+        first_delta_v=None if one.mass is None else size / one.mass,
+        second_delta_v=None if two.mass is None else size / two.mass,
+        first_spin=first.spin,
+        second_spin=second.spin,
+        separation_speed=found.normal_after,
+        sliding_after=0.0 - found.tangential_after,
+        energy_lost=found.lost,
+        slip_history=found.history,
+    )

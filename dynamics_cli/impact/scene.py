@@ -1,0 +1,486 @@
+"""A scene of two bodies and one contact, answered by the smallest model that it calls for.
+
+All models see the scene through one matrix K in the frame of its contact; each leaves out what this scene does not have:
+`spatial` nothing, `planar` the turning of the slip, `oblique` all friction and spin, `central` all motion across the line.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.conventions import ByMass, BySpeed, ByWeight, Fixed, Restituted, direction_of, mass_of
+from dynamics_cli.impact.hodograph import End
+from dynamics_cli.impact.path import Mobility, travel
+from dynamics_cli.impact.space import (
+    ZERO,
+    Matrix,
+    SolidInSpace,
+    Vector,
+    dot,
+    frame_about,
+    mobility,
+    nose_in_plane,
+    require_inertia,
+    subtract,
+    unit,
+)
+from dynamics_cli.impact.spatial import (
+    SPATIAL_LAW,
+    LeverInSpace,
+    PlacedInSpace,
+    SpatialLaw,
+    answer_in_space,
+    approach,
+    certified,
+    lever_of,
+)
+from dynamics_cli.impact.spatial_results import SpatialImpact, bounds
+from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    AngularSpeed,
+    AngularVelocity,
+    Direction,
+    Distance,
+    Friction,
+    Gravity,
+    Inertia,
+    InertiaTensor,
+    Position,
+    Restitution,
+    Velocity,
+)
+from dynamics_cli.records import Advice, Numerics, record
+
+# What is this much smaller than what it is compared with is the rounding of the inputs, and absent.
+ABSENT = 1e-13
+# Rounding of the closed forms relative to the impulse, where K is not nearly singular.
+CLOSED = 1e-13
+
+
+@record
+class ByTensor:
+    """Inertia about the mass centre by its tensor.
+
+    Parameters
+    ----------
+    inertia : InertiaTensor
+        Inertia about the mass centre, along the axes of the scene [kg·m²].
+    """
+
+    inertia: InertiaTensor
+
+
+@record
+class ByMoment:
+    """Inertia of a body that turns about z only, or about any axis alike.
+
+    Parameters
+    ----------
+    moment : Inertia
+        Moment of inertia about the axis through the mass centre that the body turns about [kg·m²].
+    """
+
+    moment: Inertia
+
+
+@record
+class ByRadius:
+    """The same by the radius of gyration.
+
+    Parameters
+    ----------
+    radius_of_gyration : Distance
+        Radius of gyration about the axis through the mass centre that the body turns about [m].
+    """
+
+    radius_of_gyration: Distance
+
+
+@record
+class ByComponents:
+    """A velocity by its components.
+
+    Parameters
+    ----------
+    velocity : Velocity
+        Velocity of the mass centre [m/s].
+    """
+
+    velocity: Velocity
+
+
+@record
+class SpinVector:
+    """An angular velocity by its components.
+
+    Parameters
+    ----------
+    spin : AngularVelocity
+        Angular velocity [rad/s].
+    """
+
+    spin: AngularVelocity
+
+
+@record
+class YawRate:
+    """An angular velocity about z.
+
+    Parameters
+    ----------
+    yaw_rate : AngularSpeed
+        Angular velocity about z, from x towards y [rad/s].
+    """
+
+    yaw_rate: AngularSpeed
+
+
+@record
+class SceneBody:
+    """A body of a scene.
+
+    Parameters
+    ----------
+    bulk : ByMass | ByWeight | Fixed
+        Its mass or its weight, or that it is fixed.
+    turning : ByTensor | ByMoment | ByRadius
+        Its inertia; a particle has none.
+    arm : LeverInSpace | PlacedInSpace
+        Where it is struck; a particle at itself.
+    motion : ByComponents | BySpeed
+        Its velocity before; at rest when left out.
+    rotation : SpinVector | YawRate
+        Its angular velocity before; none when left out.
+    nose : Direction
+        Direction of its nose, for PDOF; its direction of travel when left out.
+    """
+
+    bulk: ByMass | ByWeight | Fixed
+    turning: ByTensor | ByMoment | ByRadius | None = None
+    arm: LeverInSpace | PlacedInSpace | None = None
+    motion: ByComponents | BySpeed = ByComponents(ZERO)
+    rotation: SpinVector | YawRate = YawRate(0.0)
+    nose: Direction | None = None
+
+
+@record
+class SceneContact:
+    """The contact of a scene.
+
+    Parameters
+    ----------
+    normal : Direction
+        Contact normal from the first body to the second, of any length.
+    restitution : Restitution
+        Coefficient of restitution [-].
+    friction : Friction
+        Coefficient of friction; none when left out [-].
+    law : SpatialLaw
+        What ends the impact: stronge, newton or poisson.
+    point : Position
+        Where the bodies touch, when bodies are placed by their centres [m].
+    """
+
+    normal: Direction
+    restitution: Restitution
+    friction: Friction = 0.0
+    law: SpatialLaw = SPATIAL_LAW
+    point: Position | None = None
+
+
+@record
+class Scene:
+    """Two bodies and a contact.
+
+    Parameters
+    ----------
+    first : SceneBody
+        The first body.
+    second : SceneBody
+        The second body.
+    contact : SceneContact
+        Their contact.
+    """
+
+    first: SceneBody
+    second: SceneBody
+    contact: SceneContact
+
+
+class _Seen:
+    """A scene as its contact sees it, and what it has of what the smaller models leave out."""
+
+    def __init__(self, scene: Scene, gravity: float) -> None:
+        contact = scene.contact
+        x, y, z = unit(contact.normal)
+        self.inward = -x, -y, -z
+        self.friction = contact.friction
+        self.contact = Restituted(contact.restitution)
+        self.law = str(contact.law)
+        self.bodies = (
+            _solid(scene.first, contact.point, gravity, "the first body"),
+            _solid(scene.second, contact.point, gravity, "the second body"),
+        )
+        one, two = self.bodies
+        require(
+            one.mass is not None or two.mass is not None, "both bodies are fixed: nothing can give way", code="no-mass"
+        )
+        slip = subtract(one.contact_velocity(), two.contact_velocity())
+        self.frame = frame_about(self.inward, slip)
+        self.before = approach(self.bodies, self.frame)
+        # the first tangent is the direction of slip
+        self.before = self.before[0], 0.0, self.before[2]
+        self.k = mobility(self.bodies, self.frame)
+        scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
+        coupled = abs(self.k[0][2]) > ABSENT * scale or abs(self.k[1][2]) > ABSENT * scale
+        if abs(self.before[0]) <= ABSENT * abs(self.before[2]):
+            self.before = 0.0, 0.0, self.before[2]
+            if coupled and contact.friction > 0.0:
+                # without slip the coupling says which way friction will act
+                push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
+                self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
+                self.k = mobility(self.bodies, self.frame)
+        self.rubs = contact.friction > 0.0 and (self.before[0] != 0.0 or coupled)
+        self.eccentric = coupled
+        self.turns = abs(self.k[0][1]) > ABSENT * scale or abs(self.k[1][2]) > ABSENT * scale
+        self.single = [name for name, body in (("first", scene.first), ("second", scene.second)) if _one_moment(body)]
+
+    @property
+    def across(self) -> bool:
+        """Whether anything moves across the line of impact, or spins."""
+        for body in self.bodies:
+            along = dot(body.velocity, self.inward)
+            off = subtract(body.velocity, tuple(along * part for part in self.inward))  # type: ignore[arg-type]
+            if dot(off, off) > ABSENT * ABSENT * dot(body.velocity, body.velocity) or any(body.spin):
+                return True
+        return False
+
+
+def _one_moment(body: SceneBody) -> bool:
+    """Whether a body's inertia is known about one axis only."""
+    return isinstance(body.turning, ByMoment | ByRadius) and not isinstance(body.bulk, Fixed)
+
+
+def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -> SolidInSpace:
+    motion = body.motion
+    if isinstance(motion, BySpeed):
+        along, across = direction_of(motion.heading)
+        velocity: Vector = (motion.speed * along, motion.speed * across, 0.0)
+    else:
+        velocity = motion.velocity
+    spin: Vector = (0.0, 0.0, body.rotation.yaw_rate) if isinstance(body.rotation, YawRate) else body.rotation.spin
+    nose = nose_in_plane(body.nose, velocity)
+    lever = ZERO if body.arm is None else lever_of(body.arm, contact, name)
+    if isinstance(body.bulk, Fixed):
+        require(body.bulk.fixed, name + " has neither mass nor weight and is not fixed", code="no-mass")
+        return SolidInSpace(None, None, lever, velocity, spin, nose)
+    mass = mass_of(body.bulk, gravity, name)
+    if body.turning is None:
+        require(
+            not any(lever) and not any(spin),
+            name + " has a lever or a spin, but no inertia",
+            code="no-inertia",
+            hint="give its inertia, its moment or its radius of gyration",
+        )
+        return SolidInSpace(mass, None, lever, velocity, spin, nose)
+    require(
+        body.arm is not None,
+        name + " has inertia, but no lever to the contact",
+        code="no-lever",
+        hint="give its lever, or its centre and the point of the contact; leave the inertia out for a particle",
+    )
+    inertia = _tensor(body.turning, mass)
+    require_inertia(inertia, name)
+    return SolidInSpace(mass, inertia, lever, velocity, spin, nose)
+
+
+def _tensor(turning: ByTensor | ByMoment | ByRadius, mass: float) -> Matrix:
+    if isinstance(turning, ByTensor):
+        return turning.inertia
+    if isinstance(turning, ByRadius):
+        moment = mass * turning.radius_of_gyration * turning.radius_of_gyration
+    else:
+        moment = turning.moment
+    return (moment, 0.0, 0.0), (0.0, moment, 0.0), (0.0, 0.0, moment)
+
+
+def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why the line of impact is enough, or nothing."""
+    seen = _Seen(scene, gravity)
+    if seen.rubs or seen.eccentric or seen.across:
+        return None
+    return "both bodies move along the normal, which passes through their mass centres: nothing acts across it"
+
+
+def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why an oblique impact without friction or spin is enough, or nothing."""
+    seen = _Seen(scene, gravity)
+    if seen.rubs or seen.eccentric:
+        return None
+    why = "without friction" if seen.friction == 0.0 else "without slip at the contact"
+    return f"{why} and with the normal through the mass centres nothing acts across it and no spin changes"
+
+
+def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why the plane of normal and slip is enough, or nothing."""
+    seen = _Seen(scene, gravity)
+    if seen.friction == 0.0:
+        return "without friction the direction of slip does not matter"
+    if seen.turns:
+        return None
+    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip keeps its line"
+
+
+def solve_central(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
+    """Central impact of a scene: what happens on the line of impact.
+
+    Equation
+    --------
+    p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+
+    Parameters
+    ----------
+    scene : Scene
+        Two bodies and a contact.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+    """
+    seen = _Seen(scene, gravity)
+    neglects = _neglects(
+        ("friction", seen.rubs), ("the levers", seen.eccentric), ("motion across the line", seen.across)
+    )
+    return _smooth(seen, "central impact", neglects)
+
+
+def solve_oblique(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
+    """Oblique impact of a scene without friction and spin: velocities across the normal stay.
+
+    Equation
+    --------
+    p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+
+    Parameters
+    ----------
+    scene : Scene
+        Two bodies and a contact.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+    """
+    seen = _Seen(scene, gravity)
+    return _smooth(seen, "oblique impact", _neglects(("friction", seen.rubs), ("the levers", seen.eccentric)))
+
+
+def _smooth(seen: _Seen, name: str, advice: tuple[Advice, ...]) -> SpatialImpact:
+    """An impulse along the normal through both mass centres."""
+    bodies = tuple(
+        SolidInSpace(body.mass, None, ZERO, body.velocity if body.mass is not None else body.contact_velocity(),
+                     body.spin, body.nose)
+        for body in seen.bodies
+    )  # fmt: skip
+    one, two = bodies
+    k = mobility((one, two), seen.frame)
+    before = approach((one, two), seen.frame)
+    e = seen.contact.restitution
+    compression = -before[2] / k[2][2]
+    impulse = (1.0 + e) * compression
+    work = 0.5 * compression * -before[2]
+    end = End(
+        velocity=(before[0], before[1], -e * before[2]),
+        impulse=(0.0, 0.0, impulse),
+        compression=compression,
+        work=work,
+        work_back=e * e * work,
+        heat=0.0,
+        history="slip without friction" if before[0] or before[1] else "no slip",
+        slip_impulse=impulse,
+    )
+    numerics = Numerics(f"closed form of a {name}", bounds((one, two), CLOSED))
+    return certified(end, (one, two), seen.frame, k, before, 0.0, seen.contact, seen.law, numerics, advice)
+
+
+def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
+    """Planar impact of a scene: the closed-form path in the plane of the normal and the first slip.
+
+    Equation
+    --------
+    u' = u + K p in that plane; slip, then stick or reversed slip, as `impact planar`.
+
+    Parameters
+    ----------
+    scene : Scene
+        Two bodies and a contact.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+    """
+    seen = _Seen(scene, gravity)
+    k = seen.k
+    plane = Mobility(k[0][0], k[0][2], k[2][2], multiply_add(k[0][0], k[2][2], -(k[0][2] * k[0][2])))
+    path = travel(plane, seen.before[0], seen.before[2], seen.friction, seen.contact.restitution, seen.law)
+    if seen.friction == 0.0:
+        words = "slip without friction"
+    elif seen.before[0] == 0.0:
+        words = "stick" if path.sticks else "slip from rest"
+    else:
+        words = "slip" if path.ended_first else ("slip, stick" if path.sticks else "slip, reversed slip")
+    aside = k[0][1] * path.tangential + k[1][2] * path.normal
+    end = End(
+        velocity=(path.tangential_after, aside, path.normal_after),
+        impulse=(path.tangential, 0.0, path.normal),
+        compression=path.compression,
+        work=path.compression_work,
+        work_back=path.restitution_work,
+        heat=path.friction_work,
+        history=words,
+        slip_impulse=path.first_slip,
+    )
+    turns = seen.turns and seen.friction > 0.0
+    numerics = Numerics("closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, CLOSED))
+    advice = _neglects(("the turning of the slip out of its plane", turns))
+    return certified(
+        end, seen.bodies, seen.frame, k, seen.before, seen.friction, seen.contact, seen.law, numerics, advice
+    )
+
+
+def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
+    """Two bodies and one contact in space, with friction, spin and slip that turns.
+
+    Equation
+    --------
+    As `impact spatial`.
+
+    Parameters
+    ----------
+    scene : Scene
+        Two bodies and a contact.
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+
+    Returns
+    -------
+    SpatialImpact
+        Velocities and spins after, impulses, ΔV, slip history, energies.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies do not approach, lack what their motion needs, or are described in frames that do not fit.
+
+    Notes
+    -----
+    Which smaller model suffices is decided by K in the frame of the contact, not by how the scene was written down.
+    """
+    seen = _Seen(scene, gravity)
+    require(
+        not seen.single,
+        f"the impact leaves the plane, but the {' and the '.join(seen.single)} body has one moment of inertia only",
+        code="one-moment",
+        hint="give the inertia tensor, or choose --model planar and say why",
+    )
+    return answer_in_space(seen.bodies, seen.inward, seen.friction, seen.contact, seen.law)
+
+
+def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:
+    """Say what a model that was asked for leaves out of this scene."""
+    names = [name for name, present in what if present]
+    if not names:
+        return ()
+    text = "this scene has more than the model: it leaves out " + ", ".join(names)
+    return (Advice("model-too-small", text, "serious", mend="leave out --model"),)

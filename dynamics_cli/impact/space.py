@@ -1,0 +1,144 @@
+"""Rigid bodies in space as a contact sees them: vectors, tensors, and what an impulse does to the velocity there."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.bodies import Pair
+from dynamics_cli.numerics.elementary import hypot, multiply_add, sqrt
+
+Vector = tuple[float, float, float]
+Matrix = tuple[Vector, Vector, Vector]
+ZERO = 0.0, 0.0, 0.0
+
+
+class SolidInSpace:
+    """A body as the contact sees it; `mass` is None when it is fixed, `inertia` when it is a particle."""
+
+    __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
+
+    def __init__(
+        self, mass: float | None, inertia: Matrix | None, lever: Vector, velocity: Vector, spin: Vector, nose: Pair
+    ) -> None:
+        self.mass = mass
+        self.inertia = inertia
+        self.inverse = None if inertia is None else inverse(inertia)
+        self.lever = lever
+        self.velocity = velocity
+        self.spin = spin
+        self.nose = nose
+
+    def contact_velocity(self) -> Vector:
+        """Velocity of the body's point at the contact."""
+        return add(self.velocity, cross(self.spin, self.lever))
+
+    def answer(self, impulse: Vector) -> Vector:
+        """Change of velocity at the contact from an impulse there."""
+        if self.mass is None:
+            return ZERO
+        moved = impulse[0] / self.mass, impulse[1] / self.mass, impulse[2] / self.mass
+        if self.inverse is None:
+            return moved
+        return add(cross(times(self.inverse, cross(self.lever, impulse)), self.lever), moved)
+
+
+def nose_in_plane(nose: Vector | None, velocity: Vector) -> Pair:
+    """Unit vector of the nose in the plane x, y: given, else that of travel, else x."""
+    for x, y in [] if nose is None else [nose[:2]]:
+        size = hypot(x, y)
+        require(size > 0.0, "the nose points along z: it has no direction in the plane", code="no-nose")
+        return x / size, y / size
+    size = hypot(velocity[0], velocity[1])
+    return (velocity[0] / size, velocity[1] / size) if size > 0.0 else (1.0, 0.0)
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return multiply_add(a[0], b[0], multiply_add(a[1], b[1], a[2] * b[2]))
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return (
+        multiply_add(a[1], b[2], -(a[2] * b[1])),
+        multiply_add(a[2], b[0], -(a[0] * b[2])),
+        multiply_add(a[0], b[1], -(a[1] * b[0])),
+    )
+
+
+def times(matrix: Matrix, vector: Vector) -> Vector:
+    """Matrix times vector."""
+    return dot(matrix[0], vector), dot(matrix[1], vector), dot(matrix[2], vector)
+
+
+def combine(frame: Matrix, parts: Vector) -> Vector:
+    """Sum of the frame's vectors times `parts`."""
+    return tuple(sum(part * axis[i] for part, axis in zip(parts, frame, strict=True)) for i in range(3))  # type: ignore[return-value]
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def determinant(matrix: Matrix) -> float:
+    return dot(matrix[0], cross(matrix[1], matrix[2]))
+
+
+def inverse(matrix: Matrix) -> Matrix:
+    """Inverse of a symmetric matrix, by cofactors."""
+    det = determinant(matrix)
+    rows = cross(matrix[1], matrix[2]), cross(matrix[2], matrix[0]), cross(matrix[0], matrix[1])
+    return tuple(tuple(entry / det for entry in row) for row in rows)  # type: ignore[return-value]
+
+
+def scaled(a: Vector, factor: float) -> Vector:
+    return a[0] * factor, a[1] * factor, a[2] * factor
+
+
+def frame_about(normal: Vector, along: Vector = ZERO) -> Matrix:
+    """Two tangents and the normal, right-handed; the first tangent as near `along` as it may be, else any."""
+    tangent = cross(cross(normal, along), normal)
+    size = sqrt(dot(tangent, tangent))
+    if not size > 0.0:
+        index = min(range(3), key=lambda i: abs(normal[i]))
+        tangent = cross(normal, (float(index == 0), float(index == 1), float(index == 2)))
+        size = sqrt(dot(tangent, tangent))
+    first = tangent[0] / size, tangent[1] / size, tangent[2] / size
+    return first, cross(normal, first), normal
+
+
+def unit(vector: Vector) -> Vector:
+    """The contact normal at length one; refuses the zero vector."""
+    largest = max(map(abs, vector))
+    require(largest > 0.0, "the normal is the zero vector: it has no direction", code="no-normal")
+    x, y, z = vector[0] / largest, vector[1] / largest, vector[2] / largest
+    size = hypot(hypot(x, y), z)
+    return x / size, y / size, z / size
+
+
+def require_inertia(inertia: Matrix, name: str) -> None:
+    """Refuse a tensor that is none of a body."""
+    (a, b, _), (_, d, _), (_, _, f) = inertia
+    require(
+        a > 0.0 and multiply_add(a, d, -(b * b)) > 0.0 and determinant(inertia) > 0.0,
+        name + " has a tensor that is no inertia: its principal moments are not all above zero",
+        code="no-inertia",
+    )
+    require(
+        a + d >= f * (1.0 - 1e-9) and a + f >= d * (1.0 - 1e-9) and d + f >= a * (1.0 - 1e-9),
+        name + " has a tensor that no body has: one moment exceeds the sum of the other two",
+        code="no-inertia",
+        hint="check the signs and the axes of the tensor",
+    )
+
+
+def mobility(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Matrix:
+    """K in the frame of the contact."""
+    rows = []
+    for axis in frame:
+        moved = add(bodies[0].answer(axis), bodies[1].answer(axis))
+        rows.append((dot(moved, frame[0]), dot(moved, frame[1]), dot(moved, frame[2])))
+    # symmetric but for rounding
+    a, b, c = rows
+    return a, (a[1], b[1], b[2]), (a[2], b[2], c[2])

@@ -1,0 +1,281 @@
+"""Impact of two rigid bodies in space, with friction: Keller's equations to the end that the law sets."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.central import contact_advice, require_approach
+from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
+from dynamics_cli.impact.diagnostics import require_finite
+from dynamics_cli.impact.hodograph import End, travel
+from dynamics_cli.impact.space import (
+    Matrix,
+    SolidInSpace,
+    Vector,
+    dot,
+    frame_about,
+    mobility,
+    nose_in_plane,
+    require_inertia,
+    subtract,
+    unit,
+)
+from dynamics_cli.impact.spatial_results import SpatialImpact, bounds, certificate, report
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    AngularVelocity,
+    Direction,
+    Friction,
+    Gravity,
+    InertiaTensor,
+    Position,
+    Velocity,
+)
+from dynamics_cli.records import Advice, Choice, Numerics, record
+
+# Proved by the references: the march keeps the impulse to this, relative to its size.
+TOLERANCE = 1e-12
+
+
+class SpatialLaw(Choice):
+    """What ends an impact in space; the default is Stronge's energetic restitution, which never gains energy.
+
+    stronge: the normal force gives back e² of its work. newton: u_n' = −e u_n. poisson: p_n = (1 + e) p_c.
+    """
+
+    names = ("stronge", "newton", "poisson")
+    aliases = {"energetic": "stronge", "kinematic": "newton", "kinetic": "poisson"}  # noqa: RUF012
+
+
+SPATIAL_LAW = SpatialLaw("stronge")
+
+
+@record
+class LeverInSpace:
+    """The contact by its place relative to the mass centre.
+
+    Parameters
+    ----------
+    lever : Position
+        From the mass centre to the contact, along the axes of the scene [m].
+    """
+
+    lever: Position
+
+
+@record
+class PlacedInSpace:
+    """The contact by where the mass centre is; the contact point is then given for the scene.
+
+    Parameters
+    ----------
+    centre : Position
+        Place of the mass centre in the scene [m].
+    """
+
+    centre: Position
+
+
+@record
+class BodyInSpace:
+    """A rigid body that moves in space.
+
+    Parameters
+    ----------
+    bulk : ByMass | ByWeight
+        Its mass or its weight.
+    inertia : InertiaTensor
+        Its inertia about the mass centre, along the axes of the scene [kg·m²].
+    arm : LeverInSpace | PlacedInSpace
+        Where it is struck.
+    velocity : Velocity
+        Velocity of the mass centre before [m/s].
+    spin : AngularVelocity
+        Angular velocity before [rad/s].
+    nose : Direction
+        Direction of its nose, for PDOF; its direction of travel when left out.
+    """
+
+    bulk: ByMass | ByWeight
+    inertia: InertiaTensor
+    arm: LeverInSpace | PlacedInSpace
+    velocity: Velocity = (0.0, 0.0, 0.0)
+    spin: AngularVelocity = (0.0, 0.0, 0.0)
+    nose: Direction | None = None
+
+
+@record
+class TargetInSpace:
+    """The other rigid body, or a fixed barrier, which needs neither inertia nor lever.
+
+    Parameters
+    ----------
+    bulk : ByMass | ByWeight | Fixed
+        Its mass or its weight, or that it is fixed.
+    inertia : InertiaTensor
+        Its inertia about the mass centre, along the axes of the scene [kg·m²].
+    arm : LeverInSpace | PlacedInSpace
+        Where it is struck.
+    velocity : Velocity
+        Velocity of the mass centre before [m/s].
+    spin : AngularVelocity
+        Angular velocity before [rad/s].
+    nose : Direction
+        Direction of its nose, for PDOF; its direction of travel when left out.
+    """
+
+    bulk: ByMass | ByWeight | Fixed
+    inertia: InertiaTensor | None = None
+    arm: LeverInSpace | PlacedInSpace | None = None
+    velocity: Velocity = (0.0, 0.0, 0.0)
+    spin: AngularVelocity = (0.0, 0.0, 0.0)
+    nose: Direction | None = None
+
+
+def spatial(
+    *,
+    first: BodyInSpace,
+    second: TargetInSpace,
+    normal: Direction,
+    friction: Friction,
+    contact: Restituted | Energetic,
+    law: SpatialLaw = SPATIAL_LAW,
+    contact_point: Position | None = None,
+    gravity: Gravity = STANDARD_GRAVITY,
+) -> SpatialImpact:
+    """Two rigid bodies in space, or one and a fixed barrier, meet at a point with friction and restitution.
+
+    Equation
+    --------
+    du = K (−μ u_t/|u_t|, 1) dp_n while the contact slips; p_t = −K_tt⁻¹ k_tn p_n while it sticks, which needs
+    |K_tt⁻¹ k_tn| ≤ μ; K = Σ (1/m − [r] J⁻¹ [r]); end by the law.
+
+    Parameters
+    ----------
+    first : BodyInSpace
+        The first body.
+    second : TargetInSpace
+        The second body, or a fixed barrier.
+    normal : Direction
+        Contact normal from the first body to the second, of any length.
+    friction : Friction
+        Coefficient of friction at the contact [-].
+    contact : Restituted | Energetic
+        Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.
+    law : SpatialLaw
+        What ends the impact: stronge, newton or poisson.
+    contact_point : Position
+        Where the bodies touch, when bodies are placed by their centres [m].
+    gravity : Gravity
+        Acceleration of gravity, for bodies given by weight [m/s^2].
+
+    Returns
+    -------
+    SpatialImpact
+        Velocities and spins after, impulses, ΔV, slip history, energies.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies do not approach at the contact, a tensor is no inertia, or the law gains energy.
+
+    Notes
+    -----
+    The slip turns while it lasts. Its equations are marched by Taylor series of order 24 in τ, dp_n = |u_t| dτ: regular
+    where slip nearly stops, and where a contact jams, so that the normal velocity is not monotone. After slip has
+    stopped all is linear: it sticks, or slips along the one way out. Impulses are good to 1e-12 of their size.
+
+    References
+    ----------
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000), chapter 4.
+
+    Examples
+    --------
+    >>> sphere = ((0.4, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, 0.0, 0.4))
+    >>> ball = BodyInSpace(ByMass(1.0), sphere, LeverInSpace((0.0, 0.0, -1.0)), (1.0, 0.0, -2.0))
+    >>> floor = TargetInSpace(Fixed(True))
+    >>> hit = spatial(first=ball, second=floor, normal=(0.0, 0.0, -1.0), friction=0.1, contact=Restituted(0.5))
+    >>> round(hit.normal_impulse, 12), round(hit.tangential_impulse, 12), hit.slip_history
+    (3.0, 0.3, 'slip')
+    """
+    x, y, z = unit(normal)
+    one = solid(first, contact_point, gravity, "the first body")
+    two = solid(second, contact_point, gravity, "the second body")
+    return answer_in_space((one, two), (-x, -y, -z), friction, contact, str(law))
+
+
+def answer_in_space(
+    bodies: tuple[SolidInSpace, SolidInSpace],
+    inward: Vector,
+    friction: float,
+    contact: Restituted | Energetic,
+    law: str,
+    advice: tuple[Advice, ...] = (),
+) -> SpatialImpact:
+    """Keller's equations for two bodies and a normal that points at the first."""
+    frame = frame_about(inward)
+    before = approach(bodies, frame)
+    k = mobility(bodies, frame)
+    end = travel(k, before, friction, contact.restitution, law)
+    how = f"Taylor series of order 24, {end.steps} steps of slip" if end.steps else "closed form: no slip to follow"
+    numerics = Numerics(how, bounds(bodies, TOLERANCE))
+    return certified(end, bodies, frame, k, before, friction, contact, law, numerics, advice)
+
+
+def approach(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Vector:
+    """Relative velocity at the contact in its frame; refuses bodies that do not approach."""
+    relative = subtract(bodies[0].contact_velocity(), bodies[1].contact_velocity())
+    before = dot(relative, frame[0]), dot(relative, frame[1]), dot(relative, frame[2])
+    require_approach(-before[2])
+    return before
+
+
+def certified(
+    end: End,
+    bodies: tuple[SolidInSpace, SolidInSpace],
+    frame: Matrix,
+    k: Matrix,
+    before: Vector,
+    friction: float,
+    contact: Restituted | Energetic,
+    law: str,
+    numerics: Numerics,
+    advice: tuple[Advice, ...],
+) -> SpatialImpact:
+    """The answer with its checks; refuses a law that gains energy."""
+    restitution = contact.restitution
+    lost = (1.0 - restitution) * (1.0 + restitution) * end.work if law == "stronge" else end.work - end.work_back
+    require_finite(end.impulse[2] * before[2], "the energy of the impact")
+    require(
+        restitution > 1.0 or lost + end.heat >= -1e-11 * (end.work + end.heat),
+        f"{law}: the law gains {{0:.6g}} J of energy here, which no passive contact does",
+        -(lost + end.heat),
+        code="energy-gained",
+        hint="--law stronge never gains energy",
+    )
+    answer = report(end, bodies, frame, k, before, lost, law, numerics, contact_advice(contact) + advice)
+    checks = certificate(answer, end, bodies, frame, friction, restitution, law, before)
+    return SpatialImpact(**{**answer.__dict__, "checks": checks})
+
+
+def solid(body: BodyInSpace | TargetInSpace, contact: Vector | None, gravity: float, name: str) -> SolidInSpace:
+    nose = nose_in_plane(body.nose, body.velocity)
+    if isinstance(body.bulk, Fixed):
+        require(body.bulk.fixed, name + " has neither mass nor weight and is not fixed", code="no-mass")
+        lever = (0.0, 0.0, 0.0) if body.arm is None else lever_of(body.arm, contact, name)
+        return SolidInSpace(None, None, lever, body.velocity, body.spin, nose)
+    mass = mass_of(body.bulk, gravity, name)
+    require(body.inertia is not None, name + " has no inertia", code="no-inertia", hint="give its inertia tensor")
+    require(body.arm is not None, name + " has no lever to the contact", code="no-lever", hint="give its lever")
+    inertia: Matrix = body.inertia  # type: ignore[assignment]
+    require_inertia(inertia, name)
+    return SolidInSpace(mass, inertia, lever_of(body.arm, contact, name), body.velocity, body.spin, nose)  # type: ignore[arg-type]
+
+
+def lever_of(arm: LeverInSpace | PlacedInSpace, contact: Vector | None, name: str) -> Vector:
+    if isinstance(arm, LeverInSpace):
+        return arm.lever
+    require(
+        contact is not None,
+        name + " is placed by its centre, but the scene has no contact point",
+        code="no-contact-point",
+        hint='give --contact-point "x, y, z m" in the same axes, or the lever',
+    )
+    return subtract(contact, arm.centre)  # type: ignore[arg-type]

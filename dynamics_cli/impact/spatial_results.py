@@ -1,0 +1,274 @@
+"""What an impact in space reports, and proves."""
+
+from dynamics_cli.impact.conventions import clock, pdof
+from dynamics_cli.impact.diagnostics import balance, not_above
+from dynamics_cli.impact.hodograph import End, stick_ratio
+from dynamics_cli.impact.space import (
+    ZERO,
+    Matrix,
+    SolidInSpace,
+    Vector,
+    add,
+    combine,
+    cross,
+    dot,
+    scaled,
+    subtract,
+    times,
+)
+from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
+from dynamics_cli.quantities import (
+    Angle,
+    AngularVelocity,
+    Energy,
+    Impulse,
+    ImpulseVector,
+    Ratio,
+    RoadSpeed,
+    Speed,
+    Text,
+    Velocity,
+)
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+
+
+@record
+class AfterSpatial:
+    """One body after an impact in space.
+
+    Parameters
+    ----------
+    velocity : Velocity
+        Velocity of the mass centre after [m/s].
+    speed : RoadSpeed
+        Its size [m/s].
+    spin : AngularVelocity
+        Angular velocity after [rad/s].
+    spin_change : AngularVelocity
+        Change of the angular velocity [rad/s].
+    delta_v : Velocity
+        Change of velocity, from the impulse over the mass [m/s].
+    delta_v_magnitude : RoadSpeed
+        Its size [m/s].
+    pdof : Angle
+        Where the force came from in the plane x, y: from the nose, clockwise seen from +z; none of a fixed body [rad].
+    clock : Ratio
+        The same as the nearest hour on a clock whose 12 is straight ahead [h].
+    elevation : Angle
+        How far above the plane x, y the force came from [rad].
+    energy_change : Energy
+        Change of its kinetic energy; of a fixed body, the work done on it [J].
+    """
+
+    velocity: Velocity
+    speed: RoadSpeed
+    spin: AngularVelocity
+    spin_change: AngularVelocity
+    delta_v: Velocity | None
+    delta_v_magnitude: RoadSpeed | None
+    pdof: Angle | None
+    clock: Ratio | None
+    elevation: Angle | None
+    energy_change: Energy
+
+
+@record
+class SpatialImpact:
+    """What an impact in space did.
+
+    Parameters
+    ----------
+    first : AfterSpatial
+        The first body.
+    second : AfterSpatial
+        The second body.
+    law : Text
+        The law these results are by.
+    slip_history : Text
+        What the contact did.
+    impulse : ImpulseVector
+        Impulse on the second body; the first gets the opposite [N·s].
+    impulse_magnitude : Impulse
+        Its size [N·s].
+    normal_impulse : Impulse
+        Its part along the normal [N·s].
+    tangential_impulse : Impulse
+        Size of its part across [N·s].
+    impulse_ratio : Ratio
+        Tangential over normal impulse [-].
+    stick_friction : Ratio
+        Friction that holds the contact once slip has stopped [-].
+    compression_impulse : Impulse
+        Normal impulse until the greatest compression [N·s].
+    slip_impulse : Impulse
+        Normal impulse until the first slip stopped, or all of it when it never did [N·s].
+    closing_speed : RoadSpeed
+        Normal relative speed at the contact before [m/s].
+    separation_speed : Speed
+        Normal relative speed at the contact after [m/s].
+    sliding_before : Velocity
+        Tangential velocity of the first body relative to the second at the contact before [m/s].
+    sliding_after : Velocity
+        The same after [m/s].
+    energy_lost : Energy
+        Kinetic energy turned into other forms [J].
+    energy_lost_normal : Energy
+        The part the normal impulse took [J].
+    energy_lost_tangential : Energy
+        The part friction took [J].
+    """
+
+    first: AfterSpatial
+    second: AfterSpatial
+    law: Text
+    slip_history: Text
+    impulse: ImpulseVector
+    impulse_magnitude: Impulse
+    normal_impulse: Impulse
+    tangential_impulse: Impulse
+    impulse_ratio: Ratio
+    stick_friction: Ratio
+    compression_impulse: Impulse
+    slip_impulse: Impulse
+    closing_speed: RoadSpeed
+    separation_speed: Speed
+    sliding_before: Velocity
+    sliding_after: Velocity
+    energy_lost: Energy
+    energy_lost_normal: Energy
+    energy_lost_tangential: Energy
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def report(
+    end: End,
+    bodies: tuple[SolidInSpace, SolidInSpace],
+    frame: Matrix,
+    k: Matrix,
+    before: Vector,
+    lost: float,
+    law: str,
+    numerics: Numerics,
+    advice: tuple[Advice, ...],
+) -> SpatialImpact:
+    """The answer from the end of the path in the frame of the contact."""
+    x, y, z = combine(frame, end.impulse)
+    sideways = hypot(end.impulse[0], end.impulse[1])
+    return SpatialImpact(
+        first=after_impact(bodies[0], (x, y, z)),
+        second=after_impact(bodies[1], (0.0 - x, 0.0 - y, 0.0 - z)),
+        law=law,
+        slip_history=end.history,
+        impulse=(0.0 - x, 0.0 - y, 0.0 - z),
+        impulse_magnitude=hypot(sideways, end.impulse[2]),
+        normal_impulse=end.impulse[2],
+        tangential_impulse=sideways,
+        impulse_ratio=sideways / end.impulse[2],
+        stick_friction=hypot(*stick_ratio(k)),
+        compression_impulse=end.compression,
+        slip_impulse=end.slip_impulse,
+        closing_speed=-before[2],
+        separation_speed=end.velocity[2],
+        sliding_before=combine(frame, (before[0], before[1], 0.0)),
+        sliding_after=combine(frame, (end.velocity[0], end.velocity[1], 0.0)),
+        energy_lost=lost + end.heat,
+        energy_lost_normal=lost,
+        energy_lost_tangential=end.heat,
+        advice=advice,
+        numerics=numerics,
+    )
+
+
+def bounds(bodies: tuple[SolidInSpace, SolidInSpace], tolerance: float) -> tuple[ErrorBound, ...]:
+    """The bound on the results that are a size."""
+    names = ["impulse_magnitude", "normal_impulse", "compression_impulse"]
+    sides = zip(("first", "second"), bodies, strict=True)
+    names += [f"{name}.delta_v_magnitude" for name, body in sides if body.mass is not None]
+    return tuple(ErrorBound(name, tolerance) for name in names)
+
+
+def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
+    """State of one body after its impulse."""
+    change: Vector | None = None
+    turned = half = ZERO
+    moment = cross(body.lever, impulse)
+    after = body.velocity
+    angle = hours = elevation = size = None
+    if body.mass is not None:
+        change = impulse[0] / body.mass, impulse[1] / body.mass, impulse[2] / body.mass
+        half = 0.5 * change[0], 0.5 * change[1], 0.5 * change[2]
+        turned = ZERO if body.inverse is None else times(body.inverse, moment)
+        after = add(body.velocity, change)
+        size = sqrt(dot(change, change))
+        angle = pdof((impulse[0], impulse[1]), body.nose)
+        hours = clock(angle)
+        elevation = atan2(-impulse[2], hypot(impulse[0], impulse[1]))
+    spun = body.spin[0] + 0.5 * turned[0], body.spin[1] + 0.5 * turned[1], body.spin[2] + 0.5 * turned[2]
+    return AfterSpatial(
+        velocity=after,
+        speed=sqrt(dot(after, after)),
+        spin=add(body.spin, turned),
+        spin_change=turned,
+        delta_v=change,
+        delta_v_magnitude=size,
+        pdof=angle,
+        clock=hours,
+        elevation=elevation,
+        energy_change=dot(impulse, add(body.velocity, half)) + dot(moment, spun),
+    )
+
+
+def certificate(
+    answer: SpatialImpact,
+    end: End,
+    bodies: tuple[SolidInSpace, SolidInSpace],
+    frame: Matrix,
+    friction: float,
+    restitution: float,
+    law: str,
+    before: Vector,
+) -> tuple[Check, ...]:
+    """Momentum, angular momentum, velocities at the contact, energy, friction, no tension, the law's own definition."""
+    size = answer.impulse_magnitude
+    states = (bodies[0], answer.first), (bodies[1], answer.second)
+    checks: tuple[Check, ...] = ()
+    if all(body.mass is not None for body, _ in states):
+        for axis, letter in enumerate("xyz"):
+            held = sum(body.mass * body.velocity[axis] for body, _ in states)  # type: ignore[operator]
+            left = sum(body.mass * end_.velocity[axis] for body, end_ in states)  # type: ignore[operator]
+            scale = size + sum(abs(body.mass * body.velocity[axis]) for body, _ in states)  # type: ignore[operator]
+            checks += balance(f"momentum along {letter}", held, left, scale)
+    for (body, after), name in zip(states, ("first", "second"), strict=True):
+        if body.mass is None or body.inertia is None:
+            continue
+        reach = sqrt(dot(body.lever, body.lever))
+        worst = scale = 0.0
+        held = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
+        left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
+        apart = subtract(held, left)
+        worst = sqrt(dot(apart, apart))
+        scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
+        checks += balance(f"angular momentum of the {name} about the contact", worst, 0.0, scale)
+    moved = [add(after.velocity, cross(after.spin, body.lever)) for body, after in states]
+    relative = subtract(moved[0], moved[1])
+    speeds = sum(sqrt(dot(v, v)) for v in moved) + abs(before[2]) + hypot(before[0], before[1])
+    speeds += sum(sqrt(dot(b.spin, b.spin)) * sqrt(dot(b.lever, b.lever)) for b in bodies)
+    for axis, value, name in zip(frame, end.velocity, ("slip 1", "slip 2", "separation"), strict=True):
+        checks += balance(f"{name} at the contact", dot(relative, axis), value, speeds)
+    work = end.work + end.heat + abs(answer.first.energy_change) + abs(answer.second.energy_change)
+    gained = answer.first.energy_change + answer.second.energy_change
+    checks += balance("energy", gained, -answer.energy_lost, work)
+    if restitution <= 1.0:
+        checks += not_above("energy never gained", -answer.energy_lost, 0.0, work)
+    checks += not_above("no tension", -answer.normal_impulse, 0.0, size)
+    limit = friction * answer.normal_impulse
+    checks += not_above("friction at most μ times the normal impulse", answer.tangential_impulse, limit, size)
+    name = f"restitution as {law} defines it"
+    if law == "newton":
+        return checks + balance(name, answer.separation_speed, restitution * answer.closing_speed, speeds)
+    if law == "poisson":
+        back = answer.normal_impulse - answer.compression_impulse
+        return checks + balance(name, back, restitution * answer.compression_impulse, answer.normal_impulse)
+    return checks + balance(name, end.work_back, restitution * restitution * end.work, end.work)

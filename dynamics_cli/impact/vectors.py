@@ -1,0 +1,68 @@
+"""Three-component vectors and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
+
+from dynamics_cli.errors import require
+
+Vector = tuple[float, float, float]
+Tensor = tuple[Vector, Vector, Vector]
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    """Sum."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def scale(factor: float, a: Vector) -> Vector:
+    """A number times a vector."""
+    return factor * a[0], factor * a[1], factor * a[2]
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    """Difference."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def times(tensor: Tensor, a: Vector) -> Vector:
+    """A tensor applied to a vector."""
+    return dot(tensor[0], a), dot(tensor[1], a), dot(tensor[2], a)
+
+
+def moved(tensor: Tensor, mass: float, way: Vector) -> Tensor:
+    """Inertia about a point that is `way` from the mass centre: I + m(r² − r rᵀ)."""
+    square = dot(way, way)
+    rows = []
+    for i in range(3):
+        row = [tensor[i][j] - mass * (way[i] * way[j]) for j in range(3)]
+        row[i] = tensor[i][i] + mass * (square - way[i] * way[i])
+        rows.append((row[0], row[1], row[2]))
+    return rows[0], rows[1], rows[2]
+
+
+def solve(tensor: Tensor, right: Vector, what: str) -> Vector:
+    """Solve a symmetric positive definite system by LDLᵀ; refuse one without inertia about some direction."""
+    a, b, c = tensor[0]
+    d, e = tensor[1][1], tensor[1][2]
+    trace = a + d + tensor[2][2]
+    first = a
+    require(first > 1e-14 * trace, what, code="no-inertia")
+    l1, l2 = b / first, c / first
+    second = d - l1 * b
+    require(second > 1e-14 * trace, what, code="no-inertia")
+    middle = e - l1 * c
+    l3 = middle / second
+    third = tensor[2][2] - l2 * c - l3 * middle
+    require(third > 1e-14 * trace, what, code="no-inertia")
+    y1 = right[1] - l1 * right[0]
+    y2 = right[2] - l2 * right[0] - l3 * y1
+    z = y2 / third
+    y = y1 / second - l3 * z
+    return right[0] / first - l1 * y - l2 * z, y, z

@@ -1,0 +1,268 @@
+"""Planar and spatial impacts: speed beside pycrash, error against time, and what peers answer to the same cases.
+
+Run: python tests/benchmarks/impact_planar.py. pycrash (GPL) is run where it is installed, and only run: its static
+impact is called with plain objects. Ratios are of one run; absolute times say little on a shared machine.
+"""
+
+import contextlib
+import io
+import math
+import random
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+import numpy as np
+
+from dynamics_cli.impact.bodies import ByInertia, OnBody, RigidBody, RigidTarget
+from dynamics_cli.impact.conventions import Axes, ByMass, BySpeed, Restituted
+from dynamics_cli.impact.envelope import envelope
+from dynamics_cli.impact.hodograph import travel as in_space
+from dynamics_cli.impact.laws import Law
+from dynamics_cli.impact.path import Mobility, determinant, travel
+from dynamics_cli.impact.path_arrays import planar_impacts
+from dynamics_cli.impact.planar import planar
+
+FT, LBF, MPH, DEG = 0.3048, 4.4482216152605, 0.44704, math.pi / 180.0
+MILLION = 1_000_000
+
+
+def best(action: Callable[[], Any], least: float = 0.2, runs: int = 5) -> float:
+    """Seconds a call takes, the best of several runs."""
+    fastest = math.inf
+    for _ in range(runs):
+        count, start = 0, time.perf_counter()
+        while time.perf_counter() - start < least / runs or not count:
+            action()
+            count += 1
+        fastest = min(fastest, (time.perf_counter() - start) / count)
+    return fastest
+
+
+def peer() -> Callable[..., Any] | None:
+    """Pycrash's static impact, silent; None where it is not installed."""
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            from pycrash.impc import impc_calcs
+    except Exception as error:  # noqa: BLE001
+        print(f"pycrash is not here ({error}): its lines are left out\n")
+        return None
+    return impc_calcs
+
+
+# NHTSA 4363 as Rose, Fenton and Beauchamp give it (SAE 2006-01-0908)
+CASE = {
+    "weight": (3451.1, 4695.4), "inertia": (2152.0, 2805.0), "reach": (2.6, 5.7), "angle": (23.8, 10.6),
+    "heading": (180.0, 32.0), "speed": (35.1, 35.0), "gamma": 55.0, "restitution": 0.126,
+}  # fmt: skip
+PRINTED = {"ΔV 1 [mph]": 39.5, "ΔV 2 [mph]": 29.1, "Δω 1 [deg/s]": 31.0, "Δω 2 [deg/s]": 182.0}
+
+
+def vehicles(case: dict[str, Any]) -> tuple[SimpleNamespace, SimpleNamespace, float, float, dict[str, float]]:
+    """The case in the units and the frame that pycrash takes: feet, that of vehicle 1."""
+    made = []
+    for index in (0, 1):
+        turn = (case["heading"][index] - case["heading"][0]) * DEG
+        speed = case["speed"][index] * MPH / FT
+        reach, angle = case["reach"][index], case["angle"][index] * DEG
+        made.append(
+            SimpleNamespace(
+                weight=case["weight"][index], izz=case["inertia"][index], omega_z=0.0, head_angle=turn / DEG,
+                vx_initial=speed, vy_initial=0.0, pimpact_x=reach * math.cos(angle),
+                pimpact_y=reach * math.sin(angle), impc_result=None,
+            )
+        )  # fmt: skip
+    inputs = {"cor": case["restitution"], "cof": 10.0, "impact_norm_deg": case["gamma"] + 180.0 - case["heading"][0]}
+    return made[0], made[1], made[1].pimpact_x, made[1].pimpact_y, inputs
+
+
+def ours(case: dict[str, Any], law: str) -> Any:
+    """The same by this program."""
+    made = []
+    for index, kind in enumerate((RigidBody, RigidTarget)):
+        heading, angle = case["heading"][index] * DEG, case["angle"][index] * DEG
+        reach = case["reach"][index] * FT
+        mass = case["weight"][index] * LBF / (32.174 * FT)
+        made.append(
+            kind(
+                ByMass(mass), ByInertia(case["inertia"][index] * LBF * FT),
+                OnBody((reach * math.cos(angle), reach * math.sin(angle))),
+                BySpeed(case["speed"][index] * MPH, heading), 0.0, heading,
+            )
+        )  # fmt: skip
+    return planar(first=made[0], second=made[1], normal=(case["gamma"] + 180.0) * DEG, friction=10.0,
+                  contact=Restituted(case["restitution"]), law=Law(law), axes=Axes("sae"))  # fmt: skip
+
+
+def answers(static: Callable[..., Any] | None) -> None:
+    """What each says of a published solution."""
+    print("Published solution of NHTSA 4363 beside answers (impulse ratio at its critical value)")
+    print(f"{'':28s}" + "".join(f"{name:>15s}" for name in PRINTED))
+    print(f"{'SAE 2006-01-0908, printed':28s}" + "".join(f"{value:15.4g}" for value in PRINTED.values()))
+    for law in ("brach", "stronge", "newton", "poisson", "kudlich-slibar"):
+        found = ours(CASE, law)
+        row = [found.first.delta_v.magnitude / MPH, found.second.delta_v.magnitude / MPH,
+               abs(found.first.spin_change) / DEG, abs(found.second.spin_change) / DEG]  # fmt: skip
+        print(f"{'impact planar, ' + law:28s}" + "".join(f"{value:15.5g}" for value in row))
+    if static is None:
+        return
+    with contextlib.redirect_stdout(io.StringIO()):
+        one, two = static(*vehicles(CASE))
+    row = [math.hypot(one["dvx"], one["dvy"]), math.hypot(two["dvx"], two["dvy"])]
+    scale = 1.0 if max(row) < 100.0 else FT / MPH
+    spins = [abs(one["domega_deg"]), abs(two["domega_deg"])] if "domega_deg" in one else [math.nan, math.nan]
+    print(f"{'pycrash static impact':28s}" + "".join(f"{value:15.5g}" for value in [*[scale * x for x in row], *spins]))
+
+
+def speeds(static: Callable[..., Any] | None) -> None:
+    """Impacts a second."""
+    r = np.random.default_rng(1)
+    kt, kn = r.uniform(1e-3, 4e-3, MILLION), r.uniform(1e-3, 4e-3, MILLION)
+    kx = r.uniform(-0.9, 0.9, MILLION) * np.sqrt(kt * kn)
+    given = kt, kx, kn, r.uniform(-20, 20, MILLION), -r.uniform(1, 20, MILLION), r.uniform(0, 1, MILLION)
+    e = r.uniform(0, 1, MILLION)
+    base = None
+    print(f"\n{'':44s}{'per impact':>14s}{'impacts/s':>14s}{'ratio':>10s}")
+
+    def line(name: str, seconds: float) -> None:
+        ratio = f"{base / seconds:10.0f}" if base else ""
+        print(f"{name:44s}{seconds * 1e6:11.4f} µs{1.0 / seconds:14.3g}{ratio}")
+
+    if static is not None:
+        scene = vehicles(CASE)
+
+        def one() -> None:
+            with contextlib.redirect_stdout(io.StringIO()):
+                static(*scene)
+
+        base = best(one)
+        line("pycrash static impact", base)
+    line("impact planar in Python, with certificate", best(lambda: ours(CASE, "stronge")))
+    for law in ("stronge", "newton", "poisson"):
+        line(f"planar_impacts, {law}", best(lambda law=law: planar_impacts(*given, e, law=law), 2.0) / MILLION)
+    scene_ = ours_scene()
+    line("impact envelope, a million points", best(lambda: envelope(**scene_), 2.0) / MILLION)
+
+
+def ours_scene() -> dict[str, Any]:
+    mass = [weight * LBF / (32.174 * FT) for weight in CASE["weight"]]
+    made = [
+        kind(ByMass(mass[i]), ByInertia(CASE["inertia"][i] * LBF * FT), OnBody((CASE["reach"][i] * FT, 0.3)),
+             BySpeed(CASE["speed"][i] * MPH, CASE["heading"][i] * DEG), 0.0, CASE["heading"][i] * DEG)
+        for i, kind in enumerate((RigidBody, RigidTarget))
+    ]  # fmt: skip
+    return {"first": made[0], "second": made[1], "normal": (CASE["gamma"] + 180.0) * DEG, "axes": Axes("sae")}
+
+
+def precision() -> None:
+    """Largest error of the planar paths, against the event-by-event path in many digits."""
+    from mpmath import mp, mpf
+    from references.impact_events import follow
+
+    mp.dps = 50
+    r = random.Random(4)
+    worst: dict[str, float] = {}
+    rows = []
+    for _ in range(1000):
+        s, j = r.uniform(0.5, 2.0), r.uniform(0.1, 1.0)
+        rn, rt = r.uniform(-1.5, 1.5), r.uniform(-1.5, 1.5)
+        rows.append((s + rn * rn / j, -rn * rt / j, s + rt * rt / j, r.uniform(-9.0, 9.0), -(10.0 ** r.uniform(-9.0, 1.0)),
+                     r.uniform(0.0, 1.2), r.uniform(0.0, 1.0)))  # fmt: skip
+    columns = [np.array(column) for column in zip(*rows, strict=True)]
+    for law in ("stronge", "newton", "poisson"):
+        fast = planar_impacts(*columns, law=law)[0]
+        for index, row in enumerate(rows):
+            exact = follow(*row, law)
+            size = mp.hypot(exact["normal"], exact["tangential"])
+            k = Mobility(*row[:3], determinant(*row[:3]))
+            own = travel(k, *row[3:], law).normal
+            for name, value in ((f"impact planar, {law}", own), (f"planar_impacts, {law}", float(fast[index]))):
+                worst[name] = max(worst.get(name, 0.0), float(abs(mpf(value) - exact["normal"]) / size))
+    print("\nLargest error of the normal impulse over 1000 impacts, relative to the impulse (50-digit path)")
+    for name, error in worst.items():
+        print(f"{name:44s}{error:14.2g}")
+
+
+def space() -> None:
+    """Time against error in space."""
+    from mpmath import mp, mpf
+    from references.impact_keller import impact
+
+    mp.dps = 40
+    r = random.Random(6)
+    scenes = []
+    for _ in range(5):
+        rows = [[r.gauss(0.0, 1.0) for _ in range(3)] for _ in range(3)]
+        full = [[sum(a * b for a, b in zip(x, y, strict=True)) for y in rows] for x in rows]
+        k = tuple(tuple(full[min(i, j)][max(i, j)] + 0.1 * (i == j) for j in range(3)) for i in range(3))
+        u = r.gauss(0.0, 2.0), r.gauss(0.0, 2.0), -1.0
+        mu, e = r.uniform(0.1, 0.8), r.uniform(0.2, 0.9)
+        scenes.append((k, u, mu, e, impact(k, u, mu, e, "stronge")[0]))
+
+    def error(function: Callable[..., Any]) -> float:
+        found = 0.0
+        for k, u, mu, e, exact in scenes:
+            size = mp.sqrt(sum(x * x for x in exact))
+            found = max(found, *(float(abs(mpf(a) - b) / size) for a, b in zip(function(k, u, mu, e), exact, strict=True)))
+        return found
+
+    print(f"\n{'impact in space':44s}{'per impact':>14s}{'largest error':>16s}")
+
+    def line(name: str, function: Callable[..., Any]) -> None:
+        seconds = best(lambda: [function(*scene[:4]) for scene in scenes], 0.5) / len(scenes)
+        print(f"{name:44s}{seconds * 1e3:11.3f} ms{error(function):16.1e}")
+
+    for order in (6, 10, 16, 24, 30):
+        line(f"Taylor, order {order}", lambda k, u, mu, e, n=order: in_space(k, u, mu, e, "stronge", n).impulse)
+    for stride in (0.5, 0.25, 0.05):
+        line(f"Taylor, order 16, stride {stride}",
+             lambda k, u, mu, e, h=stride: in_space(k, u, mu, e, "stronge", 16, h).impulse)  # fmt: skip
+    for tolerance in (1e-6, 1e-10, 1e-13):
+        line(f"scipy DOP853, rtol {tolerance:.0e}", lambda k, u, mu, e, t=tolerance: by_scipy(k, u, mu, e, t))
+
+
+def by_scipy(k: Any, u: Any, mu: float, e: float, tolerance: float) -> tuple[float, float, float]:
+    """Keller's equations as most would write them: by impulse, events at the ends; slip that stops is not handled."""
+    from scipy.integrate import solve_ivp
+
+    matrix = np.array(k)
+
+    def rates(_: float, y: Any) -> Any:
+        size = math.hypot(y[0], y[1])
+        c = np.array([-mu * y[0] / size, -mu * y[1] / size, 1.0])
+        return [*(matrix @ c), y[2], c[0], c[1]]
+
+    def end(_: float, y: Any) -> float:
+        return float(y[2])
+
+    end.terminal, end.direction = True, 1.0  # type: ignore[attr-defined]
+    more: dict[str, Any] = {"method": "DOP853", "rtol": tolerance, "atol": 1e-3 * tolerance}
+    first = solve_ivp(rates, [0.0, 1e9], [*u, 0.0, 0.0, 0.0], events=[end], **more)
+    y = first.y[:, -1]
+    work = -y[3]
+
+    def given(_: float, y: Any) -> float:
+        return float(y[3] + work * (1.0 - e * e))
+
+    given.terminal = True  # type: ignore[attr-defined]
+    second = solve_ivp(rates, [first.t[-1], 1e9], y, events=[given], **more)
+    y = second.y[:, -1]
+    return float(y[4]), float(y[5]), float(second.t[-1])
+
+
+def main() -> None:
+    static = peer()
+    answers(static)
+    speeds(static)
+    precision()
+    space()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+"""Pictures of particle impacts as data: every number finite, arrows that add up, profiles that close."""
+
+import math
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from harness import run
+
+from dynamics_cli.core.task import Task
+from dynamics_cli.impact import particle_pictures
+from dynamics_cli.impact.commands.particles import TASKS
+from dynamics_cli.impact.conventions import Axes, ByMass, Restituted
+from dynamics_cli.impact.crush import Damaged, MeanCrush, Stations, crush
+from dynamics_cli.impact.crush_stiffness import Coefficients
+from dynamics_cli.impact.drop import drop
+from dynamics_cli.impact.momentum import Vehicle, momentum
+from dynamics_cli.pictures import Arrow, Band, Curve, Mark, Picture
+
+PICTURED = [task for task in TASKS if task.plot]
+
+
+def numbers(picture: Picture) -> Iterator[float]:
+    for panel in picture.panels:
+        for item in panel.items:
+            if isinstance(item, Curve):
+                assert len(item.x) == len(item.y) > 1
+                yield from item.x
+                yield from item.y
+            elif isinstance(item, Arrow):
+                yield from (item.x, item.y, item.dx, item.dy)
+            elif isinstance(item, Mark):
+                yield from (item.x, item.y)
+            else:
+                assert isinstance(item, Band)
+                yield from (item.low, item.high)
+
+
+def test_the_tasks_with_a_scene_have_a_picture() -> None:
+    names = {task.name for task in PICTURED}
+    assert names == {"central", "oblique", "drop", "chain", "momentum", "crush", "yaw-inertia"}
+
+
+def arrows(picture: Picture, panel: int) -> list[tuple[float, float]]:
+    return [(item.dx, item.dy) for item in picture.panels[panel].items if isinstance(item, Arrow)]
+
+
+@pytest.mark.parametrize("axes", Axes.names)
+def test_arrows_of_momentum_add_up(axes: str) -> None:
+    first = Vehicle(ByMass(1500.0), None, 0.2, 8.0, 0.9)
+    second = Vehicle(ByMass(1200.0), None, 1.7, 9.0, 0.8)
+    picture = particle_pictures.momentum(momentum(first=first, second=second, axes=Axes(axes)))
+    assert all(math.isfinite(number) for number in numbers(picture))
+    before, after, changes = (arrows(picture, panel) for panel in range(3))
+    for old, new, change in zip(before, after, changes, strict=True):
+        assert old[0] + change[0] == pytest.approx(new[0], abs=1e-12)
+        assert old[1] + change[1] == pytest.approx(new[1], abs=1e-12)
+    for axis in (0, 1):
+        assert 1500.0 * changes[0][axis] == pytest.approx(-1200.0 * changes[1][axis], rel=1e-12)
+
+
+def test_bounces_end_on_the_floor_and_reach_their_heights() -> None:
+    picture = particle_pictures.drop(drop(evidence=Restituted(0.8), height=1.0, bounces=3))
+    curve = next(item for item in picture.panels[0].items if isinstance(item, Curve))
+    assert min(curve.y) == 0.0
+    assert curve.y[-1] == 0.0
+    assert max(curve.y[61:122]) == pytest.approx(0.64, rel=1e-3)
+
+
+def test_crush_profiles_close() -> None:
+    stiff = Coefficients(6e4, 5e5)
+    for profile in (Stations((0.1, 0.4, 0.2), 1.4), MeanCrush(0.3, 1.2)):
+        car = Damaged(ByMass(1500.0), stiff, profile)
+        picture = particle_pictures.crush(crush(first=car), first=car)
+        outline = picture.panels[0].items[0]
+        assert isinstance(outline, Curve)
+        assert (outline.x[0], outline.y[0]) == (outline.x[-1], outline.y[-1]) == (0.0, 0.0)
+        assert max(outline.x) == profile.width
+
+
+@pytest.mark.parametrize("task", PICTURED, ids=lambda task: task.name)
+def test_every_example_draws(task: Task, tmp_path: Path) -> None:
+    for number, example in enumerate(task.examples):
+        file = tmp_path / f"{number}.svg"
+        outcome = run(*shlex.split(example)[1:], "--plot", str(file))
+        assert outcome.status == 0, outcome.err
+        assert file.stat().st_size > 2000

@@ -1,0 +1,114 @@
+"""The particle tasks of impact against 40-digit references: errors, stated bounds, arrays, checks, derivatives."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from references.comparison import HERE
+from references.impact_particles_comparison import answer, cases, disagreements, flat, leaves, measure
+from references.impact_particles_tasks import CASE_BY_CASE, TASKS, UNTRACKED
+
+from dynamics_cli.numerics.tracked import Tracked
+
+FILE = "impact_particles.json"
+TRACKED = [task for task in TASKS if task not in UNTRACKED]
+# A result that a small relative change of the inputs changes no more than this many times as much.
+WELL_CONDITIONED = 10.0
+# Results after an impact are a difference of what was before and what the impulse made: a few roundings of each.
+MOST_ULPS = 8.0
+# The running bound adds what may cancel: it may exceed 100 × the error of a lucky result a little.
+ROOM = 2.0
+# Rounding decides here which side of a pole the inputs are on, or cancels by luck.
+CORNERS = {"oblique 21", "oblique 20"}
+# Nearly no damage: separation over closing is 1 minus a share that the inputs no longer see.
+INSENSITIVE = {"momentum_and_energy 8: restitution"}
+
+
+def test_there_are_enough_hard_cases() -> None:
+    every = [case for task in TASKS for case in cases(task)]
+    hard = [case for case in every if case["kind"] == "hard"]
+    assert len(every) >= 180
+    assert len(hard) >= 60
+    assert all(case["why"] for case in hard)
+
+
+@pytest.mark.parametrize("task", TRACKED)
+def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
+    measured = [one for case in cases(task) for one in measure(TASKS[task], case)]
+    judged = [
+        one
+        for one in measured
+        if one.condition <= WELL_CONDITIONED and one.where not in INSENSITIVE and one.reference != 0
+    ]
+    assert len(judged) > len(measured) / 2
+    worst = max(judged, key=lambda one: one.ulps)
+    assert worst.ulps <= MOST_ULPS, worst
+
+
+def test_chains_are_right_to_a_few_roundings_of_the_fastest_body() -> None:
+    for case in cases("chain"):
+        measured = measure(TASKS["chain"], case)
+        speeds = [abs(float(body.get("velocity", "0"))) for body in case["inputs"]["bodies"]]
+        hits = next(one.value for one in measured if one.where.endswith("collisions"))
+        for one in measured:
+            if one.where.endswith(".velocity"):
+                assert one.error <= (4.0 + 2.0 * hits) * 2.0**-52 * max(speeds), one
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_stated_bound_holds_and_is_tight(task: str) -> None:
+    for case in cases(task):
+        for one in measure(TASKS[task], case):
+            assert one.error <= one.bound, one
+            if one.value == 0.0 or task in UNTRACKED or case["name"] in CORNERS:
+                continue
+            if one.condition <= WELL_CONDITIONED:
+                assert one.excess <= ROOM, one
+            else:
+                assert min(one.excess, one.excess_by_inputs) <= ROOM, one
+
+
+@pytest.mark.parametrize("task", [task for task in TASKS if task not in CASE_BY_CASE])
+def test_arrays_give_the_bits_of_scalars(task: str) -> None:
+    for seed, case in enumerate(cases(task)[:16]):
+        assert not disagreements(TASKS[task], case, seed)
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_checks_pass_and_name_themselves(task: str) -> None:
+    named = set()
+    for case in cases(task):
+        result = answer(TASKS[task], task, case["inputs"], list(leaves(case["inputs"])))
+        assert all(check.passed for check in result.checks), (case["name"], result.checks)
+        named |= {check.name for check in result.checks}
+    assert named
+
+
+@pytest.mark.parametrize("task", TRACKED)
+def test_derivatives_are_those_of_the_answer(task: str) -> None:
+    for case in cases(task)[:5]:
+        tree = case["inputs"]
+        numbers = list(leaves(tree))
+        tracked = flat(answer(TASKS[task], task, tree, Tracked.inputs(numbers)))
+        for index, number in enumerate(numbers):
+            step = 1e-6 * max(abs(number), 1e-2)
+            ends = []
+            for side in (-step, step):
+                moved = [value + side if i == index else value for i, value in enumerate(numbers)]
+                ends.append(flat(answer(TASKS[task], task, tree, moved)))
+            for name, value in tracked.items():
+                if name.endswith("clock") or (name.endswith("pdof") and abs(ends[1][name]) > 3.1):
+                    # hours are whole, and half a turn is written either way
+                    continue
+                slope = value.slopes[index] if isinstance(value, Tracked) else 0.0
+                estimate = (ends[1][name] - ends[0][name]) / (2.0 * step)
+                size = abs(ends[1][name]) / max(abs(number), 1e-2) + abs(slope)
+                assert slope == pytest.approx(estimate, abs=5e-6 * size + 1e-9), (case["name"], name, index)
+
+
+def test_generating_again_gives_the_same_bytes(tmp_path: Path) -> None:
+    made = tmp_path / FILE
+    script = HERE / "generate_impact_particles_references.py"
+    subprocess.run([sys.executable, str(script), str(made)], check=True)
+    assert made.read_bytes() == (HERE / FILE).read_bytes()

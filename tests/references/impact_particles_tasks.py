@@ -1,0 +1,44 @@
+"""The particle tasks of impact by name, and the records and choices their inputs are made of."""
+
+from dynamics_cli.impact import (
+    central,
+    chain,
+    conventions,
+    crush,
+    crush_stiffness,
+    drop,
+    momentum,
+    momentum_terms,
+    oblique,
+    pendulum,
+    seize,
+    springs,
+    step,
+    yaw_inertia,
+)
+
+TASKS = {
+    "central": central.central,
+    "oblique": oblique.oblique,
+    "drop": drop.drop,
+    "pendulum": pendulum.pendulum,
+    "seize": seize.seize,
+    "step": step.step,
+    "chain": chain.chain,
+    "momentum": momentum.momentum,
+    "momentum_and_energy": momentum.momentum_and_energy,
+    "crush": crush.crush,
+    "yaw_inertia": yaw_inertia.yaw_inertia,
+}
+# Answers that carry a bound of their own, and answers that take no arrays.
+UNTRACKED = ("chain",)
+CASE_BY_CASE = ("chain", "drop")
+CLASSES: dict[str, type] = {
+    name: one
+    for module in (
+        central, chain, conventions, crush, crush_stiffness, drop, momentum, momentum_terms, oblique, pendulum, seize,
+        springs, step, yaw_inertia,
+    )
+    for name, one in vars(module).items()
+    if isinstance(one, type)
+}  # fmt: skip
