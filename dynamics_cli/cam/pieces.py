@@ -13,3 +13,8 @@ def pieces(motion: "Any") -> "tuple[Any, Any]":
 def sample(motion: "Any", theta: "Any") -> "tuple[Any, Any, Any, Any]":
     """Lift and its three derivatives by cam angle at an array of angles of any shape."""
     return motion.at(theta)  # type: ignore[no-any-return]
+
+
+def motion_of(program: "Any", geometry: "Any") -> "Any":
+    """The motion of a program."""
+    return program

@@ -23,6 +23,7 @@ GRID = 96
 LEVELS = 12
 SPLIT = 8
 END = 1e-4
+NOISE = 4e-16
 
 
 @record
@@ -89,10 +90,10 @@ def _transform(count: int) -> "tuple[Any, Any]":
 
 @lru_cache(maxsize=4)
 def _basis(count: int) -> "tuple[Any, ...]":
-    """cos(kt) on a grid from the left end (t = π) to the right, and its first two derivatives by t."""
+    """The first two derivatives by t of cos(kt), on a grid from the left end (t = π) to the right."""
     t = np.linspace(np.pi, 0.0, GRID + 1)
     k = np.arange(count)[:, None]
-    return t, np.cos(k * t), -k * np.sin(k * t), -k * k * np.cos(k * t)
+    return t, -k * np.sin(k * t), -k * k * np.cos(k * t)
 
 
 def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
@@ -200,17 +201,20 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
     (True, True)
     """
-    c = made.coefficients[which]
-    count = c.shape[1]
-    t, basis, first, second = _basis(count)
+    whole = made.coefficients[which]
+    count = whole.shape[1]
+    t, first, second = _basis(count)
     k = np.arange(count, dtype=float)
+    size = np.abs(whole)
+    # a coefficient that is rounding alone would be searched for turns of its own
+    c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]
     scale = size.sum(axis=1)
     d1, d2 = c @ first, c @ second
     step = np.pi / GRID
-    piece, at, roots = np.arange(c.shape[0]), np.zeros((0, 2)), []
-    turning, unsure = _cells(d1, d2, step, bounds, piece[:, None])
+    roots: list[tuple[Any, Any, Any]] = []
+    turning, unsure = _cells(d1, d2, step, bounds, np.arange(c.shape[0])[:, None])
     # a piece that is constant to its rounding has no extremes
     flat = step * bounds[0] <= 1e-15 * scale
     turning[flat], unsure[flat] = False, False
@@ -238,8 +242,8 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
     row, place = at[0], _refined(c, at[0], at[1], at[2])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
-    inner = (c[row] * np.cos(k * place[:, None])).sum(axis=1)
-    ends = np.concatenate((c @ np.where(k % 2, -1.0, 1.0), c.sum(axis=1)))
+    inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
+    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
     places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
