@@ -47,6 +47,8 @@ class Touch:
         Unit vector from the cam into the follower.
     run : array
         Speed of the point of contact along the cam per radian, negative where the envelope runs backwards [m].
+    spin : array
+        How fast the normal turns back in the cam, per radian of the cam.
     curvature : array
         Curvature of the pitch curve (roller and knife-edge), convex positive [1/m].
     radius : array
@@ -59,6 +61,7 @@ class Touch:
     point: "Pair"
     normal: "Pair"
     run: "Any"
+    spin: "Any"
     curvature: "Any"
     radius: "Any"
     pressure_angle: "Any"
@@ -131,10 +134,11 @@ class Geometry:
         curvature = (square + big_y * x1 - big_x * y1) / (square * w)
         nx, ny = -big_y / w, big_x / w
         reach = self.side * self.roller
-        run = w * (1.0 - reach * curvature)
+        spin = curvature * w
+        run = w - reach * spin
         sin, cos = self._way(s)
         pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
-        return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, curvature, None, pressure)
+        return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
 
     def _way(self, s: "Any") -> "Pair":
         """The direction the cam drives the follower in."""
@@ -149,14 +153,14 @@ class Geometry:
             radius = height + s2
             nothing, one = np.zeros_like(height), np.ones_like(height)
             point = (s1 + nothing, height)
-            return Touch(point, point, (nothing, one), radius, nothing, radius, nothing)
+            return Touch(point, point, (nothing, one), radius, one, nothing, radius, nothing)
         angle, speed = self.start + s, 1.0 + s1
         sin, cos = np.sin(angle), np.cos(angle)
         c, back = f.pivot_distance, f.face_offset  # type: ignore[union-attr]
         along = c * cos / speed
         radius = c * (sin * (1.0 + 2.0 * s1) * speed + s2 * cos) / (speed * speed * speed) - back
         point = (c - along * cos - back * sin, along * sin - back * cos)
-        return Touch(point, point, (sin, cos), radius * speed, 0.0 * sin, radius, self.turn * np.arctan2(back, along))
+        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, self.turn * np.arctan2(back, along))
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
         """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""

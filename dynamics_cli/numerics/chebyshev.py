@@ -192,7 +192,7 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     Notes
     -----
     Derivatives are bounded by Σ kⁿ|c_k|, so none is missed that changes the function by more than its rounding: cells
-    still undecided when h²/8·max|f″| is below 1e-16 of the function are taken as candidates themselves.
+    still undecided within which the function moves by less than 1e-15 of its size are candidates themselves.
 
     Examples
     --------
@@ -211,36 +211,36 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]
     scale = size.sum(axis=1)
-    d1, d2 = c @ first, c @ second
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
-    turning, unsure = _cells(d1, d2, step, bounds, np.arange(c.shape[0])[:, None])
+    calm: list[tuple[Any, Any]] = []
+    d1, d2 = c @ first, c @ second
+    owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
     # a piece that is constant to its rounding has no extremes
-    flat = step * bounds[0] <= 1e-15 * scale
-    turning[flat], unsure[flat] = False, False
-    rows, cells = np.nonzero(turning)
-    roots.append((rows, t[cells], t[cells + 1]))
-    rows, cells = np.nonzero(unsure)
-    left = t[cells]
-    for _ in range(LEVELS):
+    bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
+    for level in range(LEVELS + 1):
+        turning, unsure = _cells(d1, d2, step, bounds, owner[:, None])
+        steady = (bounds[0] == 0.0)[owner]
+        turning[steady], unsure[steady] = False, False
+        found, cells = np.nonzero(turning)
+        roots.append((owner[found], grid[found, cells], grid[found, cells + 1]))
+        found, cells = np.nonzero(unsure)
+        rows, left = owner[found], grid[found, cells]
         if not rows.size:
             break
-        settled = step * step * bounds[0][rows] <= 8e-16 * scale[rows]
-        if settled.any():
-            roots.append((rows[settled], left[settled], left[settled] - step))
-            rows, left = rows[~settled], left[~settled]
+        # where the function hardly moves within a cell, any place of it will do
+        moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
+        still = (moves + 0.125 * step**3 * bounds[1][rows] <= 1e-15 * scale[rows]) | (level == LEVELS)
+        calm.append((rows[still], left[still] - 0.5 * step))
+        owner, left = rows[~still], left[~still]
+        if not owner.size:
+            break
         step /= SPLIT
         grid = left[:, None] - step * np.arange(SPLIT + 1)
-        d1, d2 = _derivatives(c[rows], grid)
-        turning, unsure = _cells(d1, d2, step, bounds, rows[:, None])
-        found, cells = np.nonzero(turning)
-        roots.append((rows[found], grid[found, cells], grid[found, cells + 1]))
-        found, cells = np.nonzero(unsure)
-        rows, left = rows[found], grid[found, cells]
-    else:
-        roots.append((rows, left, left - step))
+        d1, d2 = _derivatives(c[owner], grid)
     at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
-    row, place = at[0], _refined(c, at[0], at[1], at[2])
+    row = np.concatenate([at[0], *(part[0] for part in calm)])
+    place = np.concatenate([_refined(c, at[0], at[1], at[2]), *(part[1] for part in calm)])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
     inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
     ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
