@@ -128,6 +128,9 @@ if TYPE_CHECKING:
     Deceleration = float
     Gravity = float
     Jerk = float
+    CamVelocity = float
+    CamAcceleration = float
+    CamJerk = float
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
@@ -230,6 +233,25 @@ else:
         variable="DYNAMICS_GRAVITY",
     )
     Jerk = Kind("jerk", "m/s^3", si="m/s^3", us="ft/s^3", example="3 m/s^3", about="rate of change of acceleration")
+    CamVelocity = Kind(
+        "lift per angle", "m/rad", si="mm/rad", us="in/rad", example="5 mm/rad", about="a lift per cam angle"
+    )
+    CamAcceleration = Kind(
+        "lift per angle squared",
+        "m/rad^2",
+        si="mm/rad^2",
+        us="in/rad^2",
+        example="10 mm/rad^2",
+        about="a lift per cam angle squared",
+    )
+    CamJerk = Kind(
+        "lift per angle cubed",
+        "m/rad^3",
+        si="mm/rad^3",
+        us="in/rad^3",
+        example="20 mm/rad^3",
+        about="a lift per cam angle cubed",
+    )
     Frequency = Kind(
         "frequency", "Hz", si="Hz", us="Hz", low=0.0, example="50 Hz", about="events per time (not an angular velocity)"
     )

@@ -81,9 +81,9 @@ class Piece:
 
 
 class Law:
-    """A rise law: its name, its pieces in order, the places inside where a derivative jumps, whether its ends rest."""
+    """A rise law: its pieces in order, the places inside where a derivative jumps, whether its ends rest, and f(1)."""
 
-    __slots__ = ("breaks", "edges", "monotone", "name", "pieces", "rests")
+    __slots__ = ("breaks", "edges", "monotone", "name", "pieces", "rests", "total")
 
     def __init__(
         self,
@@ -93,12 +93,14 @@ class Law:
         *,
         monotone: bool = True,
         rests: tuple[bool, bool] = (True, True),
+        total: float = 1.0,
     ) -> None:
         self.name = name
         self.pieces = tuple(pieces)
         self.breaks = tuple(breaks)
         self.monotone = monotone
         self.rests = rests
+        self.total = total
         self.edges = [piece.high for piece in self.pieces[:-1]]
 
     def at(self, x: "Any", derivatives: int = 3, side: int = 1) -> "tuple[Any, ...]":
@@ -107,7 +109,7 @@ class Law:
             return self._over_array(x, derivatives, side)
         find = bisect_right if side > 0 else bisect_left
         piece = self.pieces[find(self.edges, x)]
-        return tuple(_upright(piece, (1.0 - x) if piece.far else x, derivatives))
+        return tuple(self.upright(piece, (1.0 - x) if piece.far else x, derivatives))
 
     def _over_array(self, x: "Any", derivatives: int, side: int) -> "tuple[Any, ...]":
         import numpy as np
@@ -118,16 +120,16 @@ class Law:
             here = which == index
             if here.any():
                 t = 1.0 - x[here] if piece.far else x[here]
-                for order, values in enumerate(_upright(piece, t, derivatives)):
+                for order, values in enumerate(self.upright(piece, t, derivatives)):
                     found[order][here] = values
         return tuple(found)
 
-
-def _upright(piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
-    found = piece.shape(t, derivatives)
-    if piece.far:
-        found = [1.0 - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
-    return found
+    def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
+        """f and its derivatives from one piece, t measured from the end that the piece is measured from."""
+        found = piece.shape(t, derivatives)
+        if piece.far:
+            found = [self.total - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
+        return found
 
 
 def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool = True) -> Law:
@@ -370,7 +372,7 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
     for piece in law.pieces:
         for x in (piece.low, *_turning(piece, order), piece.high):
             t = 1.0 - x if piece.far else x
-            found.append((x, _upright(piece, t, order)[order]))
+            found.append((x, law.upright(piece, t, order)[order]))
     return found
 
 
@@ -426,7 +428,7 @@ def jump(law: Law, x: float, order: int) -> float:
     if (x == 0.0 and not law.rests[0]) or (x == 1.0 and not law.rests[1]):
         return 0.0
     before = law.at(x, order, -1)[order] if x > 0.0 else 0.0
-    after = law.at(x, order, 1)[order] if x < 1.0 else 0.0 if order else 1.0
+    after = law.at(x, order, 1)[order] if x < 1.0 else 0.0 if order else law.total
     step = after - before
     scale = max(abs(value) for _, value in extremes(law, order))
     return step if abs(step) > 1e-12 * scale else 0.0

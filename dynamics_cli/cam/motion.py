@@ -58,6 +58,8 @@ class Span:
         How it goes from one to the other; None where the lift rests.
     name : str
         What it is called.
+    scale : float | None
+        Lift that the law's unit stands for; the difference of the ends when not given.
     """
 
     start: "Exact"
@@ -66,6 +68,7 @@ class Span:
     high: float
     law: "Law | None"
     name: str = ""
+    scale: float | None = None
 
 
 @record
@@ -102,7 +105,7 @@ class _Piece:
         self.sign = -1.0 if far else 1.0
         self.base = span.high if far else span.low
         self.law_piece = piece
-        rise = span.high - span.low
+        rise = span.high - span.low if span.scale is None else span.scale
         self.scales = [rise * self.sign]
         for order in range(1, 5):
             rise = rise / self.span
@@ -313,7 +316,8 @@ class Motion:
         for span in self.segments:
             ends = [span.low, span.high]
             if span.law is not None and not span.law.monotone:
-                ends += [span.low + (span.high - span.low) * f for _, f in extremes(span.law, 0)]
+                scale = span.high - span.low if span.scale is None else span.scale
+                ends += [span.low + scale * f for _, f in extremes(span.law, 0)]
             least, most = min(least, *ends), max(most, *ends)
         return least, most
 
