@@ -7,9 +7,9 @@ import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.followers import OscillatingFlat
-from dynamics_cli.cam.pieces import pieces, sample
+from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import Extremes, extremes, proxies
+from dynamics_cli.numerics.chebyshev import Extremes
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -63,10 +63,8 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     -----
     Chebyshev proxies on each piece of each law; see `numerics.chebyshev`.
     """
-    starts, ends = pieces(motion)
 
-    def functions(theta: "Any", piece: "Any") -> "Any":
-        s, s1, s2, _ = sample(motion, theta)
+    def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1)
         touch = geometry.touch(s, s1, s2)
         rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
@@ -76,7 +74,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     try:
         with np.errstate(all="ignore"):
-            made = proxies(functions, starts, ends)
+            made = over_pieces(motion, functions)
     except ValueError:
         require(
             False,
@@ -85,7 +83,8 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
             hint="raise the base radius",
         )
         raise
-    return Analysis(extremes(made, 0), extremes(made, 1), extremes(made, 2) if geometry.flat else None)
+    found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
+    return Analysis(found[0], found[1], found[2] if geometry.flat else None)
 
 
 def along_face(geometry: Geometry, touch: "Any") -> "Any":
@@ -154,13 +153,15 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
     """
     starts, ends = pieces(motion)
     parts = np.maximum(np.ceil((ends - starts) / (pi / 12.0)), 1.0).astype(int)
-    width = np.repeat((ends - starts) / parts, parts)
-    index = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
-    low = np.repeat(starts, parts) + index * width
+    owner = np.repeat(np.arange(parts.size), parts)
+    share = 1.0 / parts[owner]
+    index = np.arange(owner.size) - (np.cumsum(parts) - parts)[owner]
     nodes, weights = _gauss(GAUSS)
-    theta = (low + 0.5 * width)[:, None] + 0.5 * width[:, None] * nodes
-    weight = 0.5 * width[:, None] * weights
-    s, s1, s2, _ = sample(motion, theta)
+    place = (index[:, None] + 0.5 * (1.0 + nodes)) * share[:, None]
+    width = (ends - starts)[owner]
+    theta = starts[owner][:, None] + width[:, None] * place
+    weight = 0.5 * (width * share)[:, None] * weights
+    s, s1, s2 = within(motion, place, owner)
     check_speed(geometry, s1)
     touch = geometry.touch(s, s1, s2)
     (x, y), (nx, ny) = touch.point, touch.normal

@@ -11,6 +11,11 @@ from dynamics_cli.quantities import Angle, Coordinate, Size
 from dynamics_cli.records import Choice, record, tagged
 
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
 class Rotation(Choice):
     """Which way the cam turns."""
 
@@ -174,6 +179,18 @@ Follower = (
 OSCILLATING = (OscillatingRoller, OscillatingFlat, ConjugateOscillatingRoller)
 FLAT = (FlatFace, OscillatingFlat)
 MATES = (ConjugateRoller, ConjugateOscillatingRoller)
+
+
+def require_lift(motion: "Any", oscillating: bool) -> None:
+    """Refuse a lift that is an angle for a slide, and one that is a length for an arm."""
+    require(
+        bool(motion.swing) == oscillating,
+        "an arm's lift is an angle, and this program's lift is a length"
+        if oscillating
+        else "a sliding follower's lift is a length, and this program's lift is an angle",
+        code="lift-kind",
+        hint='write "rise 15 deg in 90 deg …" for an arm, "rise 20 mm in 90 deg …" for a slide',
+    )
 
 
 def roller_radius(follower: Follower) -> float:

@@ -4,9 +4,8 @@ import numpy as np
 
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
-from dynamics_cli.cam.pieces import pieces, sample
+from dynamics_cli.cam.pieces import over_pieces, pieces, sample, turning_places
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import extremes, proxies
 from dynamics_cli.numerics.intervals import Interval
 
 TYPE_CHECKING = False
@@ -26,24 +25,17 @@ class Path:
         self.away = away
         self.start_angle = start_angle
         self.starts, self.ends = pieces(motion)
-        jerks = proxies(lambda theta, piece: sample(motion, theta)[3][None], self.starts, self.ends)
-        # Markov on the Chebyshev coefficients: |s⁗| ≤ Σ k²|c_k|·2/length, on the piece the law has there
+        jerks = over_pieces(motion, lambda s, s1, s2, s3: s3[None], 3)
+        # on the Chebyshev coefficients: |s⁗| ≤ Σ k²|c_k|·2/length, on the piece the law has there
         k = np.arange(jerks.coefficients.shape[2])
         steep = (np.abs(jerks.coefficients[0]) @ (k * k) + 1024.0 * jerks.error[0]) * 2.0 / (jerks.ends - jerks.starts)
-        owner = np.searchsorted(self.starts, 0.5 * (jerks.starts + jerks.ends), side="right") - 1
         self.snap = np.zeros(self.starts.size)
-        np.maximum.at(self.snap, owner, steep)
-        self.still = np.array([self._still(a, b) for a, b in zip(self.starts, self.ends, strict=True)])
-
-    def _still(self, start: float, end: float) -> bool:
-        """Whether the follower dwells on a piece."""
-        theta = start + (end - start) * np.array([0.11, 0.23, 0.37, 0.5, 0.61, 0.79, 0.93])
-        _, s1, s2, s3 = sample(self.motion, theta)
-        return bool((s1 == 0.0).all() and (s2 == 0.0).all() and (s3 == 0.0).all())
+        np.maximum.at(self.snap, jerks.owner, steep / (self.ends - self.starts)[jerks.owner])
+        self.still = np.array([zone.dwell for zone in motion.zones])
 
     def at(self, theta: "Any") -> "tuple[Any, ...]":
         """Point, unit direction of travel and speed at cam angles."""
-        s, s1, s2, _ = sample(self.motion, theta)
+        s, s1, s2 = sample(self.motion, theta, 2)
         touch = self.geometry.touch(s, s1, s2)
         (x, y), (nx, ny) = touch.point, touch.normal
         g = touch.run + self.away * touch.spin
@@ -55,12 +47,11 @@ class Path:
     def require_regular(self) -> None:
         """Refuse a curve that stops or runs backwards: it cuts itself and no machine can follow it."""
 
-        def speed(theta: "Any", piece: "Any") -> "Any":
-            s, s1, s2, _ = sample(self.motion, theta)
+        def speed(s: "Any", s1: "Any", s2: "Any") -> "Any":
             touch = self.geometry.touch(s, s1, s2)
             return (touch.run + self.away * touch.spin)[None]
 
-        slowest, place = extremes(proxies(speed, self.starts, self.ends)).smallest()
+        slowest, place = turning_places(self.motion, over_pieces(self.motion, speed)).smallest()
         require(
             slowest > 0.0,
             "the curve is undercut: at a cam angle of {0:.6g} deg it runs backwards and cuts itself",

@@ -2,10 +2,10 @@
 
 from math import pi
 
-from dynamics_cli.cam.followers import Flank, Follower, Rotation
-from dynamics_cli.cam.program import Program
+from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
+from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Angle, Area, Coordinate, Count, Density, Inertia, Mass, Size
+from dynamics_cli.quantities import Angle, Area, Coordinate, Count, Density, Inertia, Mass, Size, Text
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
@@ -154,9 +154,10 @@ class CamProfile:
 
 
 def profile(
-    program: Program,
+    scene: Program,
     /,
     *,
+    program: Text = "",
     follower: Follower,
     rotation: Rotation = CCW,
     start_angle: Angle = 0.0,
@@ -175,8 +176,10 @@ def profile(
 
     Parameters
     ----------
-    program : Program
-        The motion of the follower over one turn of the cam.
+    scene : Program
+        The motion of the follower over one turn of the cam, from a file.
+    program : Text
+        The motion in one line, in place of a file.
     follower : Follower
         The follower and where it stands.
     rotation : Rotation
@@ -229,7 +232,7 @@ def profile(
 
     from dynamics_cli.cam.analysis import analyse, plate
     from dynamics_cli.cam.contact import Geometry
-    from dynamics_cli.cam.pieces import motion_of, sample
+    from dynamics_cli.cam.pieces import sample
 
     require(points >= 4, "{0} points make no curve", points, code="few-points", hint="at least 4")
     require(points <= MANY, "{0} points are more than a document holds", points, code="many-points")
@@ -240,11 +243,12 @@ def profile(
         hint="give both, or neither",
     )
     geometry = Geometry(follower, rotation, flank)
-    motion = motion_of(program, geometry)
+    motion = motion_of(scene, program)
+    require_lift(motion, geometry.oscillating)
     found = analyse(geometry, motion)
     body = plate(geometry, motion, start_angle)
     theta = np.arange(points) * (2.0 * pi / points)
-    s, s1, s2, _ = sample(motion, theta)
+    s, s1, s2 = sample(motion, theta, 2)
     touch = geometry.touch(s, s1, s2)
     columns = table(geometry, touch, theta, start_angle, cutter_radius or 0.0)
     weight = None if thickness is None or density is None else thickness * density

@@ -2,8 +2,8 @@
 
 from math import pi
 
-from dynamics_cli.cam.followers import Rotation
-from dynamics_cli.cam.program import Program
+from dynamics_cli.cam.followers import Rotation, require_lift
+from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record, tagged
@@ -124,9 +124,10 @@ class CamSize:
 
 
 def size(
-    program: Program,
+    scene: Program,
     /,
     *,
+    program: Text = "",
     follower: Wanted,
     rise_limit: Angle = 30.0 * DEGREE,
     return_limit: Angle = 30.0 * DEGREE,
@@ -143,8 +144,10 @@ def size(
 
     Parameters
     ----------
-    program : Program
-        The motion of the follower over one turn of the cam.
+    scene : Program
+        The motion of the follower over one turn of the cam, from a file.
+    program : Text
+        The motion in one line, in place of a file.
     follower : Wanted
         The follower; its base circle, and the offset if not given, are what is found.
     rise_limit : Angle
@@ -191,11 +194,14 @@ def size(
         )
     from dynamics_cli.cam.sizing import size_arm, size_flat, size_slide
 
+    motion = motion_of(scene, program)
+    require_lift(motion, isinstance(follower, OscillatingRoller))
+
     if isinstance(follower, FlatFace):
-        return size_flat(program, follower, least_radius or 0.0, rotation)
+        return size_flat(motion, follower, least_radius or 0.0, rotation)
     if isinstance(follower, OscillatingRoller):
-        return size_arm(program, follower, (rise_limit, return_limit), least_radius, rotation)
-    return size_slide(program, follower, (rise_limit, return_limit), least_radius, rotation)
+        return size_arm(motion, follower, (rise_limit, return_limit), least_radius, rotation)
+    return size_slide(motion, follower, (rise_limit, return_limit), least_radius, rotation)
 
 
 def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[float, float, str]:

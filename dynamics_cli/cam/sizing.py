@@ -7,10 +7,9 @@ import numpy as np
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.pieces import motion_of, pieces, sample
+from dynamics_cli.cam.pieces import over_pieces, turning_places, within
 from dynamics_cli.cam.profile import convex
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import extremes, proxies
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
 TYPE_CHECKING = False
@@ -25,21 +24,14 @@ GOLDEN = 0.5 * (sqrt(5.0) - 1.0)
 
 def _extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Any]":
     """Certified extremes of functions of s, s′, s″."""
-    starts, ends = pieces(motion)
-
-    def together(theta: "Any", piece: "Any") -> "Any":
-        s, s1, s2, _ = sample(motion, theta)
-        return np.stack([function(s, s1, s2) for function in functions])
-
-    made = proxies(together, starts, ends)
-    return [extremes(made, index) for index in range(len(functions))]
+    made = over_pieces(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions]))
+    return [turning_places(motion, made, index) for index in range(len(functions))]
 
 
-def size_flat(program: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:
+def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:
     """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
-    motion = motion_of(program, None)
     both, lift, speed = _extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s, lambda s, s1, s2: s1)
-    low, place = both.smallest()
+    low, _ = both.smallest()
     base = least_radius - low
     # a base circle has no negative radius, and the lowest face stays above the axis
     floor = max(0.0, -lift.smallest()[0])
@@ -70,10 +62,9 @@ def _no_limit(least_radius: float) -> tuple[Advice, ...]:
 
 
 def size_slide(
-    program: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
+    motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
 ) -> size.CamSize:
     """Base circle and offset of a slide: the apex or a foot of the limits' wedge, raised where curvature binds."""
-    motion = motion_of(program, None)
     turn = -1.0 if rotation == "clockwise" else 1.0
     roller = getattr(follower, "roller_radius", 0.0)
     c1, c2 = (1.0 / tan(limit) for limit in limits)
@@ -157,10 +148,9 @@ def _rough_height(motion: "Any", e: float, wanted: float, turn: float) -> float:
 
     At each angle the largest root in X of w³ = ρ(w² + Y s′ − X s″), Y = s′ − e, as (w²)³ = ρ²(…)².
     """
-    starts, ends = pieces(motion)
-    nodes = np.sin(0.5 * np.pi * (np.arange(49) / 24.0 - 1.0)) * (1.0 - 1e-9)
-    theta = 0.5 * (starts + ends)[:, None] + 0.5 * (ends - starts)[:, None] * nodes
-    s, s1, s2, _ = (part.ravel() for part in sample(motion, theta))
+    nodes = 0.5 + 0.5 * np.sin(0.5 * np.pi * (np.arange(49) / 24.0 - 1.0))
+    count = len(motion.zones)
+    s, s1, s2 = (part.ravel() for part in within(motion, np.tile(nodes, (count, 1)), np.arange(count)))
     s1 = turn * s1
     y = s1 - e
     # D = X² − s″X + q; the polynomial in X of degree 6, largest coefficient one
@@ -213,12 +203,11 @@ def _search(cost: "Callable[[float], float]", reach: float) -> float:
 
 
 def size_arm(
-    program: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
+    motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
 ) -> size.CamSize:
     """Base circle of a rocker: the least angle of the arm that keeps both limits, in closed form at every cam angle."""
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     require(arm > 0.0 and pivot > 0.0, "an arm and its pivot distance are above zero", code="no-triangle")
-    motion = motion_of(program, followers.OSCILLATING)
     turn = -1.0 if rotation == "clockwise" else 1.0
     # positive pressure angles of a clockwise cam are negative ones of its mirror image
     up, down = limits if turn > 0.0 else limits[::-1]

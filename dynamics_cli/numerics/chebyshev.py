@@ -32,6 +32,8 @@ class Proxies:
 
     Parameters
     ----------
+    owner : array of m
+        The given piece that each lies in.
     starts, ends : array of m
         The pieces, in order.
     coefficients : array (q, m, COUNT)
@@ -40,6 +42,7 @@ class Proxies:
         What the coefficients left out may come to.
     """
 
+    owner: "Any"
     starts: "Any"
     ends: "Any"
     coefficients: "Any"
@@ -52,6 +55,8 @@ class Extremes:
 
     Parameters
     ----------
+    owner : array
+        The given piece each place lies in.
     places : array
         Where.
     values : array
@@ -62,6 +67,7 @@ class Extremes:
         Bound of what the proxies leave out, added to a rounding of the values.
     """
 
+    owner: "Any"
     places: "Any"
     values: "Any"
     inside: "Any"
@@ -106,7 +112,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     function : callable
         Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
     starts, ends : array
-        The pieces; the functions are smooth inside each.
+        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
     depth : int
         How often a piece may be halved.
 
@@ -136,7 +142,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
     before: Any = np.inf
-    done: list[tuple[Any, Any, Any, Any]] = []
+    done: list[tuple[Any, Any, Any, Any, Any]] = []
     for level in range(depth + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         values = function(middle[:, None] + half[:, None] * nodes, origin)
@@ -148,7 +154,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
         worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
         hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
         good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
-        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good]))
+        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
         if good.all():
             break
         bad = ~good
@@ -157,8 +163,10 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
         origin = np.concatenate((origin[bad], origin[bad]))
         before = np.concatenate((worst[bad], worst[bad]))
     all_low = np.concatenate([part[0] for part in done])
-    order = np.argsort(all_low, kind="stable")
+    owner = np.concatenate([part[4] for part in done])
+    order = np.lexsort((all_low, owner))
     return Proxies(
+        owner[order],
         all_low[order],
         np.concatenate([part[1] for part in done])[order],
         np.concatenate([part[2] for part in done], axis=1)[:, order],
@@ -248,9 +256,10 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
-    order = np.argsort(places, kind="stable")
+    owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
+    order = np.lexsort((places, owners))
     return Extremes(
-        places[order], values[order], inside[order],
+        owners[order], places[order], values[order], inside[order],
         float(np.max(made.error[which] + 16 * 2.0**-53 * scale)),
     )  # fmt: skip
 
