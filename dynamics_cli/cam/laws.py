@@ -411,7 +411,7 @@ def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low
 
 
 def peak(law: Law, order: int) -> tuple[float, float]:
-    """The greatest magnitude of that derivative and the first place of it; infinite where the one before it jumps."""
+    """Greatest magnitude of that derivative and the first place of it; infinite where the one before it jumps."""
     values = extremes(law, order)
     top = max(abs(value) for _, value in values)
     # Equal peaks differ in their last bits; the first of them is named.
@@ -430,5 +430,15 @@ def jump(law: Law, x: float, order: int) -> float:
     before = law.at(x, order, -1)[order] if x > 0.0 else 0.0
     after = law.at(x, order, 1)[order] if x < 1.0 else 0.0 if order else law.total
     step = after - before
-    scale = max(abs(value) for _, value in extremes(law, order))
-    return step if abs(step) > 1e-12 * scale else 0.0
+    # The size of a derivative is that of its values, or of the one below over a short step where it nearly vanishes.
+    scale = max(abs(law.at(i / 32.0, order)[order]) for i in range(33))
+    return step if abs(step) > 1e-11 * scale else 0.0
+
+
+def continuity(law: Law) -> "tuple[int, float | None]":
+    """The order of the highest derivative (to 4) that is continuous with all below it, and where the next first jumps."""
+    for order in range(5):
+        for x in (0.0, *law.breaks, 1.0):
+            if jump(law, x, order):
+                return order - 1, x
+    return 4, None

@@ -1,5 +1,50 @@
 """Tasks of `dynamics cam`: motion."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
 
-TASKS: "tuple[Task, ...]" = ()
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 16"
+HERE = "dynamics_cli.cam."
+
+LAWS = Task(
+    "laws",
+    "Rise laws, their peak factors and where they occur, and how smooth they are.",
+    Model(
+        "normalised rise laws",
+        HERE + "rises:laws",
+        source=BOOK + ", sections 16.9 and 16.11 to 16.14; laws and names of VDI 2143 as commonly published",
+        formula="v = C_v·h/β, a = C_a·h/β², j = C_j·h/β³",
+        assumptions=("the rise goes from rest to rest, half rises from rest to full speed",),
+    ),
+    examples=(
+        "dynamics cam laws",
+        "dynamics cam laws --law bestehorn",
+        'dynamics cam laws --law scca --shares "0.2, 0.5, 0.3"',
+        'dynamics cam laws --law polynomial --condition "place=0, lift=0, velocity=0, acceleration=0" '
+        '--condition "place=0.5, lift=0.6" --condition "place=1, lift=1, velocity=0, acceleration=0"',
+    ),
+    table="laws",
+    arrays=False,
+    tracked=False,
+)
+
+RISE = Task(
+    "rise",
+    "Lift, velocity, acceleration and jerk of one rise, per radian and in time.",
+    Model(
+        "rise law",
+        HERE + "rises:rise",
+        source=BOOK + ", sections 16.9 and 16.11 to 16.14",
+        formula="s = {lift|h}·f(θ/{span|β}), ds/dθ = ({lift|h}/{span|β})·f′, ω = {shaft_speed|ω}",
+        assumptions=("the cam shaft turns at a constant speed",),
+    ),
+    examples=(
+        'dynamics cam rise --law cycloidal --lift "20 mm" --span "90 deg" --at "30 deg"',
+        'dynamics cam rise --law modified-sine --lift "0.5 in" --span "120 deg" --shaft-speed "1200 rpm" --units us',
+        'dynamics cam rise --law 3-4-5 --lift "8 mm" --span "60 deg" --at "0, 15, 30, 45, 60 deg" --falling',
+    ),
+    table="points",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (LAWS, RISE)
