@@ -6,7 +6,7 @@ both keep their digits; `breaks` are the places inside where some derivative jum
 """
 
 from bisect import bisect_left, bisect_right
-from math import inf, pi
+from math import pi
 
 from dynamics_cli.cam.shapes import Beta, EndOfDoubleHarmonic, FourthPowerOfSine, Mixed
 from dynamics_cli.errors import require
@@ -83,7 +83,7 @@ class Piece:
 class Law:
     """A rise law: its pieces in order, the places inside where a derivative jumps, whether its ends rest, and f(1)."""
 
-    __slots__ = ("breaks", "edges", "monotone", "name", "pieces", "rests", "total")
+    __slots__ = ("breaks", "edges", "extremes", "monotone", "name", "pieces", "rests", "total")
 
     def __init__(
         self,
@@ -101,6 +101,7 @@ class Law:
         self.monotone = monotone
         self.rests = rests
         self.total = total
+        self.extremes: dict[int, list[tuple[float, float]]] = {}
         self.edges = [piece.high for piece in self.pieces[:-1]]
 
     def at(self, x: "Any", derivatives: int = 3, side: int = 1) -> "tuple[Any, ...]":
@@ -346,99 +347,3 @@ def law_named(
     if name not in _made:
         _made[name] = _MAKERS[name]()
     return _made[name]
-
-
-def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
-    """(x, value) of every stationary point and one-sided end of that derivative (0 to 3), piece by piece.
-
-    Parameters
-    ----------
-    law : Law
-        The law.
-    order : int
-        Which derivative: 0 for f, 3 for jerk.
-
-    Returns
-    -------
-    list of (float, float)
-        Places and values; a jump gives two values at one place.
-
-    Notes
-    -----
-    Sign changes of the next derivative on 65 points a piece, bisected to the last bit: a pair of stationary points
-    closer than that can only differ from their neighbours by the square of the step.
-    """
-    found = []
-    for piece in law.pieces:
-        for x in (piece.low, *_turning(piece, order), piece.high):
-            t = 1.0 - x if piece.far else x
-            found.append((x, law.upright(piece, t, order)[order]))
-    return found
-
-
-def _turning(piece: Piece, order: int) -> "list[float]":
-    def slope(x: float) -> float:
-        return piece.shape(1.0 - x if piece.far else x, order + 1)[order + 1]  # type: ignore[no-any-return]
-
-    width = piece.high - piece.low
-    grid = [piece.low + width * i / 64.0 for i in range(65)]
-    values = [slope(x) for x in grid]
-    found = []
-    for low, high, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
-        if a == 0.0 and low > piece.low:
-            found.append(low)
-        elif a * b < 0.0:
-            found.append(_settled(piece, order, _bisected(slope, low, high, a)))
-    return found
-
-
-def _settled(piece: Piece, order: int, x: float) -> float:
-    """The plain fraction beside x, where the curve is too flat for bisection to find it."""
-    plain = round(x * 64.0) / 64.0
-    there, here = (piece.shape(1.0 - y if piece.far else y, order)[order] for y in (plain, x))
-    return plain if abs(plain - x) < 1e-3 and abs(there - here) <= 4e-16 * abs(here) else x
-
-
-def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low: float) -> float:
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return low
-        if (slope(middle) < 0.0) == (at_low < 0.0):
-            low = middle
-        else:
-            high = middle
-
-
-def peak(law: Law, order: int) -> tuple[float, float]:
-    """Greatest magnitude of that derivative and the first place of it; infinite where the one before it jumps."""
-    values = extremes(law, order)
-    top = max(abs(value) for _, value in values)
-    # Equal peaks differ in their last bits; the first of them is named.
-    place = next(x for x, value in values if abs(value) >= top * (1.0 - 1e-12))
-    if order:
-        for x in (0.0, *law.breaks, 1.0):
-            if jump(law, x, order - 1):
-                return inf, x
-    return top, place
-
-
-def jump(law: Law, x: float, order: int) -> float:
-    """How much that derivative jumps at x, at ends that rest from rest; zero where it only rounds."""
-    if (x == 0.0 and not law.rests[0]) or (x == 1.0 and not law.rests[1]):
-        return 0.0
-    before = law.at(x, order, -1)[order] if x > 0.0 else 0.0
-    after = law.at(x, order, 1)[order] if x < 1.0 else 0.0 if order else law.total
-    step = after - before
-    # The size of a derivative is that of its values, or of the one below over a short step where it nearly vanishes.
-    scale = max(abs(law.at(i / 32.0, order)[order]) for i in range(33))
-    return step if abs(step) > 1e-11 * scale else 0.0
-
-
-def continuity(law: Law) -> "tuple[int, float | None]":
-    """The order of the highest derivative (to 4) that is continuous with all below it, and where the next first jumps."""
-    for order in range(5):
-        for x in (0.0, *law.breaks, 1.0):
-            if jump(law, x, order):
-                return order - 1, x
-    return 4, None

@@ -19,7 +19,8 @@ and calls `motion = motion_of(scene, program)` (both from `dynamics_cli.cam.prog
 from bisect import bisect_left, bisect_right
 from math import floor, inf
 
-from dynamics_cli.cam.laws import Law, extremes
+from dynamics_cli.cam.laws import Law
+from dynamics_cli.cam.peaks import extremes
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False

@@ -2,7 +2,8 @@
 
 from math import inf
 
-from dynamics_cli.cam.laws import Law, LawName, continuity, extremes, jump, law_named, peak
+from dynamics_cli.cam.laws import Law, LawName, law_named
+from dynamics_cli.cam.peaks import continuity, extremes, peak
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
     Acceleration,
