@@ -60,12 +60,12 @@ def drawn(
     points = _joints(path)
     size = float(np.abs(points).max())
     require(
-        tolerance >= 1e-13 * size,
+        tolerance >= 2e-12 * size,
         "a tolerance of {0:.3g} m is below the rounding of coordinates of {1:.3g} m",
         tolerance,
         size,
         code="too-fine",
-        hint=f"at least {1e-12 * size:.1g} m",
+        hint=f"at least {2e-12 * size:.2g} m",
     )
     aim = FIT * tolerance
     for _ in range(TRIES):

@@ -20,8 +20,8 @@ SHARE = 0.02
 MOST_CELLS = 4_000_000
 BLOCK = 65_536
 FINER = 4
-# Rounding of coordinates, trigonometric functions and distances, in units of the largest coordinate.
-ROUNDING = 64.0 * 2.0**-53
+# Rounding of coordinates and distances, and joints taken a hair inside their pieces, by the largest coordinate.
+ROUNDING = 4096.0 * 2.0**-53
 
 
 def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, points: "Any", tolerance: float) -> "Any":

@@ -25,10 +25,11 @@ def polar(made: "CamExport") -> str:
         "; exact points of the curve: cam angle [deg], polar angle [deg], radius [mm]",
         f"; {len(made.points)} points",
     ]
-    for angle, polar_angle, radius in zip(
-        arrays["cam_angle"].tolist(), arrays["polar_angle"].tolist(), arrays["radius"].tolist(), strict=True
+    turn = 360.0 / len(made.points)
+    for number, (angle, radius) in enumerate(
+        zip(arrays["polar_angle"].tolist(), arrays["radius"].tolist(), strict=True)
     ):
-        lines.append(f"{degrees(angle):.9f} {degrees(polar_angle):.9f} {1e3 * radius:.9f}")
+        lines.append(f"{number * turn:.9f} {degrees(angle):.9f} {1e3 * radius:.9f}")
     return "\n".join(lines) + "\n"
 
 
@@ -39,13 +40,13 @@ def _rows(made: "CamExport") -> "tuple[list[tuple[float, float, float, float]], 
     else:
         columns, key, scale, unit = made.swings.arrays, "swing", degrees(1.0), "deg"  # type: ignore[union-attr]
     per = degrees(1.0)
+    last = len(columns["cam_angle"]) - 1
     rows = [
-        (degrees(angle), scale * lift, scale * velocity / per, scale * acceleration / (per * per))
-        for angle, lift, velocity, acceleration in zip(
-            columns["cam_angle"].tolist(), columns[key].tolist(), columns["velocity"].tolist(),
-            columns["acceleration"].tolist(), strict=True,
+        (360.0 * number / last, scale * lift, scale * velocity / per, scale * acceleration / (per * per))
+        for number, (lift, velocity, acceleration) in enumerate(
+            zip(columns[key].tolist(), columns["velocity"].tolist(), columns["acceleration"].tolist(), strict=True)
         )
-    ]  # fmt: skip
+    ]
     return rows, unit
 
 

@@ -56,6 +56,30 @@ SIZE = Task(
     tracked=False,
 )
 
+CHECK = Task(
+    "check",
+    "Certified verdicts: undercut and the lift it costs, pressure angle, curvature, face width, jump.",
+    Model(
+        "certified extremes",
+        HERE + "check:check",
+        source=BOOK,
+        formula="undercut where w·(1 − R_r·κ) ≤ 0; lift lost = s − (lift resting on the corner left); "
+        "ω² = min k·(s + δ)/(−m·s″)",
+        assumptions=(RADIAL, RIGID),
+        method="Chebyshev proxies; Newton for the corner",
+    ),
+    examples=(
+        f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
+        '--least-radius "10 mm"',
+        'dynamics cam check --program "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell" '
+        '--follower roller --base-radius "15 mm" --roller-radius "15 mm"',
+        f'dynamics cam check --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --face-width "25 mm" '
+        '--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N" --speed "1500 rpm"',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
 EXPORT = Task(
     "export",
     "The cam as arcs, splines or points for a machine, with a proved deviation from the exact curve.",
@@ -83,4 +107,4 @@ EXPORT = Task(
     },
 )
 
-TASKS: "tuple[Task, ...]" = (PROFILE, SIZE, EXPORT)
+TASKS: "tuple[Task, ...]" = (PROFILE, SIZE, CHECK, EXPORT)
