@@ -131,6 +131,9 @@ if TYPE_CHECKING:
     CamVelocity = float
     CamAcceleration = float
     CamJerk = float
+    SwingVelocity = float
+    SwingAcceleration = float
+    SwingJerk = float
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
@@ -252,6 +255,11 @@ else:
         example="20 mm/rad^3",
         about="a lift per cam angle cubed",
     )
+    SwingVelocity = Kind("angle per angle", "", example="0.3", about="an arm's angle per cam angle")
+    SwingAcceleration = Kind(
+        "angle per angle squared", "1/rad", example="0.5 1/rad", about="an arm's angle per cam angle squared"
+    )
+    SwingJerk = Kind("angle per angle cubed", "1/rad^2", example="2 1/rad^2", about="an arm's angle per cam angle cubed")
     Frequency = Kind(
         "frequency", "Hz", si="Hz", us="Hz", low=0.0, example="50 Hz", about="events per time (not an angular velocity)"
     )

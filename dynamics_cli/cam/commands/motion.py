@@ -47,4 +47,28 @@ RISE = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (LAWS, RISE)
+LINE = '--program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"'
+
+MOTION = Task(
+    "motion",
+    "A whole revolution of cam motion: extremes, continuity at every joint, and the table of s, v, a, j.",
+    Model(
+        "segments joined over one turn",
+        HERE + "revolution:motion",
+        source=BOOK + ", sections 16.9 to 16.14 (singularity functions: 16.10)",
+        formula="s(θ) = s_i + h_i·f_i((θ − θ_i)/β_i)",
+        assumptions=("the follower follows", "the cam shaft turns at a constant speed"),
+    ),
+    examples=(
+        f"dynamics cam motion {LINE}",
+        "dynamics cam motion examples/cam.toml --shaft-speed '1000 rpm' --count 13",
+        'dynamics cam motion --program "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell" '
+        "--singularity --units us",
+        'dynamics cam motion --program "rise 20 deg in 120 deg modified sine; dwell 60 deg; return in 180 deg" --count 7',
+    ),
+    table="table",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (LAWS, RISE, MOTION)
