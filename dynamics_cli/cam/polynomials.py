@@ -141,8 +141,8 @@ def spline(points: "Sequence[tuple[float, float]]", start_slope: float, end_slop
 
     Examples
     --------
-    >>> [round(value, 6) for value in spline([(0.0, 0.0), (0.5, 0.5), (1.0, 1.0)], 0.0, 0.0).at(0.5)[:3]]
-    [0.5, 1.5, 0.0]
+    >>> [round(value, 6) for value in spline([(0.0, 0.0), (0.5, 0.5), (1.0, 1.0)], 0.0, 0.0).at(0.25)[:3]]
+    [0.15625, 1.125, 3.0]
     """
     places = [x for x, _ in points]
     require(

@@ -71,4 +71,28 @@ MOTION = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (LAWS, RISE, MOTION)
+FORCE = Task(
+    "force",
+    "Contact force, torque, jump speed, Hertz stress, spring surge and valve durations of a spring-loaded follower.",
+    Model(
+        "rigid follower on a spring",
+        HERE + "forces:force",
+        source="Newton's law along the follower's way; Hertz's line contact; motion: " + BOOK,
+        formula="F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, "
+        "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
+        assumptions=("the follower's train is rigid and without friction", "the cam shaft turns at a constant speed"),
+        method="closed-form motion, extremes refined on each zone",
+    ),
+    examples=(
+        f'dynamics cam force {LINE} --shaft-speed "600 rpm" --mass "0.5 kg" --spring-rate "5 N/mm" --preload "60 N"',
+        f'dynamics cam force {LINE} --shaft-speed "400 rpm" --mass "1 lb" --spring-rate "30 lbf/in" --preload "20 lbf" '
+        '--contact-base-radius "40 mm" --contact-roller-radius "10 mm" --contact-width "12 mm" --spring-mass "0.1 kg"',
+        'dynamics cam force --program "rise 9 mm in 65 deg 4-5-6-7; return in 65 deg 4-5-6-7; dwell" '
+        '--shaft-speed "3000 rpm" --mass "0.25 kg" --spring-rate "40 N/mm" --preload "300 N" --lash "0.2 mm"',
+    ),
+    table="table",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (LAWS, RISE, MOTION, FORCE)
