@@ -506,7 +506,7 @@ def _advice(
                 f"the force falls to {low.value:.6g} N at {low.at * 180.0 / pi:.6g} deg: the follower leaves the cam",
                 "serious",
                 f"raise the preload to {preload - low.value:.6g} N"
-                + (f", or stay below {jump.value * 30.0 / pi:.6g} rpm" if jump else ""),
+                + (f", or stay below {jump.value * 30.0 / pi:.6g} rpm" if jump and jump.value else ""),
             )
         )
     elif jump is not None and jump.value < 1.2 * omega:

@@ -69,15 +69,23 @@ class LawName(Choice):
 
 
 class Piece:
-    """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x."""
+    """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x. `ends` are those of the shape's own coordinate."""
 
-    __slots__ = ("far", "high", "low", "shape")
+    __slots__ = ("ends", "far", "high", "low", "shape")
 
-    def __init__(self, low: float, high: float, far: bool, shape: "Callable[[Any, int], list[Any]]") -> None:
+    def __init__(
+        self,
+        low: float,
+        high: float,
+        far: bool,
+        shape: "Callable[[Any, int], list[Any]]",
+        ends: "tuple[float, float] | None" = None,
+    ) -> None:
         self.low = low
         self.high = high
         self.far = far
         self.shape = shape
+        self.ends = ends or ((1.0 - high, 1.0 - low) if far else (low, high))
 
 
 class Law:
@@ -141,7 +149,10 @@ def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool 
         if high > low:
             pieces.append(Piece(low, high, False, shape))
             low = high
-    pieces += [Piece(1.0 - piece.high, 1.0 - piece.low, True, piece.shape) for piece in reversed(pieces)]
+    pieces += [
+        Piece(1.0 - piece.high, 1.0 - piece.low, True, piece.shape, (piece.low, piece.high))
+        for piece in reversed(pieces)
+    ]
     breaks = [piece.high for piece in pieces[:-1] if not (smooth and piece.high == 0.5)]
     return Law(name, pieces, breaks)
 

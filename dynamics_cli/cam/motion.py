@@ -34,6 +34,8 @@ _PI_SCALE = 10**50
 TURN = 6.283185307179586
 _TURN_LOW = 2.4492935982947064e-16
 
+BLOCK = 8192
+
 Exact = tuple[int, int]
 
 
@@ -121,13 +123,23 @@ class _Piece:
         t[away == 0.0] = 0.0
         return t
 
+    def local_of_sorted(self, theta: "Any") -> "Any":
+        """The same for angles in order, of which only the first or the last can be the origin."""
+        t = (theta - self.origin - self.origin_low) * (self.sign / self.span)
+        if theta[0] == self.origin:
+            t[: theta.searchsorted(self.origin, side="right")] = 0.0
+        elif theta[-1] == self.origin:
+            t[theta.searchsorted(self.origin) :] = 0.0
+        return t
+
     def give(self, t: "Any", derivatives: int) -> "list[Any]":
         """Lift and derivatives per radian."""
         if self.law_piece is None:
             still = 0.0 * t
             return [still + self.base] + [still] * derivatives
         found = self.law_piece.shape(t, derivatives)
-        out = [self.base + self.scales[0] * found[0]]
+        lift = self.scales[0] * found[0]
+        out = [self.base + lift if self.base else lift]
         out.extend(self.scales[order] * found[order] for order in range(1, derivatives + 1))
         return out
 
@@ -189,8 +201,7 @@ class Motion:
                 low, inside = self._edges[-1], []
             inside.append(len(self._pieces))
             self._pieces.append(made)
-            far = 1.0 - piece.high
-            edge = end - far * made.span if piece.far else start + piece.high * made.span
+            edge = end - piece.ends[0] * made.span if piece.far else start + piece.high * made.span
             self._edges.append(end if piece.high == 1.0 else edge)
         zones.append(Zone(low, end, index, False))
         self._zone_pieces.append(inside)
@@ -254,25 +265,41 @@ class Motion:
         import numpy as np
 
         given = np.asarray(theta, dtype=float)
-        angle = self.wrapped(given.ravel(), side)
+        angle = given.ravel()
         if self._edge_array is None:
             self._edge_array = np.array(self._edges)
         out = np.empty((derivatives + 1, angle.size))
-        if angle.size < 2 or bool((angle[1:] >= angle[:-1]).all()):
-            cuts = np.searchsorted(angle, self._edge_array, side="left" if side > 0 else "right")
-            bounds = [0, *cuts.tolist(), angle.size]
-            parts: Any = (
-                (piece, slice(low, high))
-                for piece, low, high in zip(self._pieces, bounds, bounds[1:], strict=False)
-                if high > low
-            )
-        else:
-            which = np.searchsorted(self._edge_array, angle, side="right" if side > 0 else "left")
-            parts = ((self._pieces[index], which == index) for index in np.unique(which).tolist())
-        for piece, part in parts:
+        first, last = self.joints[0], self.joints[-1]
+        if not angle.size:
+            return tuple(row.reshape(given.shape) for row in out)
+        if bool((angle[1:] >= angle[:-1]).all()) and first <= angle[0] and angle[-1] <= last:
+            self._over_sorted(angle, derivatives, side, out)
+            # The end of the turn is its start, seen from the other side.
+            end = slice(angle.searchsorted(last), None) if side > 0 else slice(angle.searchsorted(first, side="right"))
+            if out[0, end].size:
+                out[:, end] = np.reshape(self.at(first if side > 0 else last, derivatives, side), (-1, 1))
+            return tuple(row.reshape(given.shape) for row in out)
+        angle = self.wrapped(angle, side)
+        which = np.searchsorted(self._edge_array, angle, side="right" if side > 0 else "left")
+        for index in np.unique(which).tolist():
+            piece, part = self._pieces[index], which == index
             for order, values in enumerate(piece.give(piece.local(angle[part]), derivatives)):
                 out[order, part] = values
         return tuple(row.reshape(given.shape) for row in out)
+
+    def _over_sorted(self, angle: "Any", derivatives: int, side: int, out: "Any") -> None:
+        """Piece by piece, in blocks that stay in the cache."""
+        cuts = angle.searchsorted(self._edge_array, side="left" if side > 0 else "right")
+        bounds = [0, *cuts.tolist(), angle.size]
+        for piece, start, stop in zip(self._pieces, bounds, bounds[1:], strict=False):
+            if piece.law_piece is None:
+                out[0, start:stop] = piece.base
+                out[1:, start:stop] = 0.0
+                continue
+            for low in range(start, stop, BLOCK):
+                part = slice(low, min(low + BLOCK, stop))
+                for order, values in enumerate(piece.give(piece.local_of_sorted(angle[part]), derivatives)):
+                    out[order, part] = values
 
     def in_zone(self, index: int, t: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
         """Lift and derivatives per radian at local coordinates 0 ≤ t ≤ 1 of a zone.

@@ -40,7 +40,7 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
     turned: dict[tuple[int, float], list[float]] = {}
     for piece in law.pieces:
         # Measured from its own end, a piece and its mirror image turn at the same places.
-        ends = (1.0 - piece.high, 1.0 - piece.low) if piece.far else (piece.low, piece.high)
+        ends = piece.ends
         key = (id(piece.shape), ends[0])
         if key not in turned:
             turned[key] = _turning(piece, order, *ends, 16 if law.monotone else 64)
@@ -99,12 +99,18 @@ def jump(law: Law, x: float, order: int) -> float:
     """How much that derivative jumps at x, at ends that rest from rest; zero where it only rounds."""
     if (x == 0.0 and not law.rests[0]) or (x == 1.0 and not law.rests[1]):
         return 0.0
-    before = law.at(x, order, -1)[order] if x > 0.0 else 0.0
-    after = law.at(x, order, 1)[order] if x < 1.0 else 0.0 if order else law.total
+    before = 0.0 if x == 0.0 else _at_end(law, next(piece for piece in law.pieces if piece.high == x), order, 1)
+    rest = 0.0 if order else law.total
+    after = rest if x == 1.0 else _at_end(law, next(piece for piece in law.pieces if piece.low == x), order, 0)
     step = after - before
     # The size of a derivative is that of its values, or of the one below over a short step where it nearly vanishes.
     scale = max(abs(law.at(i / 32.0, order)[order]) for i in range(33))
     return step if abs(step) > 1e-11 * scale else 0.0
+
+
+def _at_end(law: Law, piece: Piece, order: int, which: int) -> float:
+    """A derivative at the lower (0) or upper (1) end of a piece, by the coordinate the piece is measured in."""
+    return law.upright(piece, piece.ends[which ^ piece.far], order)[order]  # type: ignore[no-any-return]
 
 
 def continuity(law: Law) -> "tuple[int, float | None]":

@@ -277,10 +277,11 @@ def _checks(law: Law) -> "tuple[Check, ...]":
     area = [0.0, 0.0]
     size = 0.0
     for piece in law.pieces:
-        half = 0.5 * (piece.high - piece.low)
+        start, end = piece.ends
+        half = 0.5 * (end - start)
         for node, weight in GAUSS:
-            for x in (piece.low + half * (1.0 - node), piece.low + half * (1.0 + node)):
-                found = law.at(x, 2)
+            for t in (start + half * (1.0 - node), start + half * (1.0 + node)):
+                found = law.upright(piece, t, 2)
                 area = [area[0] + weight * half * found[1], area[1] + weight * half * found[2]]
                 size += weight * half * abs(found[2])
     gain = law.at(1.0, 1, -1)[1] - law.at(0.0, 1)[1]

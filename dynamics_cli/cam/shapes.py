@@ -24,40 +24,54 @@ def _series(u: "Any") -> "Any":
     return u * square / 6.0 * total
 
 
-def u_minus_sine(u: "Any") -> "Any":
-    """u − sin u to a few roundings also where u is small."""
+def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
+    """u − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
     if type(u) is float:
-        return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - math.sin(u)
+        return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
     import numpy as np
 
-    direct = u - np.sin(u)
-    small = np.abs(u) < _SERIES_BELOW
-    if small.any():
+    if not u.size or u.max() < _SERIES_BELOW:
+        return _series(u)
+    direct = u - (np.sin(u) if sine is None else sine)
+    if u.min() < _SERIES_BELOW:
+        small = u < _SERIES_BELOW
         direct[small] = _series(u[small])
     return direct
 
 
-def _wave(order: int, u: "Any") -> "Any":
-    """The derivative of that order of u − sin u."""
-    if order == 0:
-        return u_minus_sine(u)
+def _waves(u: "Any", first: int, last: int) -> "list[Any]":
+    """The derivatives of u − sin u from one order to another, from one sine and one cosine of the half angle."""
     if type(u) is float:
-        sine, cosine = math.sin, math.cos
+        half, other = math.sin(0.5 * u), math.cos(0.5 * u)
     else:
         import numpy as np
 
-        sine, cosine = np.sin, np.cos
-    if order == 1:
-        half = sine(0.5 * u)
-        return 2.0 * half * half
-    quarter = (order - 2) % 4
-    value = cosine(u) if quarter % 2 else sine(u)
-    return -value if quarter > 1 else value
+        middle = 0.5 * u
+        half, other = np.sin(middle), np.cos(middle)
+    versed = 2.0 * half * half
+    sine = 2.0 * half * other
+    found = []
+    for order in range(first, last + 1):
+        if order == 0:
+            found.append(u_minus_sine(u, sine))
+        elif order == 1:
+            found.append(versed)
+        else:
+            value = 1.0 - versed if order % 2 else sine
+            found.append(-value if (order - 2) % 4 > 1 else value)
+    return found
+
+
+def _wave(order: int, u: "Any") -> "Any":
+    """The derivative of that order of u − sin u."""
+    return _waves(u, order, order)[0]
 
 
 def _horner(coefficients: "Sequence[float]", t: "Any") -> "Any":
-    total = 0.0 * t + coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
+    if len(coefficients) == 1:
+        return 0.0 * t + coefficients[0]
+    total = coefficients[-1] * t + coefficients[-2]
+    for coefficient in coefficients[-3::-1]:
         total = total * t + coefficient
     return total
 
@@ -86,17 +100,16 @@ class Mixed:
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
         tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
-        found = []
-        for order in range(derivatives + 1):
-            row = self._polynomials[order]
-            total = _horner(row, tau) if row else None
-            for amplitude, w, start in self.waves:
-                part = amplitude * w**order * _wave(start + order, w * tau)
-                total = part if total is None else total + part
-            if total is None:
-                total = 0.0 * tau
-            found.append(-total if self.backwards and order % 2 else total)
-        return found
+        found = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
+        for amplitude, w, start in self.waves:
+            factor = amplitude
+            for order, wave in enumerate(_waves(w * tau, start, start + derivatives)):
+                part = factor * wave
+                found[order] = part if found[order] is None else found[order] + part
+                factor = factor * w
+        if self.backwards:
+            found[1::2] = [None if value is None else -value for value in found[1::2]]
+        return [0.0 * tau if value is None else value for value in found]
 
 
 class Beta:
@@ -137,8 +150,10 @@ class Beta:
 
 def _power(x: "Any", n: int) -> "Any":
     """The product of n factors; x**n would differ between floats and arrays."""
-    total = 0.0 * x + 1.0
-    for _ in range(n):
+    if n == 0:
+        return 0.0 * x + 1.0
+    total = x
+    for _ in range(n - 1):
         total = total * x
     return total
 

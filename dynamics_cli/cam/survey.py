@@ -87,7 +87,7 @@ def root_mean_square(motion: "Motion", order: int) -> float:
 def _mean_square(law: "object", order: int) -> float:
     total = 0.0
     for piece in law.pieces:  # type: ignore[attr-defined]
-        ends = (1.0 - piece.high, 1.0 - piece.low) if piece.far else (piece.low, piece.high)
+        ends = piece.ends
         half = 0.5 * (ends[1] - ends[0])
         for node, weight in GAUSS:
             for t in (ends[0] + half * (1.0 - node), ends[0] + half * (1.0 + node)):
