@@ -10,7 +10,7 @@ from dynamics_cli.cam.followers import OscillatingFlat
 from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.chebyshev import Extremes
-from dynamics_cli.records import record
+from dynamics_cli.records import ErrorBound, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -85,6 +85,26 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
         raise
     found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+
+
+def pressure_bounds(geometry: Geometry, motion: "Any", found: Analysis) -> tuple[ErrorBound, ...]:
+    """Bounds of the two extremes of the pressure angle: the proxy's, and what roundings of the lift do to it there."""
+    bounds = []
+    least, most = motion.stroke
+    stroke = max(abs(least), abs(most)) * getattr(geometry.follower, "arm", 1.0)
+    for name, (value, place) in (
+        ("largest_pressure_angle", found.pressure.largest()),
+        ("least_pressure_angle", found.pressure.smallest()),
+    ):
+        if not value:
+            continue
+        error = found.pressure.error + 4e-16
+        if not geometry.flat:
+            s, s1, s2 = (np.atleast_1d(part) for part in motion.at(place, 2))
+            x, y = geometry.pitch(s, geometry.turn * s1, s2)[2:4]
+            error += 4e-15 * (stroke + 0.25 * abs(geometry.start) * geometry.oscillating) / float(np.hypot(x, y)[0])
+        bounds.append(ErrorBound(name, error / abs(value)))
+    return tuple(bounds)
 
 
 def along_face(geometry: Geometry, touch: "Any") -> "Any":

@@ -6,13 +6,12 @@ from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Count, Force, Mass, Positive, ShaftSpeed, Size, Stiffness, Text
-from dynamics_cli.records import Advice, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.analysis import Analysis
     from dynamics_cli.cam.contact import Geometry
 
 CCW = Rotation("counter-clockwise")
@@ -188,7 +187,7 @@ def check(
     >>> found.fits, found.undercut
     (True, False)
     """
-    from dynamics_cli.cam.analysis import analyse
+    from dynamics_cli.cam.analysis import analyse, pressure_bounds
     from dynamics_cli.cam.contact import Geometry
     from dynamics_cli.cam.profile import concave, convex
     from dynamics_cli.cam.undercut import backward_stretches, lift_lost
@@ -249,7 +248,9 @@ def check(
         jump_at=None if jump is None else jump[1],
         jump_kept=None if jump is None or speed is None else kept["jump speed"],
         advice=_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump),
-        numerics=_numerics(found),
+        numerics=Numerics(
+            "Chebyshev proxies of every piece, every turning place certified", pressure_bounds(geometry, motion, found)
+        ),
     )
 
 
@@ -340,14 +341,3 @@ def _advice(
     if jump is not None and jump[0] is None:
         advice.append(Advice("no-jump", "the follower never slows down: it cannot leave the cam", "note", result="jump_speed"))
     return tuple(advice)
-
-
-def _numerics(found: "Analysis") -> Numerics:
-    bounds = []
-    for name, (value, _) in (
-        ("largest_pressure_angle", found.pressure.largest()),
-        ("least_pressure_angle", found.pressure.smallest()),
-    ):
-        if value:
-            bounds.append(ErrorBound(name, (found.pressure.error + 4e-16) / abs(value)))
-    return Numerics("Chebyshev proxies of every piece, every turning place certified", tuple(bounds))

@@ -160,7 +160,7 @@ class Geometry:
         along = c * cos / speed
         radius = c * (sin * (1.0 + 2.0 * s1) * speed + s2 * cos) / (speed * speed * speed) - back
         point = (c - along * cos - back * sin, along * sin - back * cos)
-        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, self.turn * np.arctan2(back, along))
+        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along))
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
         """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""

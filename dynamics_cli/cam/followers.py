@@ -4,7 +4,7 @@ The frame is fixed: the cam's axis at the origin, a translating follower along +
 anticlockwise unless said otherwise; its own points are those of this frame turned back by the cam angle.
 """
 
-from math import atan2, pi, sqrt
+from math import atan2, fsum, pi, sqrt
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size
@@ -242,7 +242,8 @@ def start_height(base_radius: float, roller_radius: float, offset: float) -> flo
         code="offset",
         hint=f"bring the offset below {prime:.6g} m",
     )
-    return sqrt((prime - offset) * (prime + offset))
+    # sums of three are rounded once: next to the limit the difference is all there is
+    return sqrt(max(fsum((base_radius, roller_radius, -offset)) * fsum((base_radius, roller_radius, offset)), 0.0))
 
 
 def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, pivot_distance: float) -> float:
@@ -293,7 +294,10 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
         code="no-triangle",
         hint=f"a base circle of {max(difference - roller_radius, 0.0):.6g} m to {both - roller_radius:.6g} m fits",
     )
-    return 2.0 * atan2(sqrt((prime - difference) * (prime + difference)), sqrt((both - prime) * (both + prime)))
+    short, long = min(arm, pivot_distance), max(arm, pivot_distance)
+    inside = fsum((base_radius, roller_radius, short, -long)) * fsum((base_radius, roller_radius, long, -short))
+    outside = fsum((arm, pivot_distance, -base_radius, -roller_radius)) * (both + prime)
+    return 2.0 * atan2(sqrt(max(inside, 0.0)), sqrt(max(outside, 0.0)))
 
 
 def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: float) -> float:
@@ -337,7 +341,7 @@ def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: 
         code="pivot-inside",
         hint="move the pivot outwards",
     )
-    return atan2(reach, sqrt((pivot_distance - reach) * (pivot_distance + reach)))
+    return atan2(reach, sqrt(fsum((pivot_distance, -base_radius, -face_offset)) * (pivot_distance + reach)))
 
 
 def mate_angle(follower: ConjugateOscillatingRoller) -> float:

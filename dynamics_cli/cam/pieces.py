@@ -41,9 +41,9 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
     return proxies(sampled, np.zeros(count), np.ones(count))
 
 
-def turning_places(motion: "Motion", made: Proxies, which: int = 0) -> Extremes:
+def turning_places(motion: "Motion", made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     """Extremes of one function, their places as cam angles."""
-    found = extremes(made, which)
+    found = extremes(made, which, every=every)
     starts, ends = pieces(motion)
     theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
     return Extremes(found.owner, theta, found.values, found.inside, found.error)

@@ -230,7 +230,7 @@ def profile(
     """
     import numpy as np
 
-    from dynamics_cli.cam.analysis import analyse, plate
+    from dynamics_cli.cam.analysis import analyse, plate, pressure_bounds
     from dynamics_cli.cam.contact import Geometry
     from dynamics_cli.cam.pieces import sample
 
@@ -276,7 +276,10 @@ def profile(
         points=columns,
         checks=_checks(geometry, touch),
         advice=_advice(geometry, found),
-        numerics=_numerics(found),
+        numerics=Numerics(
+            "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes",
+            (ErrorBound("area", 1e-14), ErrorBound("perimeter", 1e-14), *pressure_bounds(geometry, motion, found)),
+        ),
     )
 
 
@@ -348,17 +351,3 @@ def _advice(geometry: "Geometry", found: "Analysis") -> tuple[Advice, ...]:
             ),
         )
     return ()
-
-
-def _numerics(found: "Analysis") -> Numerics:
-    """Bounds from the proxies' truncation and a few roundings."""
-    bounds = [ErrorBound("area", 1e-14), ErrorBound("perimeter", 1e-14)]
-    for name, (value, _) in (
-        ("largest_pressure_angle", found.pressure.largest()),
-        ("least_pressure_angle", found.pressure.smallest()),
-    ):
-        if value:
-            bounds.append(ErrorBound(name, (found.pressure.error + 4e-16) / abs(value)))
-    return Numerics(
-        "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes", tuple(bounds)
-    )

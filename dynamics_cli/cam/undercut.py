@@ -59,7 +59,10 @@ def backward_stretches(geometry: Geometry, motion: "Any") -> "tuple[tuple[float,
     def speed(s: "Any", s1: "Any", s2: "Any") -> "Any":
         return geometry.touch(s, s1, s2).run[None]
 
-    found = turning_places(motion, over_pieces(motion, speed))
+    made = over_pieces(motion, speed)
+    if turning_places(motion, made).smallest()[0] > 0.0:
+        return ()
+    found = turning_places(motion, made, every=True)
     starts, ends = pieces(motion)
     stretches: list[list[float]] = []
     for index in range(found.places.size):

@@ -96,10 +96,11 @@ def _transform(count: int) -> "tuple[Any, Any]":
 
 @lru_cache(maxsize=4)
 def _basis(count: int) -> "tuple[Any, ...]":
-    """The first two derivatives by t of cos(kt), on a grid from the left end (t = π) to the right."""
+    """cos(kt) and its first two derivatives by t, on a grid from the left end (t = π) to the right."""
     t = np.linspace(np.pi, 0.0, GRID + 1)
     k = np.arange(count)[:, None]
-    return t, -k * np.sin(k * t), -k * k * np.cos(k * t)
+    cosine = np.cos(k * t)
+    return t, cosine, -k * np.sin(k * t), -k * k * cosine
 
 
 def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
@@ -174,8 +175,8 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(made: Proxies, which: int = 0) -> Extremes:
-    """Find every extreme of one of the functions.
+def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
+    """Find the greatest and the least value of one of the functions, or every place where it turns.
 
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
@@ -186,6 +187,8 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
         The interpolated functions.
     which : int
         Which of them.
+    every : bool
+        Whether places are wanted that decide neither the greatest nor the least value.
 
     Returns
     -------
@@ -211,7 +214,7 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     """
     whole = made.coefficients[which]
     count = whole.shape[1]
-    t, first, second = _basis(count)
+    t, basis, first, second = _basis(count)
     k = np.arange(count, dtype=float)
     size = np.abs(whole)
     # a coefficient that is rounding alone would be searched for turns of its own
@@ -222,7 +225,9 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
     calm: list[tuple[Any, Any]] = []
-    d1, d2 = c @ first, c @ second
+    q, d1, d2 = c @ basis, c @ first, c @ second
+    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
+    most, least = ends.max(), ends.min()
     owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
     # a piece that is constant to its rounding has no extremes
     bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
@@ -230,6 +235,14 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
         turning, unsure = _cells(d1, d2, step, bounds, owner[:, None])
         steady = (bounds[0] == 0.0)[owner]
         turning[steady], unsure[steady] = False, False
+        if not every:
+            most, least = max(most, q.max()), min(least, q.min())
+            # within a cell the function is near its chord
+            room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+            high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+            decides = (high >= most) | (low <= least)
+            turning &= decides
+            unsure &= decides
         found, cells = np.nonzero(turning)
         roots.append((owner[found], grid[found, cells], grid[found, cells + 1]))
         found, cells = np.nonzero(unsure)
@@ -245,13 +258,12 @@ def extremes(made: Proxies, which: int = 0) -> Extremes:
             break
         step /= SPLIT
         grid = left[:, None] - step * np.arange(SPLIT + 1)
-        d1, d2 = _derivatives(c[owner], grid)
+        q, d1, d2 = _derivatives(c[owner], grid)
     at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
     row = np.concatenate([at[0], *(part[0] for part in calm)])
     place = np.concatenate([_refined(c, at[0], at[1], at[2]), *(part[1] for part in calm)])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
     inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
-    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
     places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
@@ -275,13 +287,18 @@ def _cells(d1: "Any", d2: "Any", step: float, bounds: "list[Any]", rows: "Any") 
     return changes & monotone, ~clear & ~monotone
 
 
-def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any]":
+def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
+    """The function and its first two derivatives by t."""
     k = np.arange(c.shape[1])
-    angle = k * t[..., None]
-    kc = k * c
+    angle = t[..., None] * k
+    sine, cosine = np.sin(angle), np.cos(angle)
+    rows = np.stack((c, k * k * c), axis=-1)
+    kc = (k * c)[..., None]
     if t.ndim == 1:
-        return -(np.sin(angle) * kc).sum(axis=-1), -(np.cos(angle) * (k * kc)).sum(axis=-1)
-    return -(np.sin(angle) * kc[:, None]).sum(axis=-1), -(np.cos(angle) * (k * kc)[:, None]).sum(axis=-1)
+        both = (cosine[:, None, :] @ rows)[:, 0]
+        return both[:, 0], -(sine[:, None, :] @ kc)[:, 0, 0], -both[:, 1]
+    both = cosine @ rows
+    return both[..., 0], -(sine @ kc)[..., 0], -both[..., 1]
 
 
 def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "Any":
@@ -290,10 +307,10 @@ def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "Any":
         return np.zeros(0)
     own = c[rows]
     low, high = low.copy(), high.copy()
-    start, _ = _derivatives(own, high)
+    _, start, _ = _derivatives(own, high)
     place = 0.5 * (low + high)
     for _ in range(6):
-        d1, d2 = _derivatives(own, place)
+        _, d1, d2 = _derivatives(own, place)
         same = (d1 > 0.0) == (start > 0.0)
         high, low = np.where(same, place, high), np.where(same, low, place)
         with np.errstate(divide="ignore", invalid="ignore"):
