@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+SMALLEST_SHARE = 1e-12
+
+
 class LawName(Choice):
     """A rise law."""
 
@@ -208,6 +211,13 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
         code="shares",
         hint=f"a third share of {1.0 - b - c:.6g} fits the first two",
     )  # fmt: skip
+    require(
+        all(share == 0.0 or share >= SMALLEST_SHARE for share in (b, c, d)),
+        "shares {0:.6g}, {1:.6g}, {2:.6g}: one below {3:.6g} is no share",
+        b, c, d, SMALLEST_SHARE,
+        code="shares",
+        hint="make it zero",
+    )  # fmt: skip
     require(0.0 <= constant < 1.0, "a share of {0:.6g} at constant velocity leaves no rise", constant, code="constant")
     q = 0.5 * (1.0 - constant)
     r, k, g = b * q, c * q, d * q
@@ -223,15 +233,10 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     if k:
         shapes.append((r + k, Mixed((rise, speed_up, 0.5 * peak), origin=r)))
     if g:
-        reached = 0.5 - speed * still
-        wave = (peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 0)
-        # Without a sine the rise begins here, and its start must be an exact zero with its digits.
-        shape = (
-            Mixed(waves=[(peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 1)])
-            if not r and not k
-            else Mixed((reached, -speed), [wave], origin=q, backwards=True)
-        )
-        shapes.append((q, shape))
+        flat = peak * k
+        reached, gained = rise + k * (speed_up + 0.5 * flat), speed_up + flat
+        wave = (peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 1)
+        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k)))
     if still:
         shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True)))
     return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)

@@ -83,15 +83,14 @@ def _settled(piece: Piece, order: int, t: float) -> float:
 
 
 def peak(law: Law, order: int) -> tuple[float, float]:
-    """Greatest magnitude of that derivative and the first place of it; infinite where the one before it jumps."""
+    """Greatest magnitude of that derivative and the first place of it; infinite where one below it jumps."""
     values = extremes(law, order)
     top = max(abs(value) for _, value in values)
     # Equal peaks differ in their last bits; the first of them is named.
     place = next(x for x, value in values if abs(value) >= top * (1.0 - 1e-12))
-    if order:
-        for x in (0.0, *law.breaks, 1.0):
-            if jump(law, x, order - 1):
-                return inf, x
+    for x in (0.0, *law.breaks, 1.0):
+        if any(jump(law, x, below) for below in range(order)):
+            return inf, x
     return top, place
 
 

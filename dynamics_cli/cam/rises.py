@@ -199,16 +199,39 @@ def laws(
             code="law",
             hint="name it: --law scca, --law polynomial, --law spline",
         )
-        chosen = [law_named(name) for name in LawName.names if name not in ("scca", "polynomial", "spline")]
+        named = [law_named(name) for name in LawName.names if name not in ("scca", "polynomial", "spline")]
+        chosen = sorted(named, key=lambda one: -continuity(one)[0])
     else:
         chosen = [_chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)]
+    rows = tuple(_peaks(one) for one in chosen)
     bounds = tuple(
-        ErrorBound(f"laws[{i}].{name}", PEAK_BOUND) for i in range(len(chosen)) for name in ("velocity",)
+        ErrorBound(f"laws[{i}].{name}", PEAK_BOUND)
+        for i, row in enumerate(rows)
+        for name in DERIVATIVES[1:4]
+        if getattr(row, name) is not None
     )
+    checks = [check for one in chosen for check in _checks(one)]
+    worst = max(check.value or 0.0 for check in checks)
     return LawTable(
-        tuple(_peaks(one) for one in chosen),
-        checks=tuple(check for one in chosen for check in _checks(one)),
+        rows,
+        checks=(Check("areas under velocity and acceleration", worst <= 1e-12, worst, 1e-12),),
+        advice=_infinite_rows(rows),
         numerics=Numerics("closed form; peaks bisected to the last bit", bounds),
+    )
+
+
+def _infinite_rows(rows: "tuple[Peaks, ...]") -> "tuple[Advice, ...]":
+    """Why a peak is missing: where it is, the derivative below it jumps."""
+    return tuple(
+        Advice(
+            "infinite-" + DERIVATIVES[order],
+            f"{row.law}: the {DERIVATIVES[order]} has no greatest value: {row.jumps.replace(' at', ' jumps at')}",
+            "note",
+            result=f"laws[{i}].{DERIVATIVES[order]}",
+        )
+        for i, row in enumerate(rows)
+        for order in (2, 3)
+        if getattr(row, DERIVATIVES[order]) is None
     )
 
 
@@ -513,13 +536,13 @@ def _measured(law: Law, x: float, far: float, near: float, falling: bool, side: 
 
 
 def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "tuple[Advice, ...]":
-    found = []
+    found: list[Advice] = []
     for order, (value, place) in enumerate(zip(peaks, places, strict=True), 1):
         if value is None:
             found.append(
                 Advice(
                     code="infinite-" + DERIVATIVES[order],
-                    message=f"the {DERIVATIVES[order - 1]} jumps at {place:.6g} rad: "
+                    message=f"the {DERIVATIVES[continuity(law)[0] + 1]} jumps at {place:.6g} rad: "
                     f"the {DERIVATIVES[order]} has no greatest value",
                     severity="serious" if order < 3 else "caution",
                     mend="take a law of higher continuity, such as cycloidal or 3-4-5",
