@@ -132,6 +132,12 @@ if TYPE_CHECKING:
     Deceleration = float
     Gravity = float
     Jerk = float
+    CamVelocity = float
+    CamAcceleration = float
+    CamJerk = float
+    SwingVelocity = float
+    SwingAcceleration = float
+    SwingJerk = float
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
@@ -262,6 +268,30 @@ else:
         variable="DYNAMICS_GRAVITY",
     )
     Jerk = Kind("jerk", "m/s^3", si="m/s^3", us="ft/s^3", example="3 m/s^3", about="rate of change of acceleration")
+    CamVelocity = Kind(
+        "lift per angle", "m/rad", si="mm/rad", us="in/rad", example="5 mm/rad", about="a lift per cam angle"
+    )
+    CamAcceleration = Kind(
+        "lift per angle squared",
+        "m/rad^2",
+        si="mm/rad^2",
+        us="in/rad^2",
+        example="10 mm/rad^2",
+        about="a lift per cam angle squared",
+    )
+    CamJerk = Kind(
+        "lift per angle cubed",
+        "m/rad^3",
+        si="mm/rad^3",
+        us="in/rad^3",
+        example="20 mm/rad^3",
+        about="a lift per cam angle cubed",
+    )
+    SwingVelocity = Kind("angle per angle", "", example="0.3", about="an arm's angle per cam angle")
+    SwingAcceleration = Kind(
+        "angle per angle squared", "1/rad", example="0.5 1/rad", about="an arm's angle per cam angle squared"
+    )
+    SwingJerk = Kind("angle per angle cubed", "1/rad^2", example="2 1/rad^2", about="an arm's angle per cam angle cubed")
     Frequency = Kind(
         "frequency", "Hz", si="Hz", us="Hz", low=0.0, example="50 Hz", about="events per time (not an angular velocity)"
     )

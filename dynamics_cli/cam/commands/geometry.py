@@ -1,5 +1,110 @@
 """Tasks of `dynamics cam`: geometry."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
 
-TASKS: "tuple[Task, ...]" = ()
+HERE = "dynamics_cli.cam."
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8"
+RIGID = "cam and follower are rigid and stay in contact"
+RADIAL = "a radial (plate) cam at uniform speed; barrel cams are out of scope"
+CYCLE = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
+SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
+
+PROFILE = Task(
+    "profile",
+    "Shape of a radial cam: pitch, cam and cutter curves, pressure angle, curvature, and the plate's inertia.",
+    Model(
+        "exact envelope",
+        HERE + "profile:profile",
+        source=BOOK,
+        formula="p = centre of the roller, u = p′ − ip, n = iu/|u|: cam = (p − R·n)·e^(−iθ); "
+        "φ = angle from the follower's way to n",
+        assumptions=(RADIAL, RIGID),
+        method="closed form; extremes by Chebyshev proxies",
+    ),
+    examples=(
+        f'dynamics cam profile --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
+        '--points 24 --thickness "10 mm" --density "7800 kg/m^3"',
+        f'dynamics cam profile --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --points 12 '
+        "--rotation clockwise",
+        f'dynamics cam profile --program "{SWING}" --follower oscillating-roller --base-radius "30 mm" '
+        '--roller-radius "8 mm" --arm "80 mm" --pivot-distance "100 mm" --points 12',
+    ),
+    table="points",
+    arrays=False,
+    tracked=False,
+)
+
+SIZE = Task(
+    "size",
+    "Smallest base circle, and best offset, for limits of pressure angle and curvature.",
+    Model(
+        "certified extremes of closed forms",
+        HERE + "size:size",
+        source="Flocke's construction of the smallest cam, done in numbers",
+        formula="A = max(s′·cot φ₁ − s), B = max(−s′·cot φ₂ − s), e = (A − B)/(cot φ₁ + cot φ₂), "
+        "d = A − e·cot φ₁, R = √(d² + e²) − R_r",
+        assumptions=(RADIAL, RIGID),
+    ),
+    examples=(
+        f'dynamics cam size --program "{CYCLE}" --follower roller --roller-radius "6 mm" --rise-limit "25 deg" '
+        '--return-limit "35 deg"',
+        f'dynamics cam size --program "{CYCLE}" --follower flat-face --least-radius "4 mm"',
+        f'dynamics cam size --program "{SWING}" --follower oscillating-roller --roller-radius "8 mm" --arm "80 mm" '
+        '--pivot-distance "100 mm" --rise-limit "40 deg" --return-limit "40 deg"',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
+CHECK = Task(
+    "check",
+    "Certified verdicts: undercut and the lift it costs, pressure angle, curvature, face width, jump.",
+    Model(
+        "certified extremes",
+        HERE + "check:check",
+        source=BOOK,
+        formula="undercut where w·(1 − R_r·κ) ≤ 0; lift lost = s − (lift resting on the corner left); "
+        "ω² = min k·(s + δ)/(−m·s″)",
+        assumptions=(RADIAL, RIGID),
+        method="Chebyshev proxies; Newton for the corner",
+    ),
+    examples=(
+        f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
+        '--least-radius "10 mm"',
+        'dynamics cam check --program "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell" '
+        '--follower roller --base-radius "15 mm" --roller-radius "15 mm"',
+        f'dynamics cam check --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --face-width "25 mm" '
+        '--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N" --speed "1500 rpm"',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
+EXPORT = Task(
+    "export",
+    "The cam as arcs, splines or points for a machine, with a proved deviation from the exact curve.",
+    Model(
+        "fewest pieces within a proved tolerance",
+        HERE + "export:export",
+        source="Taylor bounds with interval arithmetic on the exact envelope",
+        formula="|f| ≤ |f(m)| + |f′(m)|·h + ½·h²·max|f″| on every cell",
+        assumptions=(RADIAL, "pieces end at every joint of the laws"),
+        method="biarcs or cubics, equal errors; deviation proved by interval arithmetic",
+    ),
+    examples=(
+        f'dynamics cam export --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
+        '--tolerance "1 um" --points 12',
+        f'dynamics cam export --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
+        '--form cubics --curve cutter --cutter-radius "10 mm" --points 12',
+    ),
+    table="points",
+    arrays=False,
+    tracked=False,
+    writers={
+        "polar": HERE + "writers:polar",
+        "st": HERE + "writers:codesys",
+        "mc": HERE + "writers:twincat",
+    },
+)
+
+TASKS: "tuple[Task, ...]" = (PROFILE, SIZE, CHECK, EXPORT)

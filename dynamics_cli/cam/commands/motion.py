@@ -1,5 +1,98 @@
 """Tasks of `dynamics cam`: motion."""
 
-from dynamics_cli.core.task import Task  # noqa: TC001
+from dynamics_cli.core.task import Model, Task
 
-TASKS: "tuple[Task, ...]" = ()
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 16"
+HERE = "dynamics_cli.cam."
+
+LAWS = Task(
+    "laws",
+    "Rise laws, their peak factors and where they occur, and how smooth they are.",
+    Model(
+        "normalised rise laws",
+        HERE + "rises:laws",
+        source=BOOK + ", sections 16.9 and 16.11 to 16.14; laws and names of VDI 2143 as commonly published",
+        formula="v = C_v·h/β, a = C_a·h/β², j = C_j·h/β³",
+        assumptions=("the rise goes from rest to rest, half rises from rest to full speed",),
+    ),
+    examples=(
+        "dynamics cam laws",
+        "dynamics cam laws --law bestehorn",
+        'dynamics cam laws --law scca --shares "0.2, 0.5, 0.3"',
+        'dynamics cam laws --law polynomial --condition "place=0, lift=0, velocity=0, acceleration=0" '
+        '--condition "place=0.5, lift=0.6" --condition "place=1, lift=1, velocity=0, acceleration=0"',
+    ),
+    table="laws",
+    arrays=False,
+    tracked=False,
+)
+
+RISE = Task(
+    "rise",
+    "Lift, velocity, acceleration and jerk of one rise, per radian and in time.",
+    Model(
+        "rise law",
+        HERE + "rises:rise",
+        source=BOOK + ", sections 16.9 and 16.11 to 16.14",
+        formula="s = {lift|h}·f(θ/{span|β}), ds/dθ = ({lift|h}/{span|β})·f′, ω = {shaft_speed|ω}",
+        assumptions=("the cam shaft turns at a constant speed",),
+    ),
+    examples=(
+        'dynamics cam rise --law cycloidal --lift "20 mm" --span "90 deg" --at "30 deg"',
+        'dynamics cam rise --law modified-sine --lift "0.5 in" --span "120 deg" --shaft-speed "1200 rpm" --units us',
+        'dynamics cam rise --law 3-4-5 --lift "8 mm" --span "60 deg" --at "0, 15, 30, 45, 60 deg" --falling',
+    ),
+    table="points",
+    arrays=False,
+    tracked=False,
+)
+
+LINE = '--program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"'
+
+MOTION = Task(
+    "motion",
+    "A whole revolution of cam motion: extremes, continuity at every joint, and the table of s, v, a, j.",
+    Model(
+        "segments joined over one turn",
+        HERE + "revolution:motion",
+        source=BOOK + ", sections 16.9 to 16.14 (singularity functions: 16.10)",
+        formula="s(θ) = s_i + h_i·f_i((θ − θ_i)/β_i)",
+        assumptions=("the follower follows", "the cam shaft turns at a constant speed"),
+    ),
+    examples=(
+        f"dynamics cam motion {LINE}",
+        "dynamics cam motion examples/cam.toml --shaft-speed '1000 rpm' --count 13",
+        'dynamics cam motion --program "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell" '
+        "--singularity --units us",
+        'dynamics cam motion --program "rise 20 deg in 120 deg modified sine; dwell 60 deg; return in 180 deg" --count 7',
+    ),
+    table="table",
+    arrays=False,
+    tracked=False,
+)
+
+FORCE = Task(
+    "force",
+    "Contact force, torque, jump speed, Hertz stress, spring surge and valve durations of a spring-loaded follower.",
+    Model(
+        "rigid follower on a spring",
+        HERE + "forces:force",
+        source="Newton's law along the follower's way; Hertz's line contact; motion: " + BOOK,
+        formula="F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, "
+        "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
+        assumptions=("the follower's train is rigid and without friction", "the cam shaft turns at a constant speed"),
+        method="closed-form motion, extremes refined on each zone",
+    ),
+    examples=(
+        f'dynamics cam force {LINE} --shaft-speed "600 rpm" --mass "0.5 kg" --spring-rate "5 N/mm" --preload "60 N"',
+        f'dynamics cam force {LINE} --shaft-speed "400 rpm" --mass "1 lb" --spring-rate "30 lbf/in" --preload "20 lbf" '
+        '--contact-base-radius "40 mm" --contact-roller-radius "10 mm" --contact-width "12 mm" --spring-mass "0.1 kg"',
+        'dynamics cam force --program "rise 9 mm in 65 deg 4-5-6-7; return in 65 deg 4-5-6-7; dwell" '
+        '--shaft-speed "3000 rpm" --mass "0.25 kg" --spring-rate "40 N/mm" --preload "300 N" --lash "0.2 mm"',
+    ),
+    table="table",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (LAWS, RISE, MOTION, FORCE)

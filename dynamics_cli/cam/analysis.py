@@ -1,0 +1,198 @@
+"""Certified extremes of curvature, pressure angle and contact of a whole cam, and what its plate weighs."""
+
+from functools import lru_cache
+from math import pi
+
+import numpy as np
+
+from dynamics_cli.cam.contact import Geometry, check_speed
+from dynamics_cli.cam.followers import OscillatingFlat
+from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.chebyshev import Extremes
+from dynamics_cli.records import ErrorBound, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+GAUSS = 20
+"""Nodes of a quadrature on a piece of 15 degrees at most."""
+
+
+@record
+class Analysis:
+    """Extremes of one cam.
+
+    Parameters
+    ----------
+    curvature : Extremes
+        Curvature of the pitch curve, or under a flat face the radius of curvature of the cam.
+    pressure : Extremes
+        Pressure angle.
+    along : Extremes
+        Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.
+    """
+
+    curvature: Extremes
+    pressure: Extremes
+    along: Extremes | None
+
+
+def analyse(geometry: Geometry, motion: "Any") -> Analysis:
+    """Find every extreme of curvature, pressure angle and contact.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+
+    Returns
+    -------
+    Analysis
+        The extremes.
+
+    Raises
+    ------
+    InadmissibleError
+        When a centre of the roller passes through the cam's axis, or a flat rocker turns as fast as the cam.
+
+    Notes
+    -----
+    Chebyshev proxies on each piece of each law; see `numerics.chebyshev`.
+    """
+
+    def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
+        check_speed(geometry, s1)
+        touch = geometry.touch(s, s1, s2)
+        rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
+        if geometry.flat:
+            rows.append(along_face(geometry, touch))
+        return np.stack(np.broadcast_arrays(*rows))
+
+    try:
+        with np.errstate(all="ignore"):
+            made = over_pieces(motion, functions)
+    except ValueError:
+        require(
+            False,
+            "the roller's centre passes through the cam's axis: there is no cam of this size",
+            code="through-axis",
+            hint="raise the base radius",
+        )
+        raise
+    found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
+    return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+
+
+def pressure_bounds(geometry: Geometry, motion: "Any", found: Analysis) -> tuple[ErrorBound, ...]:
+    """Bounds of the two extremes of the pressure angle: the proxy's, and what roundings of the lift do to it there."""
+    bounds = []
+    least, most = motion.stroke
+    stroke = max(abs(least), abs(most)) * getattr(geometry.follower, "arm", 1.0)
+    for name, (value, place) in (
+        ("largest_pressure_angle", found.pressure.largest()),
+        ("least_pressure_angle", found.pressure.smallest()),
+    ):
+        if not value:
+            continue
+        error = found.pressure.error + 4e-16
+        if not geometry.flat:
+            s, s1, s2 = (np.atleast_1d(part) for part in motion.at(place, 2))
+            x, y = geometry.pitch(s, geometry.turn * s1, s2)[2:4]
+            error += 4e-15 * (stroke + 0.25 * abs(geometry.start) * geometry.oscillating) / float(np.hypot(x, y)[0])
+        bounds.append(ErrorBound(name, error / abs(value)))
+    return tuple(bounds)
+
+
+def along_face(geometry: Geometry, touch: "Any") -> "Any":
+    """Where the face is touched, along it."""
+    if isinstance(geometry.follower, OscillatingFlat):
+        (x, y), (nx, ny) = touch.point, touch.normal
+        return (geometry.follower.pivot_distance - x) * ny + y * nx
+    return touch.point[0]
+
+
+@record
+class Plate:
+    """Area, perimeter, centroid and polar second moment of what the cam's curve encloses, by quadrature.
+
+    Parameters
+    ----------
+    area : float
+        Area [m²].
+    perimeter : float
+        Length of the curve [m].
+    x, y : float
+        Centroid in the cam's frame [m].
+    polar : float
+        Second moment of the area about the cam's axis [m⁴].
+    """
+
+    area: float
+    perimeter: float
+    x: float
+    y: float
+    polar: float
+
+
+@lru_cache(maxsize=2)
+def _gauss(count: int) -> "tuple[Any, Any]":
+    return np.polynomial.legendre.leggauss(count)  # type: ignore[no-any-return]
+
+
+def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
+    """Integrate over the cam's curve.
+
+    A = ½∮ r·n ds, z_C = (1/3A)∮ z (r·n) ds, I_p = ¼∮ r² (r·n) ds.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+    start_angle : Angle
+        Angle by which the cam's frame is turned on.
+
+    Returns
+    -------
+    Plate
+        The integrals.
+
+    Raises
+    ------
+    InadmissibleError
+        When a flat rocker turns as fast as the cam.
+
+    Notes
+    -----
+    Gauss-Legendre of 20 nodes on pieces of 15 degrees or less. A curve that cuts itself counts loops twice.
+    """
+    starts, ends = pieces(motion)
+    parts = np.maximum(np.ceil((ends - starts) / (pi / 12.0)), 1.0).astype(int)
+    owner = np.repeat(np.arange(parts.size), parts)
+    share = 1.0 / parts[owner]
+    index = np.arange(owner.size) - (np.cumsum(parts) - parts)[owner]
+    nodes, weights = _gauss(GAUSS)
+    place = (index[:, None] + 0.5 * (1.0 + nodes)) * share[:, None]
+    width = (ends - starts)[owner]
+    theta = starts[owner][:, None] + width[:, None] * place
+    weight = 0.5 * (width * share)[:, None] * weights
+    s, s1, s2 = within(motion, place, owner)
+    check_speed(geometry, s1)
+    touch = geometry.touch(s, s1, s2)
+    (x, y), (nx, ny) = touch.point, touch.normal
+    swept = (x * nx + y * ny) * touch.run * weight
+    area = 0.5 * float(swept.sum())
+    zx, zy = geometry.turned((x, y), theta, start_angle)
+    third = 1.0 / (3.0 * area) if area else 0.0
+    return Plate(
+        area,
+        float((np.abs(touch.run) * weight).sum()),
+        third * float((zx * swept).sum()),
+        third * float((zy * swept).sum()),
+        0.25 * float(((x * x + y * y) * swept).sum()),
+    )

@@ -1,0 +1,343 @@
+"""Certified verdicts about a cam: undercut and the lift it costs, pressure angle, curvature, face width, jump."""
+
+from math import pi, sqrt
+
+from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
+from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Angle, Coordinate, Count, Force, Mass, Positive, ShaftSpeed, Size, Stiffness, Text
+from dynamics_cli.records import Advice, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.cam.contact import Geometry
+
+CCW = Rotation("counter-clockwise")
+INNER = Flank("inner")
+DEGREE = pi / 180.0
+
+
+@record
+class CamCheck:
+    """Verdicts, each with the number that decides and where.
+
+    Parameters
+    ----------
+    fits : bool
+        Whether every verdict is good.
+    binding : Text
+        What is not good, or what comes nearest to its limit.
+    undercut : bool
+        Whether the curve of the cam cuts itself or comes to a cusp.
+    undercut_stretches : Count
+        How many stretches of the envelope run backwards.
+    lift_lost : Coordinate
+        Greatest lift that an undercut costs a sliding follower [m].
+    swing_lost : Angle
+        Greatest swing that an undercut costs an arm [rad].
+    lost_at : Angle
+        Cam angle where most is lost [rad].
+    least_convex_radius : Coordinate
+        Least radius of curvature of the cam where the pitch curve is convex [m].
+    least_convex_radius_at : Angle
+        Cam angle there [rad].
+    least_concave_radius : Coordinate
+        Least radius of curvature of the cam where it is concave [m].
+    least_concave_radius_at : Angle
+        Cam angle there [rad].
+    curvature_kept : bool
+        Whether the least radius asked for is kept.
+    largest_pressure_angle : Angle
+        Largest pressure angle, held against the limit of the rise [rad].
+    largest_pressure_angle_at : Angle
+        Cam angle there [rad].
+    least_pressure_angle : Angle
+        Lowest pressure angle, held against the limit of the return [rad].
+    least_pressure_angle_at : Angle
+        Cam angle there [rad].
+    pressure_angle_kept : bool
+        Whether both limits of pressure angle are kept.
+    face_width : Size
+        Length of flat face that is touched [m].
+    face_kept : bool
+        Whether the flat face given is long enough.
+    velocity_jumps : Count
+        Joints where the follower's velocity jumps: an infinite force.
+    acceleration_jumps : Count
+        Joints where its acceleration jumps.
+    jump_speed : ShaftSpeed
+        Speed of the cam at which the follower leaves it [rad/s].
+    jump_at : Angle
+        Cam angle where it leaves [rad].
+    jump_kept : bool
+        Whether the follower stays on the cam at the speed given.
+    """
+
+    fits: bool
+    binding: Text
+    undercut: bool
+    undercut_stretches: Count
+    lift_lost: Coordinate | None
+    swing_lost: Angle | None
+    lost_at: Angle | None
+    least_convex_radius: Coordinate | None
+    least_convex_radius_at: Angle | None
+    least_concave_radius: Coordinate | None
+    least_concave_radius_at: Angle | None
+    curvature_kept: bool | None
+    largest_pressure_angle: Angle
+    largest_pressure_angle_at: Angle
+    least_pressure_angle: Angle
+    least_pressure_angle_at: Angle
+    pressure_angle_kept: bool
+    face_width: Size | None
+    face_kept: bool | None
+    velocity_jumps: Count
+    acceleration_jumps: Count
+    jump_speed: ShaftSpeed | None
+    jump_at: Angle | None
+    jump_kept: bool | None
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def check(
+    scene: Program,
+    /,
+    *,
+    program: Text = "",
+    follower: Follower,
+    rotation: Rotation = CCW,
+    flank: Flank = INNER,
+    rise_limit: Angle = 30.0 * DEGREE,
+    return_limit: Angle = 30.0 * DEGREE,
+    least_radius: Size = 0.0,
+    face_width: Size | None = None,
+    mass: Mass | None = None,
+    stiffness: Stiffness | None = None,
+    preload: Force | None = None,
+    speed: ShaftSpeed | None = None,
+    safety: Positive = 1.0,
+) -> CamCheck:
+    """Certified verdicts about a cam: what is undercut and the lift it costs, pressure angle, curvature, face, jump.
+
+    Equation
+    --------
+    Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0); lift lost: program less the lift at which the
+    follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0.
+
+    Parameters
+    ----------
+    scene : Program
+        The motion of the follower over one turn of the cam, from a file.
+    program : Text
+        The motion in one line, in place of a file.
+    follower : Follower
+        The follower and where it stands.
+    rotation : Rotation
+        Which way the cam turns.
+    flank : Flank
+        The inner surface, that of a disc cam, or the outer flank of a closed track.
+    rise_limit : Angle
+        Largest positive pressure angle allowed [rad].
+    return_limit : Angle
+        Largest negative pressure angle allowed [rad].
+    least_radius : Size
+        Least radius of curvature allowed, convex or concave [m].
+    face_width : Size
+        Length of the flat face there is [m].
+    mass : Mass
+        Mass that the follower moves, for the jump [kg].
+    stiffness : Stiffness
+        Stiffness of its spring [N/m].
+    preload : Force
+        Force of the spring at zero lift [N].
+    speed : ShaftSpeed
+        Speed of the cam that is asked about [rad/s].
+    safety : Positive
+        Factor by which the jump speed is to exceed the speed.
+
+    Returns
+    -------
+    CamCheck
+        Verdicts with the numbers that decide and their places.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no such cam, or the jump lacks some of mass, stiffness and preload.
+
+    Notes
+    -----
+    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, with bounds on
+    derivatives that leave no turning place out. A cusp counts as undercut. The lift lost is exact where the corner that
+    is left belongs to one stretch; where undercuts run into each other it comes from what is left of 1440 points.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
+
+    Examples
+    --------
+    >>> from dynamics_cli.cam.followers import Roller
+    >>> found = check(Program(), program="rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5",
+    ...     follower=Roller(0.025, 0.006))
+    >>> found.fits, found.undercut
+    (True, False)
+    """
+    from dynamics_cli.cam.analysis import analyse, pressure_bounds
+    from dynamics_cli.cam.contact import Geometry
+    from dynamics_cli.cam.profile import concave, convex
+    from dynamics_cli.cam.undercut import backward_stretches, lift_lost
+
+    geometry = Geometry(follower, rotation, flank)
+    motion = motion_of(scene, program)
+    require_lift(motion, geometry.oscillating)
+    require(
+        geometry.flat or face_width is None,
+        "only a flat face has a width",
+        code="face-width",
+        hint="leave --face-width out",
+    )
+    found = analyse(geometry, motion)
+    (high, high_at), (low, low_at) = found.pressure.largest(), found.pressure.smallest()
+    round_, round_at = convex(geometry, found)
+    hollow, hollow_at = concave(geometry, found)
+    inner = geometry.side > 0.0
+    loss = lift_lost(geometry, motion) if inner else None
+    stretches = loss.stretches if loss is not None else () if inner else backward_stretches(geometry, motion)
+    face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
+    jumps = _joint_jumps(motion)
+    jump = _jump(motion, mass, stiffness, preload, speed)
+    tightest = min((radius for radius in (round_, hollow) if radius is not None), default=None)
+    kept = {
+        "undercut": not stretches,
+        "rise limit": high <= rise_limit * (1.0 + 1e-12),
+        "return limit": -low <= return_limit * (1.0 + 1e-12),
+        "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),
+        "face width": face_width is None or face is None or face <= face_width,
+        "velocity jump": jumps[0] == 0,
+        "jump speed": jump is None or speed is None or jump[0] is None or jump[0] >= safety * speed,
+    }
+    wrong = [name for name, good in kept.items() if not good]
+    return CamCheck(
+        fits=not wrong,
+        binding=", ".join(wrong) if wrong else "nothing",
+        undercut=bool(stretches),
+        undercut_stretches=len(stretches),
+        lift_lost=loss.lift if loss is not None and not geometry.oscillating else None,
+        swing_lost=loss.lift if loss is not None and geometry.oscillating else None,
+        lost_at=None if loss is None else loss.at,
+        least_convex_radius=round_,
+        least_convex_radius_at=round_at,
+        least_concave_radius=hollow,
+        least_concave_radius_at=hollow_at,
+        curvature_kept=kept["least radius of curvature"],
+        largest_pressure_angle=high,
+        largest_pressure_angle_at=high_at,
+        least_pressure_angle=low,
+        least_pressure_angle_at=low_at,
+        pressure_angle_kept=kept["rise limit"] and kept["return limit"],
+        face_width=face,
+        face_kept=None if face_width is None else kept["face width"],
+        velocity_jumps=jumps[0],
+        acceleration_jumps=jumps[1],
+        jump_speed=None if jump is None else jump[0],
+        jump_at=None if jump is None else jump[1],
+        jump_kept=None if jump is None or speed is None else kept["jump speed"],
+        advice=_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump),
+        numerics=Numerics(
+            "Chebyshev proxies of every piece, every turning place certified", pressure_bounds(geometry, motion, found)
+        ),
+    )
+
+
+def _joint_jumps(motion: "Any") -> tuple[int, int]:
+    """Joints where velocity or acceleration jumps, beyond rounding."""
+    counts = [0, 0]
+    before = [motion.in_zone(index, 1.0, 2) for index in range(len(motion.zones))]
+    after = [motion.in_zone(index, 0.0, 2) for index in range(len(motion.zones))]
+    for order in (1, 2):
+        peak = max(abs(state[order]) for state in (*before, *after))
+        peak = max(peak, *(abs(motion.in_zone(index, 0.37, 2)[order]) for index in range(len(before))))
+        for index, state in enumerate(after):
+            counts[order - 1] += abs(state[order] - before[index - 1][order]) > 1e-9 * peak
+    return counts[0], counts[1]
+
+
+def _jump(
+    motion: "Any", mass: float | None, stiffness: float | None, preload: float | None, speed: float | None
+) -> "tuple[float | None, float | None] | None":
+    """Speed at which the spring no longer holds the follower, and where; None where nothing was asked."""
+    given = [value is not None for value in (mass, stiffness, preload)]
+    if not any(given) and speed is None:
+        return None
+    require(
+        all(given),
+        "a jump needs the moved mass, the spring's stiffness and its preload",
+        code="spring",
+        hint='--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N"',
+    )
+    require(not motion.swing, "the jump of an arm is found by `cam force`", code="jump", hint="leave the spring out")
+    from dynamics_cli.cam.pieces import over_pieces, turning_places
+
+    assert mass is not None and stiffness is not None and preload is not None
+    floor = preload + stiffness * motion.stroke[0]
+    require(
+        floor > 0.0,
+        "the spring is slack where the lift is least: its force there is {0:.6g} N",
+        floor,
+        code="slack",
+        hint="raise the preload",
+    )
+    # 1/ω² = −m s″/(k s + P), smooth where the force is above zero
+    made = over_pieces(motion, lambda s, s1, s2: (-mass * s2 / (stiffness * s + preload))[None])
+    most, place = turning_places(motion, made).largest()
+    return (1.0 / sqrt(most), place) if most > 0.0 else (None, None)
+
+
+def _advice(
+    geometry: "Geometry", wrong: list[str], loss: "Any", radii: "tuple[float | None, float | None]",
+    least_radius: float, jump: "Any",
+) -> tuple[Advice, ...]:  # fmt: skip
+    advice = []
+    if loss is not None:
+        unit = "rad of swing" if geometry.oscillating else "m of lift"
+        advice.append(
+            Advice(
+                "undercut",
+                f"the cam is undercut: {loss.lift:.6g} {unit} are lost"
+                + ("" if loss.exact else " (from samples: undercuts run into each other)"),
+                "serious",
+                "raise the base radius, take a smaller roller, or give the motion a larger angle",
+            )
+        )
+    elif "undercut" in wrong:
+        advice.append(
+            Advice("undercut", "the flank is undercut: it cuts itself", "serious", "take a smaller roller")
+        )
+    messages = {
+        "rise limit": "raise the base radius, offset the follower, or give the rise a larger angle",
+        "return limit": "raise the base radius, offset the follower, or give the return a larger angle",
+        "face width": "a longer face, or a slower motion",
+        "velocity jump": "choose laws whose velocities join",
+        "jump speed": "a stiffer spring, a larger preload or a lighter follower",
+    }
+    for name in wrong:
+        if name in messages:
+            advice.append(Advice(name.replace(" ", "-"), f"the {name} is not kept", "serious", messages[name]))
+    if "least radius of curvature" in wrong:
+        tightest = min(radius for radius in radii if radius is not None)
+        advice.append(
+            Advice(
+                "curvature",
+                f"the least radius of curvature, {tightest:.6g} m, is below {least_radius:.6g} m",
+                "serious",
+                "raise the base radius: `cam size` tells how far",
+            )
+        )
+    if jump is not None and jump[0] is None:
+        advice.append(Advice("no-jump", "the follower never slows down: it cannot leave the cam", "note", result="jump_speed"))
+    return tuple(advice)

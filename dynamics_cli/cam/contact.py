@@ -1,0 +1,190 @@
+"""Where cam and follower touch: exact envelopes in the fixed frame, from the lift and its derivatives by cam angle.
+
+With p the centre of the roller, u = dp/dθ − ip is its velocity as the cam sees it; the outward normal is iu/|u|, and
+the cam's curve is p − R_r n. A flat face touches where the instant centre says. Everything here is exact and works on
+arrays; a cam that turns clockwise is one that turns anticlockwise with the motion run backwards.
+"""
+
+import numpy as np
+
+from dynamics_cli.cam.followers import (
+    FLAT,
+    ConjugateOscillatingRoller,
+    ConjugateRoller,
+    FlatFace,
+    Flank,
+    Follower,
+    OscillatingFlat,
+    OscillatingRoller,
+    Rotation,
+    mate_angle,
+    roller_radius,
+    start_angle_of_arm,
+    start_angle_of_face,
+    start_height,
+)
+from dynamics_cli.errors import require
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    Pair = tuple[Any, Any]
+
+
+@record
+class Touch:
+    """Contact at some cam angles, all of it in the fixed frame (arrays).
+
+    Parameters
+    ----------
+    centre : pair of arrays
+        Centre of the roller, or the point of contact of other followers [m].
+    point : pair of arrays
+        The point of contact [m].
+    normal : pair of arrays
+        Unit vector from the cam into the follower.
+    run : array
+        Speed of the point of contact along the cam per radian, negative where the envelope runs backwards [m].
+    spin : array
+        How fast the normal turns back in the cam, per radian of the cam.
+    curvature : array
+        Curvature of the pitch curve (roller and knife-edge), convex positive [1/m].
+    radius : array
+        Radius of curvature of the cam under a flat face; None for the others [m].
+    pressure_angle : array
+        Angle from the follower's way to the normal, positive in the sense in which the cam turns [rad].
+    """
+
+    centre: "Pair"
+    point: "Pair"
+    normal: "Pair"
+    run: "Any"
+    spin: "Any"
+    curvature: "Any"
+    radius: "Any"
+    pressure_angle: "Any"
+
+
+class Geometry:
+    """A follower in place over a cam: touches at cam angles, once its lift and derivatives there are known."""
+
+    def __init__(self, follower: Follower, rotation: str = "counter-clockwise", flank: str = "inner") -> None:
+        self.follower = follower
+        self.turn = -1.0 if Rotation(rotation) == "clockwise" else 1.0
+        self.side = -1.0 if Flank(flank) == "outer" else 1.0
+        self.roller = roller_radius(follower)
+        self.flat = isinstance(follower, FLAT)
+        require(
+            self.side > 0.0 or self.roller > 0.0,
+            "only a roller runs in a track that has an outer flank",
+            code="flank",
+            hint="give a roller radius above zero",
+        )
+        self.way = 1.0
+        if isinstance(follower, OscillatingRoller):
+            self.start = start_angle_of_arm(
+                follower.base_radius, self.roller, follower.arm, follower.pivot_distance
+            )
+        elif isinstance(follower, ConjugateOscillatingRoller):
+            self.start, self.way = mate_angle(follower), -1.0
+        elif isinstance(follower, OscillatingFlat):
+            self.start = start_angle_of_face(follower.base_radius, follower.face_offset, follower.pivot_distance)
+        elif isinstance(follower, FlatFace):
+            self.start = follower.base_radius
+        else:
+            self.start = start_height(follower.base_radius, self.roller, follower.offset)
+            if isinstance(follower, ConjugateRoller):
+                self.start, self.way = self.start - follower.roller_distance, -1.0
+
+    @property
+    def oscillating(self) -> bool:
+        """Whether the lift is an angle."""
+        return isinstance(self.follower, OscillatingRoller | OscillatingFlat | ConjugateOscillatingRoller)
+
+    def pitch(self, s: "Any", s1: "Any", s2: "Any", s3: "Any" = None) -> "tuple[Any, ...]":
+        """Centre (x, y) of the roller, u = (X, Y) and its derivatives by cam angle, of the anticlockwise cam."""
+        f = self.follower
+        if isinstance(f, OscillatingRoller | ConjugateOscillatingRoller):
+            angle = self.start + s
+            sin, cos = np.sin(angle), np.cos(angle)
+            g, g1 = f.arm * (1.0 + s1), f.arm * s2
+            along = g * s1
+            first = (g * sin, g * cos - f.pivot_distance, g1 * sin + along * cos, g1 * cos - along * sin)
+            place = (f.pivot_distance - f.arm * cos, f.arm * sin)
+            if s3 is None:
+                return (*place, *first)
+            g2, twice, square = f.arm * s3, 2.0 * g1 * s1, g * s1 * s1
+            return (
+                *place, *first,
+                (g2 - square) * sin + (twice + g * s2) * cos, (g2 - square) * cos - (twice + g * s2) * sin,
+            )  # fmt: skip
+        height, offset = self.start + s, f.offset  # type: ignore[union-attr]
+        return (offset, height, height, s1 - offset, s1, s2, s2, s3)
+
+    def touch(self, s: "Any", s1: "Any", s2: "Any") -> Touch:
+        """Contact for a lift and its first two derivatives by cam angle (arrays), before the start angle is applied."""
+        s1 = self.turn * s1
+        if self.flat:
+            return self._flat(s, s1, s2)
+        x, y, big_x, big_y, x1, y1 = self.pitch(s, s1, s2)[:6]
+        square = big_x * big_x + big_y * big_y
+        w = np.sqrt(square)
+        curvature = (square + big_y * x1 - big_x * y1) / (square * w)
+        nx, ny = -big_y / w, big_x / w
+        reach = self.side * self.roller
+        spin = curvature * w
+        run = w - reach * spin
+        sin, cos = self._way(s)
+        pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
+        return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
+
+    def _way(self, s: "Any") -> "Pair":
+        """The direction the cam drives the follower in."""
+        if not self.oscillating:
+            return 0.0, self.way
+        return self.way * np.sin(self.start + s), self.way * np.cos(self.start + s)
+
+    def _flat(self, s: "Any", s1: "Any", s2: "Any") -> Touch:
+        f = self.follower
+        if isinstance(f, FlatFace):
+            height = self.start + s
+            radius = height + s2
+            nothing, one = np.zeros_like(height), np.ones_like(height)
+            point = (s1 + nothing, height)
+            return Touch(point, point, (nothing, one), radius, one, nothing, radius, nothing)
+        angle, speed = self.start + s, 1.0 + s1
+        sin, cos = np.sin(angle), np.cos(angle)
+        c, back = f.pivot_distance, f.face_offset  # type: ignore[union-attr]
+        along = c * cos / speed
+        radius = c * (sin * (1.0 + 2.0 * s1) * speed + s2 * cos) / (speed * speed * speed) - back
+        point = (c - along * cos - back * sin, along * sin - back * cos)
+        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along))
+
+    def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
+        """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""
+        return rotated(point, theta, self.turn, start_angle)
+
+
+def rotated(point: "Pair", theta: "Any", turn: float, start_angle: float) -> "Pair":
+    """A point turned by −turn·θ + start angle."""
+    angle = theta if not start_angle else theta - turn * start_angle
+    cos, sin = np.cos(angle), np.sin(angle)
+    if turn < 0.0:
+        sin = -sin
+    x, y = point
+    return x * cos + y * sin, y * cos - x * sin
+
+
+def check_speed(geometry: Geometry, s1: "Any") -> None:
+    """Refuse a flat rocker that turns back as fast as the cam: it would touch at infinity."""
+    if isinstance(geometry.follower, OscillatingFlat):
+        slowest = float(np.min(1.0 + geometry.turn * np.asarray(s1)))
+        require(
+            slowest > 0.0,
+            "the rocker turns as fast as the cam (1 + dψ/dθ falls to {0:.6g}): a flat face cannot follow this motion",
+            slowest,
+            code="face-too-fast",
+            hint="give the return a larger angle of the cam",
+        )

@@ -1,0 +1,365 @@
+"""Normalised rise laws f(x), 0 ≤ x ≤ 1, f(0) = 0, f(1) = 1, with exact derivatives.
+
+`law_named("cycloidal").at(x)` gives (f, f', f'', f''') for a float or an array; `side=-1` takes the left value where a
+derivative jumps. A law is a few pieces, each measured from the end of the rise it is nearest to, so that f and 1 − f
+both keep their digits; `breaks` are the places inside where some derivative jumps.
+"""
+
+from bisect import bisect_left, bisect_right
+from math import pi
+
+from dynamics_cli.cam.shapes import Beta, EndOfDoubleHarmonic, FourthPowerOfSine, Mixed
+from dynamics_cli.errors import require
+from dynamics_cli.records import Choice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import Any
+
+
+SMALLEST_SHARE = 1e-12
+
+
+class LawName(Choice):
+    """A rise law."""
+
+    names = (
+        "linear",
+        "parabolic",
+        "cubic",
+        "harmonic",
+        "double-harmonic",
+        "cycloidal",
+        "modified-trapezoid",
+        "modified-sine",
+        "trapezoid",
+        "3-4-5",
+        "4-5-6-7",
+        "5-6-7-8-9",
+        "gutman-1-3",
+        "freudenstein-1-3",
+        "freudenstein-1-3-5",
+        "modified-constant-velocity",
+        "half-cycloid-start",
+        "half-cycloid-end",
+        "half-harmonic-start",
+        "half-harmonic-end",
+        "scca",
+        "polynomial",
+        "spline",
+    )
+    aliases = {  # noqa: RUF012
+        "constant-velocity": "linear", "straight-line": "linear", "gerade": "linear",
+        "quadratic-parabola": "parabolic", "constant-acceleration": "parabolic", "quadratische-parabel": "parabolic",
+        "2-3": "cubic", "cubic-1": "cubic", "polynomial-2-3": "cubic", "poly3": "cubic",
+        "simple-harmonic": "harmonic", "sinusoidal": "harmonic", "simple-sine": "harmonic", "shm": "harmonic",
+        "sine-line": "harmonic", "einfache-sinuslinie": "harmonic",
+        "cycloid": "cycloidal", "inclined-sine": "cycloidal", "inclined-sine-line": "cycloidal",
+        "bestehorn": "cycloidal", "bestehorn-sinoid": "cycloidal", "geneigte-sinuslinie": "cycloidal",
+        "modified-trapezoidal": "modified-trapezoid", "modified-acceleration-trapezoid": "modified-trapezoid",
+        "modifiziertes-beschleunigungstrapez": "modified-trapezoid", "mt": "modified-trapezoid",
+        "modified-sinusoidal": "modified-sine", "modifizierte-sinuslinie": "modified-sine", "ms": "modified-sine",
+        "modsine": "modified-sine", "trapezoidal": "trapezoid", "acceleration-trapezoid": "trapezoid",
+        "beschleunigungstrapez": "trapezoid", "345": "3-4-5", "polynomial-3-4-5": "3-4-5", "poly345": "3-4-5",
+        "poly5": "3-4-5", "5th-degree-polynomial": "3-4-5", "polynom-5.-grades": "3-4-5",
+        "4567": "4-5-6-7", "polynomial-4-5-6-7": "4-5-6-7", "poly4567": "4-5-6-7", "poly7": "4-5-6-7",
+        "polynom-7.-grades": "4-5-6-7", "56789": "5-6-7-8-9", "polynomial-5-6-7-8-9": "5-6-7-8-9", "poly9": "5-6-7-8-9",
+        "gutman": "gutman-1-3", "freudenstein": "freudenstein-1-3", "mcv": "modified-constant-velocity",
+        "mcv50": "modified-constant-velocity", "half-cycloid": "half-cycloid-start", "half-cycloidal": "half-cycloid-start",
+        "half-harmonic": "half-harmonic-start", "poly": "polynomial",
+    }  # fmt: skip
+
+
+class Piece:
+    """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x. `ends` are those of the shape's own coordinate."""
+
+    __slots__ = ("ends", "far", "high", "low", "shape")
+
+    def __init__(
+        self,
+        low: float,
+        high: float,
+        far: bool,
+        shape: "Callable[[Any, int], list[Any]]",
+        ends: "tuple[float, float] | None" = None,
+    ) -> None:
+        self.low = low
+        self.high = high
+        self.far = far
+        self.shape = shape
+        self.ends = ends or ((1.0 - high, 1.0 - low) if far else (low, high))
+
+
+class Law:
+    """A rise law: its pieces in order, the places inside where a derivative jumps, whether its ends rest, and f(1)."""
+
+    __slots__ = ("breaks", "edges", "extremes", "monotone", "name", "pieces", "rests", "total")
+
+    def __init__(
+        self,
+        name: str,
+        pieces: "Sequence[Piece]",
+        breaks: "Sequence[float]" = (),
+        *,
+        monotone: bool = True,
+        rests: tuple[bool, bool] = (True, True),
+        total: float = 1.0,
+    ) -> None:
+        self.name = name
+        self.pieces = tuple(pieces)
+        self.breaks = tuple(breaks)
+        self.monotone = monotone
+        self.rests = rests
+        self.total = total
+        self.extremes: dict[int, list[tuple[float, float]]] = {}
+        self.edges = [piece.high for piece in self.pieces[:-1]]
+
+    def at(self, x: "Any", derivatives: int = 3, side: int = 1) -> "tuple[Any, ...]":
+        """f and its derivatives at x, a float or an array within 0 and 1; `side` chooses where one jumps."""
+        if hasattr(x, "shape"):
+            return self._over_array(x, derivatives, side)
+        find = bisect_right if side > 0 else bisect_left
+        piece = self.pieces[find(self.edges, x)]
+        return tuple(self.upright(piece, (1.0 - x) if piece.far else x, derivatives))
+
+    def _over_array(self, x: "Any", derivatives: int, side: int) -> "tuple[Any, ...]":
+        import numpy as np
+
+        found = np.empty((derivatives + 1, *x.shape))
+        which = np.searchsorted(self.edges, x, side="right" if side > 0 else "left")
+        for index, piece in enumerate(self.pieces):
+            here = which == index
+            if here.any():
+                t = 1.0 - x[here] if piece.far else x[here]
+                for order, values in enumerate(self.upright(piece, t, derivatives)):
+                    found[order][here] = values
+        return tuple(found)
+
+    def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
+        """f and its derivatives from one piece, t measured from the end that the piece is measured from."""
+        found = piece.shape(t, derivatives)
+        if piece.far:
+            found = [self.total - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
+        return found
+
+
+def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool = True) -> Law:
+    """Make a law of f(x) = 1 − f(1 − x) from (upper edge, shape) pairs of its first half; `smooth` across the middle."""
+    pieces = []
+    low = 0.0
+    for high, shape in shapes:
+        if high > low:
+            pieces.append(Piece(low, high, False, shape))
+            low = high
+    pieces += [
+        Piece(1.0 - piece.high, 1.0 - piece.low, True, piece.shape, (piece.low, piece.high))
+        for piece in reversed(pieces)
+    ]
+    breaks = [piece.high for piece in pieces[:-1] if not (smooth and piece.high == 0.5)]
+    return Law(name, pieces, breaks)
+
+
+def _fourier(name: str, *terms: tuple[int, float]) -> Law:
+    """Σ c/(2πk)·(2πkx − sin 2πkx), Σ c = 1."""
+    waves = [(share / (2.0 * pi * k), 2.0 * pi * k, 0) for k, share in terms]
+    return symmetric(name, [(0.5, Mixed(waves=waves))])
+
+
+def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") -> Law:
+    """Sine, constant, cosine acceleration in shares b, c, d of each half, with constant velocity in between.
+
+    Equation
+    --------
+    Of the first half, a = C_a sin(πx/2r) to r, C_a to r + k, then C_a cos(π(x − r − k)/2g) to q = r + k + g, then none
+    to ½; r = b q, k = c q, g = d q, q = (1 − constant)/2. C_a follows from f(½) = ½.
+
+    Parameters
+    ----------
+    b, c, d : float
+        Shares of the sine, the constant and the cosine; their sum is 1.
+    constant : float
+        Share of the rise at constant velocity.
+    name : str
+        Name of the law.
+
+    Returns
+    -------
+    Law
+        The law.
+
+    Raises
+    ------
+    InadmissibleError
+        When a share is negative, the shares do not sum to 1, or nothing is left for the acceleration.
+
+    Notes
+    -----
+    (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
+    (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
+
+    Examples
+    --------
+    >>> round(max(scca(0.25, 0.5, 0.25).at(x / 100)[2] for x in range(51)), 4)
+    4.8881
+    """
+    require(min(b, c, d) >= 0.0, "shares {0:.6g}, {1:.6g}, {2:.6g}: none may be negative", b, c, d, code="shares")
+    require(
+        abs(b + c + d - 1.0) <= 4e-16,
+        "the shares {0:.6g}, {1:.6g}, {2:.6g} sum to {3:.17g}, not to 1",
+        b, c, d, b + c + d,
+        code="shares",
+        hint=f"a third share of {1.0 - b - c:.6g} fits the first two",
+    )  # fmt: skip
+    require(
+        all(share == 0.0 or share >= SMALLEST_SHARE for share in (b, c, d)),
+        "shares {0:.6g}, {1:.6g}, {2:.6g}: one below {3:.6g} is no share",
+        b, c, d, SMALLEST_SHARE,
+        code="shares",
+        hint="make it zero",
+    )  # fmt: skip
+    require(0.0 <= constant < 1.0, "a share of {0:.6g} at constant velocity leaves no rise", constant, code="constant")
+    q = 0.5 * (1.0 - constant)
+    r, k, g = b * q, c * q, d * q
+    still = 0.5 * constant
+    whole = r / pi - 4.0 * r * r / pi**2 + k * (0.5 - r - 0.5 * k) + 2.0 * still * g / pi + 4.0 * g * g / pi**2
+    peak = 0.5 / whole
+    speed = peak * (2.0 * (r + g) / pi + k)
+    shapes: list[tuple[float, Any]] = []
+    rise = speed_up = 0.0
+    if r:
+        shapes.append((r, Mixed(waves=[(peak * (2.0 * r / pi) ** 2, pi / (2.0 * r), 0)])))
+        rise, speed_up = peak * r * r * (2.0 / pi - 4.0 / pi**2), peak * 2.0 * r / pi
+    if k:
+        shapes.append((r + k, Mixed((rise, speed_up, 0.5 * peak), origin=r)))
+    if g:
+        flat = peak * k
+        reached, gained = rise + k * (speed_up + 0.5 * flat), speed_up + flat
+        wave = (peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 1)
+        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k)))
+    if still:
+        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True)))
+    return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)
+
+
+def _trapezoid() -> Law:
+    slope = 128.0 / 3.0
+    first = Mixed((0.0, 0.0, 0.0, slope / 6.0))
+    flat = Mixed((slope / 3072.0, slope / 128.0, slope / 16.0), origin=0.125)
+    last = Mixed((0.5, -2.0, 0.0, slope / 6.0), origin=0.5, backwards=True)
+    return symmetric("trapezoid", [(0.125, first), (0.375, flat), (0.5, last)])
+
+
+def _two_ended(name: str, start: "Any", end: "Any", rests: tuple[bool, bool] = (True, True)) -> Law:
+    return Law(name, (Piece(0.0, 0.5, False, start), Piece(0.5, 1.0, True, end)), rests=rests)
+
+
+def _half(name: str, slow: Mixed, fast: Mixed) -> Law:
+    """One end rests, the other goes on at full speed."""
+    if name.endswith("start"):
+        return _two_ended(name, slow, fast, (True, False))
+    return _two_ended(name, fast, slow, (False, True))
+
+
+def _half_cycloid(name: str) -> Law:
+    return _half(name, Mixed(waves=[(1.0 / pi, pi, 0)]), Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)]))
+
+
+def _half_harmonic(name: str) -> Law:
+    return _half(name, Mixed(waves=[(1.0, 0.5 * pi, 1)]), Mixed(waves=[(1.0, 0.5 * pi, 2)]))
+
+
+def _linear() -> Law:
+    shape = Mixed((0.0, 1.0))
+    return _two_ended("linear", shape, shape)
+
+
+_MAKERS: "dict[str, Callable[[], Law]]" = {
+    "linear": _linear,
+    "parabolic": lambda: symmetric("parabolic", [(0.5, Mixed((0.0, 0.0, 2.0)))], smooth=False),
+    "cubic": lambda: symmetric("cubic", [(0.5, Beta(1))]),
+    "harmonic": lambda: symmetric("harmonic", [(0.5, Mixed(waves=[(0.5, pi, 1)]))]),
+    "double-harmonic": lambda: _two_ended("double-harmonic", FourthPowerOfSine(), EndOfDoubleHarmonic()),
+    "cycloidal": lambda: _fourier("cycloidal", (1, 1.0)),
+    "modified-trapezoid": lambda: scca(0.25, 0.5, 0.25, name="modified-trapezoid"),
+    "modified-sine": lambda: scca(0.25, 0.0, 0.75, name="modified-sine"),
+    "trapezoid": _trapezoid,
+    "3-4-5": lambda: symmetric("3-4-5", [(0.5, Beta(2))]),
+    "4-5-6-7": lambda: symmetric("4-5-6-7", [(0.5, Beta(3))]),
+    "5-6-7-8-9": lambda: symmetric("5-6-7-8-9", [(0.5, Beta(4))]),
+    "gutman-1-3": lambda: _fourier("gutman-1-3", (1, 15.0 / 16.0), (3, 1.0 / 16.0)),
+    "freudenstein-1-3": lambda: _fourier("freudenstein-1-3", (1, 27.0 / 28.0), (3, 1.0 / 28.0)),
+    "freudenstein-1-3-5": lambda: _fourier(
+        "freudenstein-1-3-5", (1, 1125.0 / 1192.0), (3, 62.5 / 1192.0), (5, 4.5 / 1192.0)
+    ),
+    "half-cycloid-start": lambda: _half_cycloid("half-cycloid-start"),
+    "half-cycloid-end": lambda: _half_cycloid("half-cycloid-end"),
+    "half-harmonic-start": lambda: _half_harmonic("half-harmonic-start"),
+    "half-harmonic-end": lambda: _half_harmonic("half-harmonic-end"),
+}
+
+CONSTANT_SHARE = 0.5
+_made: "dict[str, Law]" = {}
+
+
+def law_named(
+    name: str, shares: "tuple[float, ...] | None" = None, constant: float | None = None
+) -> Law:
+    """Give the law of that name; `shares` (b, c, d) belong to scca, `constant` to modified constant velocity.
+
+    Parameters
+    ----------
+    name : str
+        A name or alias of `LawName`.
+    shares : tuple of float
+        Shares b, c, d of sine, constant and cosine acceleration.
+    constant : float
+        Share of the rise at constant velocity, one half when not given.
+
+    Returns
+    -------
+    Law
+        The law.
+
+    Raises
+    ------
+    InadmissibleError
+        When shares are missing, or given to a law that has none.
+
+    Examples
+    --------
+    >>> law_named("bestehorn").at(0.5)[:2]
+    (0.5, 2.0)
+    """
+    name = LawName(name)
+    require(
+        shares is None or name == "scca", "the law {0} has no shares", name, code="shares", hint="leave them out, or take scca"
+    )
+    require(
+        constant is None or name in ("scca", "modified-constant-velocity"),
+        "the law {0} has no share at constant velocity",
+        name,
+        code="constant",
+        hint="leave it out, or take modified-constant-velocity",
+    )
+    if name == "scca":
+        require(
+            shares is not None and len(shares) == 3,
+            "scca needs its shares b, c, d",
+            code="shares",
+            hint="for example 0.25, 0.5, 0.25",
+        )
+        return scca(*shares, constant or 0.0)  # type: ignore[misc]
+    if name == "modified-constant-velocity":
+        share = CONSTANT_SHARE if constant is None else constant
+        return scca(0.25, 0.0, 0.75, share, name=name)
+    require(
+        name in _MAKERS,
+        "the law {0} needs {1}",
+        name,
+        "points to go through" if name == "spline" else "conditions at its ends",
+        code="law-needs-more",
+    )
+    if name not in _made:
+        _made[name] = _MAKERS[name]()
+    return _made[name]

@@ -1,0 +1,49 @@
+"""Pieces of a motion on which it is smooth, and extremes over them, each piece in a coordinate of its own."""
+
+import numpy as np
+
+from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.cam.motion import Motion
+
+
+def pieces(motion: "Motion") -> "tuple[Any, Any]":
+    """Starts and ends of the pieces of one turn, in radians and in order."""
+    return np.array([zone.start for zone in motion.zones]), np.array([zone.end for zone in motion.zones])
+
+
+def sample(motion: "Motion", theta: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
+    """Lift and its derivatives by cam angle at an array of angles."""
+    return motion.at(theta, derivatives)
+
+
+def within(motion: "Motion", place: "Any", piece: "Any", derivatives: int = 2) -> "tuple[Any, ...]":
+    """Lift and its derivatives at shares (m, n) of the pieces that the m rows lie in."""
+    out = np.empty((derivatives + 1, *place.shape))
+    for index in np.unique(piece).tolist():
+        rows = piece == index
+        out[:, rows] = motion.in_zone(index, place[rows], derivatives)
+    return tuple(out)
+
+
+def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
+    """Proxies of functions (q, m, n) of the lift and its derivatives, on shares of every piece."""
+    count = len(motion.zones)
+
+    def sampled(place: "Any", piece: "Any") -> "Any":
+        return function(*within(motion, place, piece, derivatives))
+
+    return proxies(sampled, np.zeros(count), np.ones(count))
+
+
+def turning_places(motion: "Motion", made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
+    """Extremes of one function, their places as cam angles."""
+    found = extremes(made, which, every=every)
+    starts, ends = pieces(motion)
+    theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
+    return Extremes(found.owner, theta, found.values, found.inside, found.error)

@@ -1,0 +1,388 @@
+"""Programs of cam motion: records read from a file, or one line of words, made into a `Motion`.
+
+Conventions: a task's first parameter is `scene: Program, /`, and `program: Text = ""` is one of its options;
+`motion_of(scene, program)` gives the motion of whichever was given.
+"""
+
+from math import pi
+
+from dynamics_cli.cam.laws import Law, LawName, law_named
+from dynamics_cli.cam.motion import Exact, Motion, Span, radians
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Angle, CamAcceleration, CamVelocity, Coordinate, Count, Fraction, Ratio
+from dynamics_cli.records import Choice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+FULL: Exact = (360, 1)
+# Spans in radians, or of many digits, cannot sum to a turn exactly; this close, the last one is stretched to fit.
+CLOSED_WITHIN = 1e-9
+SHORTEST = 1e-9
+
+
+class Move(Choice):
+    """What the follower does."""
+
+    names = ("rise", "return", "dwell")
+    aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012
+
+
+@record
+class Point:
+    """A point a spline goes through.
+
+    Parameters
+    ----------
+    at : Angle
+        Cam angle from the start of the segment [rad].
+    lift : Coordinate
+        Lift above the level at the start of the segment [m].
+    """
+
+    at: Angle
+    lift: Coordinate
+
+
+@record
+class Segment:
+    """One segment of a program.
+
+    Parameters
+    ----------
+    move : Move
+        Rise, return or dwell.
+    span : Angle
+        Cam angle it takes; one segment may leave it out and takes what is left of the turn [rad].
+    lift : Coordinate
+        How far the follower rises or returns; a return without it goes back to the level of the start [m].
+    swing : Angle
+        In place of the lift, how far an arm swings [rad].
+    law : LawName
+        The law; 3-4-5 when not given.
+    shares : tuple of Ratio
+        Shares b, c, d of sine, constant and cosine acceleration of an scca law.
+    constant : Fraction
+        Share of the rise at constant velocity of a modified constant velocity.
+    degree : Count
+        Degree 3, 5, 7 or 9 of a polynomial between the states at its ends; 5 when not given.
+    start_velocity : CamVelocity
+        Velocity at the start of a polynomial or spline; that of the segment before when not given [m/rad].
+    end_velocity : CamVelocity
+        Velocity at its end; that of the segment after when not given [m/rad].
+    start_acceleration : CamAcceleration
+        Acceleration at the start of a polynomial; that of the segment before when not given [m/rad^2].
+    end_acceleration : CamAcceleration
+        Acceleration at its end; that of the segment after when not given [m/rad^2].
+    points : tuple of Point
+        Points a spline goes through between its ends.
+    """
+
+    move: Move
+    span: Angle | None = None
+    lift: Coordinate | None = None
+    swing: Angle | None = None
+    law: LawName | None = None
+    shares: tuple[Ratio, ...] = ()
+    constant: Fraction | None = None
+    degree: Count | None = None
+    start_velocity: CamVelocity | None = None
+    end_velocity: CamVelocity | None = None
+    start_acceleration: CamAcceleration | None = None
+    end_acceleration: CamAcceleration | None = None
+    points: tuple[Point, ...] = ()
+
+
+@record
+class Program:
+    """A revolution of cam motion, segment by segment.
+
+    Parameters
+    ----------
+    segments : tuple of Segment
+        The segments in order; together they make one turn.
+    start : Angle
+        Cam angle at which the first begins [rad].
+    """
+
+    segments: tuple[Segment, ...] = ()
+    start: Angle = 0.0
+
+
+@record
+class Step:
+    """A segment as both ways of writing it come to: spans exact, in degrees.
+
+    Parameters
+    ----------
+    segment : Segment
+        What was asked.
+    span : (int, int) | None
+        Its span in degrees, exactly.
+    level : float | None
+        Lift to go to, in place of how far.
+    """
+
+    segment: Segment
+    span: "Exact | None"
+    level: float | None = None
+
+
+def motion_of(scene: Program, program: str = "") -> Motion:
+    """Give the motion of a program, from records or from one line of words.
+
+    Parameters
+    ----------
+    scene : Program
+        Records, without segments when there is a line.
+    program : str
+        The line: segments parted by semicolons, such as `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg
+        3-4-5; dwell`.
+
+    Returns
+    -------
+    Motion
+        The motion, closed over one turn.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no program or two, its words are not understood, its spans do not make one turn, it does not come
+        back to where it began, or a law lacks what it needs.
+
+    Notes
+    -----
+    Spans are kept as exact numbers of degrees: those of records are read back from radians to the shortest decimal that
+    gives the same double.
+
+    Examples
+    --------
+    >>> motion_of(Program(), "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell").joints[-1]
+    6.283185307179586
+    """
+    require(
+        bool(scene.segments) != bool(program.strip()),
+        "there are two programs" if scene.segments else "there is no program",
+        code="program",
+        hint='give a file, or --program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg; dwell"',
+    )
+    start = exact_degrees(scene.start)
+    if scene.segments:
+        steps = [Step(one, None if one.span is None else exact_degrees(one.span)) for one in scene.segments]
+    else:
+        from dynamics_cli.cam.wording import read_program
+
+        steps, own = read_program(program)
+        start = own or start
+    return _joined(steps, start)
+
+
+def exact_degrees(angle: float) -> "Exact":
+    """Degrees that a user wrote for this double of radians: the shortest decimal, of degrees or seconds, that gives it."""
+    degrees = angle * (180.0 / pi)
+    for parts in (1, 60, 3600):
+        for digits in (6, 10, 15):
+            top, bottom = _decimal(f"{degrees * parts:.{digits}g}")
+            if radians((top, bottom * parts))[0] == angle:
+                return top, bottom * parts
+    top, bottom = angle.as_integer_ratio()
+    return from_radians((top, bottom))
+
+
+def _decimal(text: str) -> "Exact":
+    mantissa, _, exponent = text.partition("e")
+    whole, _, tail = mantissa.partition(".")
+    power = int(exponent or 0) - len(tail)
+    top = int(whole + tail)
+    return (top * 10**power, 1) if power >= 0 else (top, 10**-power)
+
+
+def from_radians(angle: "Exact") -> "Exact":
+    """Degrees of an exact number of radians, to 50 digits."""
+    from dynamics_cli.cam.motion import _PI, _PI_SCALE
+
+    return angle[0] * 180 * _PI_SCALE, angle[1] * _PI
+
+
+def _plus(a: "Exact", b: "Exact", sign: int = 1) -> "Exact":
+    from math import gcd
+
+    top, bottom = a[0] * b[1] + sign * b[0] * a[1], a[1] * b[1]
+    common = gcd(top, bottom)
+    return top // common, bottom // common
+
+
+def _spans(steps: "Sequence[Step]") -> "list[Exact]":
+    """Every segment's span, with what is left for the one that gives none."""
+    total: Exact = (0, 1)
+    for number, step in enumerate(steps, 1):
+        if step.span is not None:
+            width = step.span[0] / step.span[1]
+            require(
+                width >= SHORTEST * 360.0,
+                "segment {0} spans {1:.6g} deg: a span is positive, and no shorter than {2:.2g} deg",
+                number,
+                width,
+                SHORTEST * 360.0,
+                code="span",
+            )
+            total = _plus(total, step.span)
+    open_ = [i for i, step in enumerate(steps) if step.span is None]
+    left = _plus(FULL, total, -1)
+    rest = left[0] / left[1]
+    require(
+        len(open_) <= 1,
+        "segments {0} give no span: only one can take what is left of the turn",
+        ", ".join(str(i + 1) for i in open_),
+        code="span",
+    )
+    spans = [step.span or left for step in steps]
+    if open_:
+        require(
+            rest > CLOSED_WITHIN,
+            "the spans sum to {0:.10g} deg: nothing is left for segment {1}",
+            360.0 - rest,
+            open_[0] + 1,
+            code="turn",
+            hint="leave it out" if abs(rest) <= CLOSED_WITHIN else f"take {SHORTEST * 360.0 - rest:.6g} deg off the others",
+        )
+        return spans
+    require(
+        abs(rest) <= CLOSED_WITHIN,
+        "the spans sum to {0:.10g} deg, {1:.6g} deg {2} a turn",
+        360.0 - rest,
+        abs(rest),
+        "short of" if rest > 0.0 else "over",
+        code="turn",
+        hint=f"add a dwell of {rest:.6g} deg" if rest > 0.0 else f"take {-rest:.6g} deg off",
+    )
+    spans[-1] = _plus(spans[-1], left)
+    return spans
+
+
+def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
+    require(bool(steps), "the program has no segments", code="program")
+    swing = _swings(steps)
+    spans = _spans(steps)
+    levels = _levels(steps, swing)
+    ends = [start]
+    for span in spans:
+        ends.append(_plus(ends[-1], span))
+    laws = [_law(step.segment, number) for number, step in enumerate(steps, 1)]
+    found = []
+    for i, step in enumerate(steps):
+        law, scale = laws[i], None
+        segment = step.segment
+        if segment.move != "dwell" and law is None:
+            from dynamics_cli.cam.fitting import fitted
+
+            width = radians(spans[i])[0]
+            law, scale = fitted(i, steps, levels, [radians(span)[0] for span in spans], laws, width)
+        found.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale))
+    return Motion(found, swing=swing)
+
+
+def _swings(steps: "Sequence[Step]") -> bool:
+    swings = [step.segment.swing is not None for step in steps]
+    lifts = [step.segment.lift is not None for step in steps]
+    require(
+        not (any(swings) and any(lifts)),
+        "the program has lifts and swings: a follower slides or oscillates, not both",
+        code="swing",
+        hint="write all as lengths, or all as angles",
+    )
+    return any(swings)
+
+
+def _levels(steps: "Sequence[Step]", swing: bool) -> "list[float]":
+    levels = [0.0]
+    for number, step in enumerate(steps, 1):
+        segment = step.segment
+        amount = segment.swing if swing else segment.lift
+        now = levels[-1]
+        if segment.move == "dwell":
+            require(
+                amount is None and step.level is None,
+                "segment {0} is a dwell and has a lift",
+                number,
+                code="dwell",
+                hint="leave the lift out, or make it a rise",
+            )
+            levels.append(now)
+            continue
+        require(
+            amount is not None or step.level is not None or segment.move == "return",
+            "segment {0} is a rise without a lift",
+            number,
+            code="lift",
+            hint="say how far, such as rise 20 mm",
+        )
+        require(
+            amount is None or amount > 0.0,
+            "segment {0} has a lift of {1:.6g}: a {2} goes a positive way",
+            number,
+            amount,
+            segment.move,
+            code="lift",
+        )
+        levels.append(_next_level(now, step, amount, number))
+    _require_closed(levels)
+    levels[-1] = 0.0
+    return levels
+
+
+def _next_level(now: float, step: Step, amount: float | None, number: int) -> float:
+    rising = step.segment.move == "rise"
+    if amount is not None:
+        then = now + amount if rising else now - amount
+        # 20 mm up, 5 mm and 15 mm down must end where it began, whatever the decimals' doubles sum to.
+        return 0.0 if abs(then) <= 1e-12 * max(now, amount) else then
+    then = 0.0 if step.level is None else step.level
+    require(
+        then > now if rising else then < now,
+        "segment {0} is a {1} from {2:.6g} to {3:.6g}",
+        number,
+        step.segment.move,
+        now,
+        then,
+        code="lift",
+        hint="a dwell stays, a rise goes up and a return goes down",
+    )
+    return then
+
+
+def _require_closed(levels: "list[float]") -> None:
+    most = max(abs(level) for level in levels)
+    require(
+        abs(levels[-1]) <= 1e-12 * most,
+        "the program ends {0:.6g} from where it began: the cam would have a step",
+        levels[-1],
+        code="not-closed",
+        hint="add a return" if levels[-1] > 0.0 else "add a rise",
+    )
+
+
+def _law(segment: Segment, number: int) -> "Law | None":
+    """The law by its name, or None where it depends on the neighbours."""
+    if segment.move == "dwell":
+        require(segment.law is None, "segment {0} is a dwell and has a law", number, code="dwell")
+        return None
+    name = segment.law or "3-4-5"
+    fits = name in ("polynomial", "spline")
+    states = (segment.start_velocity, segment.end_velocity, segment.start_acceleration, segment.end_acceleration)
+    require(
+        fits or all(state is None for state in states),
+        "segment {0}: the law {1} has velocities and accelerations of its own at its ends",
+        number,
+        name,
+        code="law",
+        hint="take the law polynomial",
+    )
+    require(
+        name == "spline" or not segment.points, "segment {0}: the law {1} goes through no points", number, name, code="law"
+    )
+    require(
+        name == "polynomial" or segment.degree is None, "segment {0}: the law {1} has no degree", number, name, code="law"
+    )
+    return None if fits else law_named(name, segment.shares or None, segment.constant)

@@ -1,0 +1,547 @@
+"""A whole revolution of cam motion as a user reads it: table, extremes, joints, and the book's singularity functions."""
+
+from math import pi
+
+from dynamics_cli.cam.motion import Motion
+from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.cam.survey import Extreme, extreme, jumps, order_of_continuity, root_mean_square
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    AngularSpeed,
+    CamAcceleration,
+    CamJerk,
+    CamVelocity,
+    Coordinate,
+    Count,
+    Jerk,
+    ShaftSpeed,
+    Speed,
+    SwingAcceleration,
+    SwingJerk,
+    SwingVelocity,
+    Text,
+)
+from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
+
+MOST_POINTS = 1_000_001
+NAMES = ("lift", "velocity", "acceleration", "jerk")
+
+
+@record
+class LiftRange:
+    """Extremes of the lift.
+
+    Parameters
+    ----------
+    least : Coordinate
+        Least [m].
+    least_at : Angle
+        Where first [rad].
+    greatest : Coordinate
+        Greatest [m].
+    greatest_at : Angle
+        Where first [rad].
+    """
+
+    least: Coordinate
+    least_at: Angle
+    greatest: Coordinate
+    greatest_at: Angle
+
+
+@record
+class VelocityRange:
+    """Extremes of the velocity.
+
+    Parameters
+    ----------
+    least : CamVelocity
+        Least [m/rad].
+    least_at : Angle
+        Where first [rad].
+    greatest : CamVelocity
+        Greatest [m/rad].
+    greatest_at : Angle
+        Where first [rad].
+    """
+
+    least: CamVelocity
+    least_at: Angle
+    greatest: CamVelocity
+    greatest_at: Angle
+
+
+@record
+class AccelerationRange:
+    """Extremes of the acceleration.
+
+    Parameters
+    ----------
+    least : CamAcceleration
+        Least [m/rad^2].
+    least_at : Angle
+        Where first [rad].
+    greatest : CamAcceleration
+        Greatest [m/rad^2].
+    greatest_at : Angle
+        Where first [rad].
+    """
+
+    least: CamAcceleration
+    least_at: Angle
+    greatest: CamAcceleration
+    greatest_at: Angle
+
+
+@record
+class JerkRange:
+    """Extremes of the jerk, apart from where the acceleration jumps.
+
+    Parameters
+    ----------
+    least : CamJerk
+        Least [m/rad^3].
+    least_at : Angle
+        Where first [rad].
+    greatest : CamJerk
+        Greatest [m/rad^3].
+    greatest_at : Angle
+        Where first [rad].
+    """
+
+    least: CamJerk
+    least_at: Angle
+    greatest: CamJerk
+    greatest_at: Angle
+
+
+@record
+class SwingRange:
+    """Extremes of an arm's angle and its derivatives by the cam angle.
+
+    Parameters
+    ----------
+    least : Angle
+        Least angle [rad].
+    least_at : Angle
+        Where first [rad].
+    greatest : Angle
+        Greatest angle [rad].
+    greatest_at : Angle
+        Where first [rad].
+    least_velocity : SwingVelocity
+        Least first derivative [-].
+    greatest_velocity : SwingVelocity
+        Greatest first derivative [-].
+    least_acceleration : SwingAcceleration
+        Least second derivative [1/rad].
+    greatest_acceleration : SwingAcceleration
+        Greatest second derivative [1/rad].
+    least_jerk : SwingJerk
+        Least third derivative [1/rad^2].
+    greatest_jerk : SwingJerk
+        Greatest third derivative [1/rad^2].
+    """
+
+    least: Angle
+    least_at: Angle
+    greatest: Angle
+    greatest_at: Angle
+    least_velocity: SwingVelocity
+    greatest_velocity: SwingVelocity
+    least_acceleration: SwingAcceleration
+    greatest_acceleration: SwingAcceleration
+    least_jerk: SwingJerk
+    greatest_jerk: SwingJerk
+
+
+@record
+class Joint:
+    """What jumps where two segments, or two parts of one, meet.
+
+    Parameters
+    ----------
+    angle : Angle
+        Cam angle [rad].
+    between : Text
+        What meets there.
+    lift : Coordinate
+        Jump of the lift [m].
+    velocity : CamVelocity
+        Jump of the velocity [m/rad].
+    acceleration : CamAcceleration
+        Jump of the acceleration [m/rad^2].
+    jerk : CamJerk
+        Jump of the jerk [m/rad^3].
+    """
+
+    angle: Angle
+    between: Text
+    lift: Coordinate
+    velocity: CamVelocity
+    acceleration: CamAcceleration
+    jerk: CamJerk
+
+
+@record
+class SwingJoint:
+    """What jumps where two segments of an arm's motion meet.
+
+    Parameters
+    ----------
+    angle : Angle
+        Cam angle [rad].
+    between : Text
+        What meets there.
+    swing : Angle
+        Jump of the arm's angle [rad].
+    velocity : SwingVelocity
+        Jump of the first derivative [-].
+    acceleration : SwingAcceleration
+        Jump of the second derivative [1/rad].
+    jerk : SwingJerk
+        Jump of the third derivative [1/rad^2].
+    """
+
+    angle: Angle
+    between: Text
+    swing: Angle
+    velocity: SwingVelocity
+    acceleration: SwingAcceleration
+    jerk: SwingJerk
+
+
+@record
+class MotionPoint:
+    """The motion at one cam angle.
+
+    Parameters
+    ----------
+    angle : Angle
+        Cam angle [rad].
+    lift : Coordinate
+        Lift [m].
+    velocity : CamVelocity
+        First derivative [m/rad].
+    acceleration : CamAcceleration
+        Second derivative [m/rad^2].
+    jerk : CamJerk
+        Third derivative [m/rad^3].
+    """
+
+    angle: Angle
+    lift: Coordinate
+    velocity: CamVelocity
+    acceleration: CamAcceleration
+    jerk: CamJerk
+
+
+@record
+class SwingPoint:
+    """The motion of an arm at one cam angle.
+
+    Parameters
+    ----------
+    angle : Angle
+        Cam angle [rad].
+    swing : Angle
+        Angle of the arm from where it starts [rad].
+    velocity : SwingVelocity
+        First derivative [-].
+    acceleration : SwingAcceleration
+        Second derivative [1/rad].
+    jerk : SwingJerk
+        Third derivative [1/rad^2].
+    """
+
+    angle: Angle
+    swing: Angle
+    velocity: SwingVelocity
+    acceleration: SwingAcceleration
+    jerk: SwingJerk
+
+
+@record
+class InTime:
+    """Greatest magnitudes in time at the speed of the shaft.
+
+    Parameters
+    ----------
+    speed : Speed
+        Speed of the follower [m/s].
+    acceleration : Acceleration
+        Its acceleration [m/s^2].
+    jerk : Jerk
+        Its jerk [m/s^3].
+    rms_acceleration : Acceleration
+        Root mean square of the acceleration over the turn [m/s^2].
+    """
+
+    speed: Speed
+    acceleration: Acceleration
+    jerk: Jerk
+    rms_acceleration: Acceleration
+
+
+@record
+class SwingInTime:
+    """Greatest magnitudes of an arm in time at the speed of the shaft.
+
+    Parameters
+    ----------
+    speed : AngularSpeed
+        Angular velocity of the arm [rad/s].
+    acceleration : AngularAcceleration
+        Its angular acceleration [rad/s^2].
+    rms_acceleration : AngularAcceleration
+        Root mean square of the angular acceleration over the turn [rad/s^2].
+    """
+
+    speed: AngularSpeed
+    acceleration: AngularAcceleration
+    rms_acceleration: AngularAcceleration
+
+
+@record
+class Revolution:
+    """One revolution of cam motion.
+
+    Parameters
+    ----------
+    continuity : Text
+        C0 to C3: the highest derivative that jumps at no joint.
+    lift : LiftRange
+        Extremes of the lift.
+    velocity : VelocityRange
+        Extremes of the velocity.
+    acceleration : AccelerationRange
+        Extremes of the acceleration.
+    jerk : JerkRange
+        Extremes of the jerk.
+    rms_acceleration : CamAcceleration
+        Root mean square of the acceleration over the turn [m/rad^2].
+    swing : SwingRange
+        Extremes of an arm's motion.
+    rms_swing_acceleration : SwingAcceleration
+        Root mean square of an arm's acceleration [1/rad].
+    in_time : InTime
+        Greatest magnitudes in time.
+    swing_in_time : SwingInTime
+        Greatest magnitudes of an arm in time.
+    joints : tuple of Joint
+        Jumps at every joint, that from the end of the turn to its start first.
+    swing_joints : tuple of SwingJoint
+        The same for an arm.
+    singularity_functions : Text
+        The motion in the book's singularity functions.
+    table : Columns of MotionPoint
+        The motion over the turn.
+    swing_table : Columns of SwingPoint
+        The motion of an arm over the turn.
+    """
+
+    continuity: Text
+    lift: LiftRange | None
+    velocity: VelocityRange | None
+    acceleration: AccelerationRange | None
+    jerk: JerkRange | None
+    rms_acceleration: CamAcceleration | None
+    swing: SwingRange | None
+    rms_swing_acceleration: SwingAcceleration | None
+    in_time: InTime | None
+    swing_in_time: SwingInTime | None
+    joints: tuple[Joint, ...] | None
+    swing_joints: tuple[SwingJoint, ...] | None
+    singularity_functions: Text | None
+    table: Columns[MotionPoint] | None
+    swing_table: Columns[SwingPoint] | None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def motion(
+    scene: Program,
+    /,
+    *,
+    program: Text = "",
+    count: Count = 37,
+    shaft_speed: ShaftSpeed | None = None,
+    singularity: bool = False,
+) -> Revolution:
+    """One revolution of cam motion: extremes, jumps at every joint, root mean square, and the table of s, v, a, j.
+
+    Equation
+    --------
+    s(θ) = s_i + h_i f_i((θ − θ_i)/β_i) on segment i; a_rms² = (1/2π) ∮ (d²s/dθ²)² dθ.
+
+    Parameters
+    ----------
+    scene : Program
+        Segments from a file.
+    program : Text
+        Segments in one line: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`.
+    count : Count
+        Points of the table, both ends of the turn among them.
+    shaft_speed : ShaftSpeed
+        Speed of the cam shaft, for values in time [rad/s].
+    singularity : bool
+        Also write the motion in the book's singularity functions, and show that they agree.
+
+    Returns
+    -------
+    Revolution
+        Extremes, joints and table; for an arm (a program in angles) those of its swing.
+
+    Raises
+    ------
+    InadmissibleError
+        When spans do not make one turn, the motion does not close, or a law lacks what it needs.
+
+    Notes
+    -----
+    Where a derivative jumps the table gives the later value, and the joints give the jump.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.9 to 16.14.
+
+    Examples
+    --------
+    >>> found = motion(Program(), program="rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell")
+    >>> found.continuity, found.lift.greatest
+    ('C2', 0.02)
+    """
+    require(2 <= count <= MOST_POINTS, "a table has 2 to {0} points, not {1}", MOST_POINTS, count, code="count")
+    found = motion_of(scene, program)
+    ends = [extreme(found, order) for order in range(4)]
+    steps = jumps(found)
+    rms = root_mean_square(found, 2)
+    order = order_of_continuity(steps)
+    form = _form(found) if singularity else None
+    checks = [_closing(found)]
+    if form is not None:
+        worst = form.disagreement()  # type: ignore[attr-defined]
+        checks.append(Check("singularity functions agree with the motion", worst <= 1e-10, worst, 1e-10))
+    swing = found.swing
+    tables = _table(found, count)
+    return Revolution(
+        f"C{order}",
+        None if swing else LiftRange(*_fields(ends[0])),
+        None if swing else VelocityRange(*_fields(ends[1])),
+        None if swing else AccelerationRange(*_fields(ends[2])),
+        None if swing else JerkRange(*_fields(ends[3])),
+        None if swing else rms,
+        _swing(ends) if swing else None,
+        rms if swing else None,
+        None if swing else _in_time(ends, rms, shaft_speed),
+        _swing_in_time(ends, rms, shaft_speed) if swing else None,
+        None if swing else tuple(Joint(angle, words, *jump) for angle, words, jump in steps),
+        tuple(SwingJoint(angle, words, *jump) for angle, words, jump in steps) if swing else None,
+        None if form is None else form.written(),  # type: ignore[attr-defined]
+        *tables,
+        checks=tuple(checks),
+        advice=_advice(order, steps),
+        numerics=_numerics(swing),
+    )
+
+
+def _fields(one: Extreme) -> "tuple[float, float, float, float]":
+    return one.least, one.least_at, one.greatest, one.greatest_at
+
+
+def _form(found: Motion) -> "object":
+    from dynamics_cli.cam.singularity import Form
+
+    return Form(found)
+
+
+def _closing(found: Motion) -> Check:
+    """The end of the turn is its start, to the bit."""
+    gap = abs(found.in_zone(len(found.zones) - 1, 1.0, 0)[0] - found.in_zone(0, 0.0, 0)[0])
+    return Check("the lift closes over the turn", gap == 0.0, gap, 0.0)
+
+
+def angles_of_turn(found: Motion, count: int) -> "tuple[object, object]":
+    """Equal steps over one turn, both ends among them; whole degrees land on the joints as the program gives them."""
+    import numpy as np
+
+    top, bottom = found.segments[0].start
+    first = top / bottom
+    degrees = first + np.arange(count) * 360.0 / (count - 1)
+    angles = np.array([_radians(degree) for degree in degrees.tolist()]) if count <= 4000 else np.radians(degrees)
+    angles[0], angles[-1] = found.joints[0], found.joints[-1]
+    return angles, degrees
+
+
+def _radians(degrees: float) -> float:
+    from dynamics_cli.cam.motion import radians
+
+    return radians(degrees.as_integer_ratio())[0]
+
+
+def _table(found: Motion, count: int) -> "tuple[object, object]":
+    angles, _ = angles_of_turn(found, count)
+    values = [column.copy() for column in found.at(angles)]
+    last = found.at(float(angles[-1]), side=-1)  # type: ignore[index]
+    for column, value in zip(values, last, strict=True):
+        column[-1] = value
+    names = ("swing" if found.swing else "lift", *NAMES[1:])
+    columns = dict(zip(names, values, strict=True))
+    if found.swing:
+        return None, Columns(SwingPoint, angle=angles, **columns)
+    return Columns(MotionPoint, angle=angles, **columns), None
+
+
+def _greatest(one: Extreme) -> float:
+    return max(abs(one.least), abs(one.greatest))
+
+
+def _swing(ends: "list[Extreme]") -> SwingRange:
+    lift, velocity, acceleration, jerk = ends
+    return SwingRange(
+        *_fields(lift),
+        velocity.least, velocity.greatest,
+        acceleration.least, acceleration.greatest,
+        jerk.least, jerk.greatest,
+    )  # fmt: skip
+
+
+def _in_time(ends: "list[Extreme]", rms: float, omega: float | None) -> InTime | None:
+    if omega is None:
+        return None
+    w = abs(omega)
+    return InTime(_greatest(ends[1]) * w, _greatest(ends[2]) * w * w, _greatest(ends[3]) * w * w * w, rms * w * w)
+
+
+def _swing_in_time(ends: "list[Extreme]", rms: float, omega: float | None) -> SwingInTime | None:
+    if omega is None:
+        return None
+    w = abs(omega)
+    return SwingInTime(_greatest(ends[1]) * w, _greatest(ends[2]) * w * w, rms * w * w)
+
+
+def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple[Advice, ...]":
+    if order >= 2:
+        return ()
+    angle, words, _ = next(step for step in steps if step[2][order + 1])
+    what, then = (("velocity", "the acceleration is infinite"), ("acceleration", "the jerk is infinite"))[max(order, 0)]
+    return (
+        Advice(
+            code=f"{what}-jumps",
+            message=f"the {what} jumps at {angle * 180.0 / pi:.6g} deg ({words}): {then} there",
+            severity="serious" if order < 1 else "caution",
+            mend="take a law of higher continuity, or a polynomial, which meets the state of its neighbours",
+        ),
+    )
+
+
+def _numerics(swing: bool) -> Numerics:
+    names = ("swing.greatest", "rms_swing_acceleration") if swing else (
+        "lift.greatest", "velocity.greatest", "acceleration.greatest", "rms_acceleration"
+    )  # fmt: skip
+    bounds = tuple(ErrorBound(name, 2e-14) for name in names)
+    return Numerics("closed form from the nearer end of each segment; exact table of segments in degrees", bounds)

@@ -1,0 +1,203 @@
+"""The pieces rise laws are made of: each gives a function that is zero at its end of the rise, with its derivatives.
+
+A shape is called with a distance t ≥ 0 from the end of the rise it belongs to (x at the start, 1 − x at the end), so
+that it keeps its digits where the rise begins and ends; t is a float or an array.
+"""
+
+import math
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+# Σ (−1)^n 6 u^(2n)/(2n + 3)!: what u − sin u is of u³/6, as ratios of neighbouring terms.
+_RATIOS = tuple(1.0 / ((2.0 * n + 4.0) * (2.0 * n + 5.0)) for n in range(8))
+_SERIES_BELOW = 1.0
+
+
+def _series(u: "Any") -> "Any":
+    square = u * u
+    total = 1.0
+    for ratio in reversed(_RATIOS):
+        total = 1.0 - square * ratio * total
+    return u * square / 6.0 * total
+
+
+def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
+    """u − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
+    if type(u) is float:
+        return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
+    import numpy as np
+
+    if not u.size or u.max() < _SERIES_BELOW:
+        return _series(u)
+    direct = u - (np.sin(u) if sine is None else sine)
+    if u.min() < _SERIES_BELOW:
+        small = u < _SERIES_BELOW
+        direct[small] = _series(u[small])
+    return direct
+
+
+def _waves(u: "Any", first: int, last: int) -> "list[Any]":
+    """The derivatives of u − sin u from one order to another, from one sine and one cosine of the half angle."""
+    if type(u) is float:
+        half, other = math.sin(0.5 * u), math.cos(0.5 * u)
+    else:
+        import numpy as np
+
+        middle = 0.5 * u
+        half, other = np.sin(middle), np.cos(middle)
+    versed = 2.0 * half * half
+    sine = 2.0 * half * other
+    found = []
+    for order in range(first, last + 1):
+        if order == 0:
+            found.append(u_minus_sine(u, sine))
+        elif order == 1:
+            found.append(versed)
+        else:
+            value = 1.0 - versed if order % 2 else sine
+            found.append(-value if (order - 2) % 4 > 1 else value)
+    return found
+
+
+def _wave(order: int, u: "Any") -> "Any":
+    """The derivative of that order of u − sin u."""
+    return _waves(u, order, order)[0]
+
+
+def _horner(coefficients: "Sequence[float]", t: "Any") -> "Any":
+    if len(coefficients) == 1:
+        return 0.0 * t + coefficients[0]
+    total = coefficients[-1] * t + coefficients[-2]
+    for coefficient in coefficients[-3::-1]:
+        total = total * t + coefficient
+    return total
+
+
+class Mixed:
+    """Polynomial and waves: Σ cᵢ τⁱ + Σ A W_m(w τ), τ = ±(t − origin), W₀ = u − sin u and W_m its derivatives."""
+
+    __slots__ = ("_polynomials", "backwards", "origin", "waves")
+
+    def __init__(
+        self,
+        coefficients: "Sequence[float]" = (),
+        waves: "Sequence[tuple[float, float, int]]" = (),
+        *,
+        origin: float = 0.0,
+        backwards: bool = False,
+    ) -> None:
+        self.origin = origin
+        self.backwards = backwards
+        self.waves = tuple(waves)
+        rows = [tuple(coefficients)]
+        for _ in range(4):
+            rows.append(tuple(i * c for i, c in enumerate(rows[-1]))[1:])
+        self._polynomials = tuple(rows)
+
+    def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
+        """The value and its derivatives with respect to t."""
+        tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
+        found = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
+        for amplitude, w, start in self.waves:
+            factor = amplitude
+            for order, wave in enumerate(_waves(w * tau, start, start + derivatives)):
+                part = factor * wave
+                found[order] = part if found[order] is None else found[order] + part
+                factor = factor * w
+        if self.backwards:
+            found[1::2] = [None if value is None else -value for value in found[1::2]]
+        return [0.0 * tau if value is None else value for value in found]
+
+
+class Beta:
+    """The polynomial whose velocity is C pⁿ, p = t(1 − t): 3-4-5 for n = 2, 4-5-6-7 for n = 3."""
+
+    __slots__ = ("constant", "n", "row")
+
+    def __init__(self, n: int) -> None:
+        self.n = n
+        self.constant = float(math.factorial(2 * n + 1) // math.factorial(n) ** 2)
+        self.row = tuple(self.constant * (-1) ** k * math.comb(n, k) / (n + 1 + k) for k in range(n + 1))
+
+    def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
+        """The value and its derivatives with respect to t."""
+        n, c = self.n, self.constant
+        p = t * (1.0 - t)
+        power = _power(p, n - 1)
+        found = [_horner(self.row, t) * _power(t, n + 1)]
+        if derivatives >= 1:
+            found.append(c * power * p)
+        if derivatives >= 2:
+            slope = 1.0 - 2.0 * t
+            found.append(c * n * power * slope)
+        if derivatives >= 3:
+            less = _power(p, n - 2) if n > 1 else None
+            found.append(0.0 * t - 2.0 * c if less is None else c * n * less * ((n - 1) - (4 * n - 2) * p))
+        if derivatives >= 4:
+            found.append(self._fourth(p) * slope)
+        return found
+
+    def _fourth(self, p: "Any") -> "Any":
+        n, c = self.n, self.constant
+        if n == 1:
+            return 0.0 * p
+        bent = (n - 1) * (n - 2) * _power(p, n - 3) if n > 2 else 0.0
+        return c * n * (bent - (4 * n - 2) * (n - 1) * _power(p, n - 2))
+
+
+def _power(x: "Any", n: int) -> "Any":
+    """The product of n factors; x**n would differ between floats and arrays."""
+    if n == 0:
+        return 0.0 * x + 1.0
+    total = x
+    for _ in range(n - 1):
+        total = total * x
+    return total
+
+
+class FourthPowerOfSine:
+    """sin⁴(πt/2), the start of the double harmonic."""
+
+    __slots__ = ()
+
+    def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
+        """The value and its derivatives with respect to t."""
+        u = math.pi * t
+        versed = 0.5 * _wave(1, u)
+        found = [versed * versed]
+        sine = _wave(2, u)
+        if derivatives >= 1:
+            found.append(math.pi * sine * versed)
+        if derivatives >= 2:
+            found.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
+        if derivatives >= 3:
+            found.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
+        if derivatives >= 4:
+            found.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
+        return found
+
+
+class EndOfDoubleHarmonic:
+    """1 − sin⁴(π(1 − t)/2), the end of the double harmonic, where its acceleration jumps."""
+
+    __slots__ = ()
+
+    def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
+        """The value and its derivatives with respect to t."""
+        u = math.pi * t
+        left = 0.5 * _wave(1, u)
+        sine = _wave(2, u)
+        cosine = _wave(3, u)
+        found = [left * (2.0 - left)]
+        if derivatives >= 1:
+            found.append(math.pi * sine * (1.0 - left))
+        if derivatives >= 2:
+            found.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
+        if derivatives >= 3:
+            found.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
+        if derivatives >= 4:
+            found.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
+        return found

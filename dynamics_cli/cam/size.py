@@ -1,0 +1,245 @@
+"""The smallest cam that keeps limits of pressure angle and curvature, with the best offset of its slide."""
+
+from math import pi
+
+from dynamics_cli.cam.followers import Rotation, require_lift
+from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Angle, Coordinate, Size, Text
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record, tagged
+
+CCW = Rotation("counter-clockwise")
+DEGREE = pi / 180.0
+
+
+@tagged("follower")
+@record
+class KnifeEdge:
+    """A translating knife-edge.
+
+    Parameters
+    ----------
+    offset : Coordinate
+        Offset of the slide; the best one is found when it is not given [m].
+    """
+
+    offset: Coordinate | None = None
+
+
+@tagged("follower")
+@record
+class Roller:
+    """A translating roller.
+
+    Parameters
+    ----------
+    roller_radius : Size
+        Radius of the roller [m].
+    offset : Coordinate
+        Offset of the slide; the best one is found when it is not given [m].
+    """
+
+    roller_radius: Size
+    offset: Coordinate | None = None
+
+
+@tagged("follower")
+@record
+class FlatFace:
+    """A translating flat face.
+
+    Parameters
+    ----------
+    face_margin : Size
+        Length of face wanted beyond the last contact on either side [m].
+    """
+
+    face_margin: Size = 0.0
+
+
+@tagged("follower")
+@record
+class OscillatingRoller:
+    """A roller on an arm of known length and pivot.
+
+    Parameters
+    ----------
+    roller_radius : Size
+        Radius of the roller [m].
+    arm : Size
+        Length of the arm [m].
+    pivot_distance : Size
+        Distance of the pivot from the cam's axis [m].
+    """
+
+    roller_radius: Size
+    arm: Size
+    pivot_distance: Size
+
+
+Wanted = KnifeEdge | Roller | FlatFace | OscillatingRoller
+
+
+@record
+class CamSize:
+    """The smallest cam.
+
+    Parameters
+    ----------
+    base_radius : Size
+        Least radius of the base circle [m].
+    offset : Coordinate
+        Offset of the slide, to the right [m].
+    start_radius : Size
+        Distance of the roller's centre from the cam's axis at zero lift, R_b + R_r [m].
+    arm_start_angle : Angle
+        Angle of the arm from the line pivot–axis at zero lift [rad].
+    binding : Text
+        The limits that decide.
+    largest_pressure_angle : Angle
+        Largest positive pressure angle of this cam [rad].
+    least_pressure_angle : Angle
+        Lowest pressure angle of this cam [rad].
+    least_convex_radius : Coordinate
+        Least radius of curvature of this cam where it is convex [m].
+    in_line_base_radius : Size
+        Least radius of the base circle without an offset, for the same limits of pressure angle [m].
+    face_width : Size
+        Length of the flat face with its margins [m].
+    """
+
+    base_radius: Size
+    offset: Coordinate | None
+    start_radius: Size | None
+    arm_start_angle: Angle | None
+    binding: Text
+    largest_pressure_angle: Angle
+    least_pressure_angle: Angle
+    least_convex_radius: Coordinate | None
+    in_line_base_radius: Size | None
+    face_width: Size | None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def size(
+    scene: Program,
+    /,
+    *,
+    program: Text = "",
+    follower: Wanted,
+    rise_limit: Angle = 30.0 * DEGREE,
+    return_limit: Angle = 30.0 * DEGREE,
+    least_radius: Size | None = None,
+    rotation: Rotation = CCW,
+) -> CamSize:
+    """Smallest base circle, and best offset, for limits of pressure angle and radius of curvature.
+
+    Equation
+    --------
+    A = max(s′ cot φ₁ − s), B = max(−s′ cot φ₂ − s): d + e cot φ₁ ≥ A, d − e cot φ₂ ≥ B, R_p² = d² + e²; at the apex
+    e* = (A − B)/(cot φ₁ + cot φ₂), d* = A − e* cot φ₁. Flat face: R_b = ρ − min(s + s″). Arm: ψ₀ ≥ max(acos q₂ − φ₂ − s),
+    q = L(1 + ψ′) cos φ/c.
+
+    Parameters
+    ----------
+    scene : Program
+        The motion of the follower over one turn of the cam, from a file.
+    program : Text
+        The motion in one line, in place of a file.
+    follower : Wanted
+        The follower; its base circle, and the offset if not given, are what is found.
+    rise_limit : Angle
+        Largest positive pressure angle allowed: that of the rise [rad].
+    return_limit : Angle
+        Largest negative pressure angle allowed: that of the return [rad].
+    least_radius : Size
+        Least radius of curvature allowed where the cam is convex [m].
+    rotation : Rotation
+        Which way the cam turns.
+
+    Returns
+    -------
+    CamSize
+        Base radius, offset, the limits that bind, and the extremes of the cam found.
+
+    Raises
+    ------
+    InadmissibleError
+        When a limit is not between 0 and 90 degrees, or no base circle keeps the limits (long arms).
+
+    Notes
+    -----
+    The two extremes A and B are certified; the rest of a pressure-limited size is closed form (the hodograph
+    construction done in numbers). Where the apex is not the nearest point, the foot of the perpendicular on the line
+    that binds is. A radius of curvature that binds is met by a secant on certified extremes from the largest root in X
+    of w³ = ρ·D; with a free offset the offset is then searched.
+
+    Examples
+    --------
+    >>> from dynamics_cli.cam.program import program_of
+    >>> found = size(program_of("rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5"), follower=Roller(0.005))
+    >>> found.offset
+    0.0
+    """
+    for name, limit in (("rise", rise_limit), ("return", return_limit)):
+        require(
+            0.0 < limit < 0.5 * pi,
+            "the {0} limit of {1:.6g} deg is not between 0 and 90 deg",
+            name,
+            limit / DEGREE,
+            code="limit",
+            hint="30 deg is usual for a translating follower, 45 deg for an arm",
+        )
+    from dynamics_cli.cam.sizing import size_arm, size_flat, size_slide
+
+    motion = motion_of(scene, program)
+    require_lift(motion, isinstance(follower, OscillatingRoller))
+
+    if isinstance(follower, FlatFace):
+        return size_flat(motion, follower, least_radius or 0.0, rotation)
+    if isinstance(follower, OscillatingRoller):
+        return size_arm(motion, follower, (rise_limit, return_limit), least_radius, rotation)
+    return size_slide(motion, follower, (rise_limit, return_limit), least_radius, rotation)
+
+
+def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[float, float, str]:
+    """The nearest (e, d) to the origin with d + e c₁ ≥ A and d − e c₂ ≥ B.
+
+    Parameters
+    ----------
+    a, b : float
+        A and B [m].
+    cot_rise, cot_return : float
+        Cotangents of the limits.
+
+    Returns
+    -------
+    tuple
+        Offset, height and the limits that bind.
+
+    Raises
+    ------
+    ZeroDivisionError
+        Never for limits between 0 and 90 degrees.
+
+    Notes
+    -----
+    The apex is the answer unless the foot of the perpendicular on one line keeps the other.
+
+    Examples
+    --------
+    >>> best_slide(2.0, 2.0, 1.0, 1.0)
+    (0.0, 2.0, 'rise and return limit')
+    """
+    e = (a - b) / (cot_rise + cot_return)
+    d = (a * cot_return + b * cot_rise) / (cot_rise + cot_return)
+    if e > d * cot_rise:
+        share = a / (1.0 + cot_rise * cot_rise)
+        return share * cot_rise, share, "rise limit"
+    if e < -d * cot_return:
+        share = b / (1.0 + cot_return * cot_return)
+        return -share * cot_return, share, "return limit"
+    return e, d, "rise and return limit"
+

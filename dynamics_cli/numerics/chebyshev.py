@@ -1,0 +1,319 @@
+"""Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
+
+Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
+inside the pieces, so that a function that jumps at their ends is never asked there.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+COUNT = 32
+"""Nodes of a piece."""
+RESOLVED = 4e-15
+"""Last coefficients this small beside the whole mean that a piece is resolved."""
+GRID = 96
+LEVELS = 12
+SPLIT = 8
+END = 1e-4
+NOISE = 4e-16
+
+
+@record
+class Proxies:
+    """Chebyshev coefficients of `q` functions on `m` pieces.
+
+    Parameters
+    ----------
+    owner : array of m
+        The given piece that each lies in.
+    starts, ends : array of m
+        The pieces, in order.
+    coefficients : array (q, m, COUNT)
+        Coefficients on each piece.
+    error : array (q, m)
+        What the coefficients left out may come to.
+    """
+
+    owner: "Any"
+    starts: "Any"
+    ends: "Any"
+    coefficients: "Any"
+    error: "Any"
+
+
+@record
+class Extremes:
+    """Every candidate for an extreme of one function: ends of pieces and places where it turns, in order of place.
+
+    Parameters
+    ----------
+    owner : array
+        The given piece each place lies in.
+    places : array
+        Where.
+    values : array
+        The function there, one-sided at ends of pieces.
+    inside : array of bool
+        Whether the place is inside a piece: a place where the function turns.
+    error : float
+        Bound of what the proxies leave out, added to a rounding of the values.
+    """
+
+    owner: "Any"
+    places: "Any"
+    values: "Any"
+    inside: "Any"
+    error: float
+
+    def largest(self) -> tuple[float, float]:
+        """The largest value and its place."""
+        index = int(np.argmax(self.values))
+        return float(self.values[index]), float(self.places[index])
+
+    def smallest(self) -> tuple[float, float]:
+        """The smallest value and its place."""
+        index = int(np.argmin(self.values))
+        return float(self.values[index]), float(self.places[index])
+
+
+@lru_cache(maxsize=4)
+def _transform(count: int) -> "tuple[Any, Any]":
+    """The nodes cos t in increasing order, and the matrix that turns values there into coefficients."""
+    t = np.pi * (count - 0.5 - np.arange(count)) / count
+    matrix = 2.0 / count * np.cos(np.outer(t, np.arange(count)))
+    matrix[:, 0] *= 0.5
+    nodes = np.sin(0.5 * np.pi * (2.0 * np.arange(count) + 1.0 - count) / count)
+    return nodes, matrix
+
+
+@lru_cache(maxsize=4)
+def _basis(count: int) -> "tuple[Any, ...]":
+    """cos(kt) and its first two derivatives by t, on a grid from the left end (t = π) to the right."""
+    t = np.linspace(np.pi, 0.0, GRID + 1)
+    k = np.arange(count)[:, None]
+    cosine = np.cos(k * t)
+    return t, cosine, -k * np.sin(k * t), -k * k * cosine
+
+
+def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
+    """Interpolate functions on pieces, halving those that are not resolved.
+
+    f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
+
+    Parameters
+    ----------
+    function : callable
+        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
+    starts, ends : array
+        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
+    depth : int
+        How often a piece may be halved.
+
+    Returns
+    -------
+    Proxies
+        The coefficients, on pieces in order.
+
+    Raises
+    ------
+    ValueError
+        When a function is not finite at a node.
+
+    Notes
+    -----
+    A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
+    (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
+    ones do; `error` is twice the last four. Trefethen, Approximation Theory and Approximation Practice, chapters 3-8.
+
+    Examples
+    --------
+    >>> made = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
+    >>> round(float(made.coefficients[0, 0, 0]), 10)
+    1.7533876544
+    """
+    nodes, matrix = _transform(COUNT)
+    low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
+    origin = np.arange(low.size)
+    before: Any = np.inf
+    done: list[tuple[Any, Any, Any, Any, Any]] = []
+    for level in range(depth + 1):
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        values = function(middle[:, None] + half[:, None] * nodes, origin)
+        if not np.isfinite(values).all():
+            raise ValueError("the function is not finite inside a piece")
+        made = values @ matrix
+        size = np.abs(made).sum(axis=2)
+        tail = np.abs(made[:, :, -4:]).sum(axis=2)
+        worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
+        hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
+        good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
+        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
+        if good.all():
+            break
+        bad = ~good
+        left, mid, right = low[bad], middle[bad], high[bad]
+        low, high = np.concatenate((left, mid)), np.concatenate((mid, right))
+        origin = np.concatenate((origin[bad], origin[bad]))
+        before = np.concatenate((worst[bad], worst[bad]))
+    all_low = np.concatenate([part[0] for part in done])
+    owner = np.concatenate([part[4] for part in done])
+    order = np.lexsort((all_low, owner))
+    return Proxies(
+        owner[order],
+        all_low[order],
+        np.concatenate([part[1] for part in done])[order],
+        np.concatenate([part[2] for part in done], axis=1)[:, order],
+        np.concatenate([part[3] for part in done], axis=1)[:, order],
+    )
+
+
+def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
+    """Find the greatest and the least value of one of the functions, or every place where it turns.
+
+    f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
+    above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
+
+    Parameters
+    ----------
+    made : Proxies
+        The interpolated functions.
+    which : int
+        Which of them.
+    every : bool
+        Whether places are wanted that decide neither the greatest nor the least value.
+
+    Returns
+    -------
+    Extremes
+        Ends of pieces and places where the function turns.
+
+    Raises
+    ------
+    ValueError
+        Never for finite coefficients.
+
+    Notes
+    -----
+    Derivatives are bounded by Σ kⁿ|c_k|, so none is missed that changes the function by more than its rounding: cells
+    still undecided within which the function moves by less than 1e-15 of its size are candidates themselves.
+
+    Examples
+    --------
+    >>> made = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> value, place = extremes(made).largest()
+    >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
+    (True, True)
+    """
+    whole = made.coefficients[which]
+    count = whole.shape[1]
+    t, basis, first, second = _basis(count)
+    k = np.arange(count, dtype=float)
+    size = np.abs(whole)
+    # a coefficient that is rounding alone would be searched for turns of its own
+    c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
+    size = np.abs(c)
+    bounds = [size @ k**power for power in (2, 3, 4)]
+    scale = size.sum(axis=1)
+    step = np.pi / GRID
+    roots: list[tuple[Any, Any, Any]] = []
+    calm: list[tuple[Any, Any]] = []
+    q, d1, d2 = c @ basis, c @ first, c @ second
+    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
+    most, least = ends.max(), ends.min()
+    owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
+    # a piece that is constant to its rounding has no extremes
+    bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
+    for level in range(LEVELS + 1):
+        turning, unsure = _cells(d1, d2, step, bounds, owner[:, None])
+        steady = (bounds[0] == 0.0)[owner]
+        turning[steady], unsure[steady] = False, False
+        if not every:
+            most, least = max(most, q.max()), min(least, q.min())
+            # within a cell the function is near its chord
+            room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+            high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+            decides = (high >= most) | (low <= least)
+            turning &= decides
+            unsure &= decides
+        found, cells = np.nonzero(turning)
+        roots.append((owner[found], grid[found, cells], grid[found, cells + 1]))
+        found, cells = np.nonzero(unsure)
+        rows, left = owner[found], grid[found, cells]
+        if not rows.size:
+            break
+        # where the function hardly moves within a cell, any place of it will do
+        moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
+        still = (moves + 0.125 * step**3 * bounds[1][rows] <= 1e-15 * scale[rows]) | (level == LEVELS)
+        calm.append((rows[still], left[still] - 0.5 * step))
+        owner, left = rows[~still], left[~still]
+        if not owner.size:
+            break
+        step /= SPLIT
+        grid = left[:, None] - step * np.arange(SPLIT + 1)
+        q, d1, d2 = _derivatives(c[owner], grid)
+    at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
+    row = np.concatenate([at[0], *(part[0] for part in calm)])
+    place = np.concatenate([_refined(c, at[0], at[1], at[2]), *(part[1] for part in calm)])
+    half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
+    inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
+    places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
+    values = np.concatenate((ends, inner))
+    # by t, every function turns at the ends of its piece
+    inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
+    owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
+    order = np.lexsort((places, owners))
+    return Extremes(
+        owners[order], places[order], values[order], inside[order],
+        float(np.max(made.error[which] + 16 * 2.0**-53 * scale)),
+    )  # fmt: skip
+
+
+def _cells(d1: "Any", d2: "Any", step: float, bounds: "list[Any]", rows: "Any") -> "tuple[Any, Any]":
+    """Cells with exactly one root of the derivative, and cells about which nothing is known yet."""
+    a, b = d1[:, :-1], d1[:, 1:]
+    changes = (a > 0.0) != (b > 0.0)
+    room = 0.125 * step * step
+    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > room * bounds[1][rows])
+    p, q = d2[:, :-1], d2[:, 1:]
+    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > room * bounds[2][rows])
+    return changes & monotone, ~clear & ~monotone
+
+
+def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
+    """The function and its first two derivatives by t."""
+    k = np.arange(c.shape[1])
+    angle = t[..., None] * k
+    sine, cosine = np.sin(angle), np.cos(angle)
+    rows = np.stack((c, k * k * c), axis=-1)
+    kc = (k * c)[..., None]
+    if t.ndim == 1:
+        both = (cosine[:, None, :] @ rows)[:, 0]
+        return both[:, 0], -(sine[:, None, :] @ kc)[:, 0, 0], -both[:, 1]
+    both = cosine @ rows
+    return both[..., 0], -(sine @ kc)[..., 0], -both[..., 1]
+
+
+def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "Any":
+    """Newton kept inside its bracket."""
+    if not rows.size:
+        return np.zeros(0)
+    own = c[rows]
+    low, high = low.copy(), high.copy()
+    _, start, _ = _derivatives(own, high)
+    place = 0.5 * (low + high)
+    for _ in range(6):
+        _, d1, d2 = _derivatives(own, place)
+        same = (d1 > 0.0) == (start > 0.0)
+        high, low = np.where(same, place, high), np.where(same, low, place)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            new = place - d1 / d2
+        place = np.where((new >= low) & (new <= high), new, 0.5 * (low + high))
+    return place
