@@ -18,6 +18,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "units": ("dynamics_cli.convert.commands", "List, show and search units; the book's conversion table."),
     "coords": ("dynamics_cli.convert.commands", "Cartesian, cylindrical and spherical coordinates."),
     "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
+    "gear": ("dynamics_cli.gear.commands", "Gear geometry, measurement, pairs, trains and ratios."),
 }
 # Forces every call through typer, so that tests can compare the two routes.
 ROUTE_VARIABLE = "DYNAMICS_ROUTE"
