@@ -23,7 +23,7 @@ _TERMS = 24
 
 
 def roll_less_arc(t: float) -> float:
-    """t − atan t, the involute function of atan t, without cancellation."""
+    """The involute function of atan t, t − atan t, without cancellation."""
     if not absolute(t) < SERIES_LIMIT:
         return t - atan(t)
     square = t * t

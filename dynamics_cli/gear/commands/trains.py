@@ -30,4 +30,26 @@ TRAIN = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (TRAIN,)
+RATIO = Task(
+    "ratio",
+    "Best tooth numbers for a wanted ratio, every train within the limits looked at.",
+    Model(
+        "exhaustive search",
+        HERE + "ratio:ratio",
+        source="products of tooth numbers sorted and compared; ranked as exact fractions",
+        formula="i = Π z_driven/Π z_driver",
+        assumptions=("the sign of the ratio is that of the number of external meshes",),
+        method="whole numbers",
+    ),
+    examples=(
+        "dynamics gear ratio --target 365.2422/27.3217 --stages 3 --teeth 12..120",
+        "dynamics gear ratio --target 3.14159265358979 --stages 1 --teeth 17..400 --coprime",
+        'dynamics gear ratio --target 19.2 --teeth 15..90 --coaxial --coprime --largest-stage 6',
+        'dynamics gear ratio --target 6.3 --teeth 17..90 --centre-distance "90 mm" --module "2 mm"',
+    ),
+    table="best",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (TRAIN, RATIO)
