@@ -178,9 +178,7 @@ def _range(teeth: tuple[int, int]) -> range:
     return range(low, high + 1)
 
 
-def _sums(
-    tooth_sum: int | None, distance: float | None, module: float | None, tolerance: float | None
-) -> range | None:
+def _sums(tooth_sum: int | None, distance: float | None, module: float | None, tolerance: float | None) -> range | None:
     """The tooth sums a pair may have."""
     if distance is None:
         require(tolerance is None, "a tolerance without a centre distance", code="centre-distance")

@@ -329,9 +329,7 @@ def _part_trains(pairs: "list[Stage]", stages: int) -> "list[tuple[float, Train]
     """Every choice of that many pairs, order apart, by its ratio as a double."""
     trains: list[tuple[Train, int]] = [((), 0)]
     for _ in range(stages):
-        trains = [
-            ((*train, pairs[place]), place) for train, start in trains for place in range(start, len(pairs))
-        ]
+        trains = [((*train, pairs[place]), place) for train, start in trains for place in range(start, len(pairs))]
     sized = [(prod(b for _, b in train) / prod(a for a, _ in train), train) for train, _ in trains]
     sized.sort()
     return sized
