@@ -8,7 +8,7 @@ from math import ceil, pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.trochoid import Cutter, Root, root
-from dynamics_cli.numerics.elementary import atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import atan, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False

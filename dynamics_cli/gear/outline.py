@@ -135,10 +135,10 @@ def _tooth(
 
 
 def rack_outline(cutter: "Cutter", module: float, addendum: float, teeth: int) -> Outline:
-    """The transverse profile of a rack with `teeth` teeth along x, its reference line on y = 0, exact but for rounding.
+    """The profile of a rack with `teeth` teeth along x, its reference line on y = 0, exact but for rounding.
 
-    Flanks are lines, corners arcs of the normal plane; a helical rack's corners are ellipses in the transverse plane and
-    are drawn as the arcs between their ends only when the helix angle is zero.
+    Flanks are lines, corners arcs of the normal plane; a helical rack is drawn in its normal plane, where its corners
+    are arcs.
     """
     from math import cos as cosine
     from math import sin as sine

@@ -183,7 +183,8 @@ class Pairs:
                     least = (driven, driver)
                 if most is None or driven * most[1] > most[0] * driver:
                     most = (driven, driver)
-        assert least is not None and most is not None
+        assert least is not None
+        assert most is not None
         power = self.stages
         _require_between(
             self.target, (least[0] ** power, least[1] ** power), (most[0] ** power, most[1] ** power), power

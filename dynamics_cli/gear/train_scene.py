@@ -1,5 +1,6 @@
 """What a gear train is made of, however it is written: shafts, meshes and what is done with the shafts."""
 
+from itertools import pairwise
 from math import gcd
 
 from dynamics_cli.errors import require
@@ -62,19 +63,19 @@ class Stages:
         shaft = 1
         text = self.stages.replace("×", ":").replace("x", ":").replace(" ", "").replace(";", ",")
         for stage in text.split(","):
-            teeth = [_whole(word) for word in stage.split(":")]
+            teeth = [_whole(word, stage) for word in stage.split(":")]
             require(len(teeth) > 1, f"{stage!r} is no stage: write two tooth numbers, as in 20:60", code="stage")
-            for one, other in zip(teeth, teeth[1:], strict=False):
+            for one, other in pairwise(teeth):
                 found.append(_external_first(str(shaft), one, str(shaft + 1), other))
                 shaft += 1
         return tuple(found)
 
 
-def _whole(word: str) -> int:
+def _whole(word: str, stage: str) -> int:
     digits = word[1:] if word[:1] in ("-", "−") else word
     require(
         digits.isascii() and digits.isdigit() and len(digits) < 10 and int(digits) > 0,
-        f"{word!r} is not a number of teeth",
+        f"{word or stage!r} is not a number of teeth",
         code="teeth",
         hint="write stages as 20:60, 18:54",
     )
@@ -135,7 +136,7 @@ class Planetary:
                 "(ring − sun)/2 = {0}/2 is not whole: the planet is not settled by sun and ring",
                 self.ring - self.sun,
                 code="planet",
-                hint=f"give --planet {(self.ring - self.sun) // 2} with profile shifts, or change ring or sun by one tooth",
+                hint=f"give --planet {(self.ring - self.sun) // 2} and shift the profiles, or change one gear",
             )
             half = (self.ring - self.sun) // 2
             return half, half
