@@ -111,13 +111,14 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
         number = written((steps, count))
         fits = ", ".join(str(n) for n in range(2, 9) if steps % n == 0) or "no small number of"
         simple = inner == outer
+        ring = _nearest_ring(arrangement) if simple else None
         what = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"
         found.append(
             Advice(
                 "uneven-planets",
                 f"{what} = {number} is not whole: {count} planets cannot be spread evenly; "
                 "the places shown are the nearest possible",
-                mend=f"{fits} planets fit evenly; or a ring of {_nearest_ring(arrangement)} teeth" if simple else None,
+                mend=f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else ""),
             )
         )
     mismatch = arrangement.ring - outer - arrangement.sun - inner
@@ -133,15 +134,18 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
     return tuple(found)
 
 
-def _nearest_ring(arrangement: Planetary) -> int:
-    """The nearest ring that spreads the planets evenly and keeps the sun's parity."""
-    total = arrangement.sun + arrangement.ring
-    for step in range(total):
-        for candidate in (total - step, total + step):
-            same = (candidate - 2 * arrangement.sun) % 2 == (arrangement.ring - arrangement.sun) % 2
-            if candidate % arrangement.planets == 0 and same:
-                return candidate - arrangement.sun
-    return arrangement.ring
+def _nearest_ring(arrangement: Planetary) -> int | None:
+    """The nearest ring that spreads the planets evenly and leaves them room, or None within a fifth of its teeth."""
+    sun, ring, count = arrangement.sun, arrangement.ring, arrangement.planets
+    for step in range(1, max(ring // 5, 2 * count) + 1):
+        for candidate in (ring - step, ring + step):
+            if (sun + candidate) % count or (arrangement.planet is None and (candidate - sun) % 2):
+                continue
+            planet = (candidate - sun) // 2 if arrangement.planet is None else arrangement.planet
+            gap = (sun + planet) * sin(pi / count) - planet - 2.0 * arrangement.addendum
+            if candidate > planet > 0 and gap > 0.0:
+                return candidate
+    return None
 
 
 def place_angle(place: str) -> float:
