@@ -1,11 +1,12 @@
 """Sizes that show the thickness of a tooth: span, over pins or balls, chordal and constant-chord thickness."""
 
-from math import ceil, floor, pi
+from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.toothing import Toothing
-from dynamics_cli.gear.trochoid import roll_less_arc, roll_of
+from dynamics_cli.gear.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import asin, atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Count, Ratio, Size
 from dynamics_cli.records import record
 
@@ -104,7 +105,7 @@ class Chord:
 
 
 def thinned(gear: Toothing, allowance: float) -> float:
-    """The profile shift that gives the tooth this much more (normal) thickness; an internal gear's tooth grows inwards."""
+    """The profile shift that gives the tooth this much more normal thickness (an internal gear's grows inwards)."""
     change = allowance / (2.0 * gear.module * tan(gear.pressure_angle))
     return gear.shift - change if gear.internal else gear.shift + change
 
@@ -160,7 +161,7 @@ def spans_that_serve(gear: Toothing) -> list[int]:
     low, high = _flank(gear)
     return [
         over
-        for over in range(1, gear.teeth // 2 + 2)
+        for over in range(1, max(gear.teeth // 2, int(2.0 * plain(ideal_over(gear)))) + 2)
         if low <= plain(span_contact(gear, span_length(gear, over))) <= high and plain(span_length(gear, over)) > 0.0
     ]
 
@@ -246,7 +247,7 @@ def pin_roll(gear: Toothing, pin: float) -> float:
         code="pin-off-flank",
         hint="take a larger pin" if not gear.internal else "take a smaller pin",
     )
-    return roll_of(value)
+    return tan(inverse_involute(value))
 
 
 def pin_size(gear: Toothing, pin: float) -> float:
@@ -277,7 +278,9 @@ def ideal_pin(gear: Toothing) -> float:
     offset = gear.solid_half if gear.internal else gear.hollow_half
     # t_K = t_c ± δ cos β_b on the centreline: (t_K − atan t_K) ± offset = ± δ/cos β_b
     if plain(helix) == 1.0:
-        return sign * 2.0 * base * (tan(touch + sign * offset) - touch)
+        # tan(φ + η) − tan φ as a product: nothing cancels
+        angle, gap = atan(touch), sign * offset + roll_less_arc(touch)
+        return sign * 2.0 * base * sin(gap) / (cos(angle) * cos(angle + gap))
     delta = plain(sign * (tan(touch + sign * offset) - touch))
     for _ in range(60):
         roll = touch + sign * delta * helix
@@ -313,11 +316,10 @@ def shift_from_pins(gear: Toothing, pin: float, size: float) -> float:
 
 
 def standard_pins(near: float) -> "Iterator[float]":
-    """Sizes of pins and balls on the shelf about this one, nearest first: tenths below 2 mm, halves below 12 mm, whole."""
+    """Pins and balls on the shelf about a size, nearest first: tenths of mm below 2 mm, halves below 12 mm, whole."""
     step = 1e-4 if near < 2e-3 else 5e-4 if near < 12e-3 else 1e-3
     middle = round(near / step)
-    sizes = [index for index in range(max(1, middle - 12), middle + 13)]
-    for index in sorted(sizes, key=lambda index: abs(index * step - near)):
+    for index in sorted(range(max(1, middle - 12), middle + 13), key=lambda index: abs(index * step - near)):
         # 3.5 mm as it is written, not as a product of roundings
         yield index / (1.0 / step)
 
@@ -449,13 +451,3 @@ def constant_chord(gear: Toothing, allowances: "tuple[float | None, float | None
     height = gear.tip - gear.pitch_radius - 0.5 * thickness * sine / cosine
     require(height > 0.0, "the constant chord lies {0:.6g} mm above the tips", -1e3 * height, code="constant-chord")
     return Chord(thickness=thickness, thickness_upper=upper, thickness_lower=lower, height=height)
-
-
-def nearest_whole(value: float) -> tuple[int, int]:
-    """The whole numbers about a value."""
-    return floor(plain(value)), ceil(plain(value))
-
-
-def pressure_angle_at(roll: float) -> float:
-    """The angle whose tangent is the roll angle."""
-    return atan(roll)

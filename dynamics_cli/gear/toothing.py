@@ -2,7 +2,8 @@
 
 from math import pi
 
-from dynamics_cli.numerics.elementary import atan, atan2, cos, sin, sqrt
+from dynamics_cli.numerics.elementary import atan2, cos, sin, sqrt
+from dynamics_cli.numerics.involute import involute
 from dynamics_cli.records import record
 
 
@@ -44,31 +45,29 @@ class Toothing:
 
     @property
     def transverse_angle(self) -> float:
-        """α_t."""
+        """Transverse pressure angle α_t."""
         return atan2(sin(self.pressure_angle), cos(self.pressure_angle) * cos(self.helix_angle))
 
     @property
     def pitch_radius(self) -> float:
-        """r."""
+        """Pitch radius r."""
         return self.teeth * self.module / (2.0 * cos(self.helix_angle))
 
     @property
     def base_radius(self) -> float:
-        """r_b."""
+        """Base radius r_b."""
         return self.pitch_radius * cos(self.transverse_angle)
 
     @property
     def base_helix_cosine(self) -> float:
-        """cos β_b = √(1 − (sin β cos α_n)²)."""
+        """The cosine of the base helix angle, cos β_b = √(1 − (sin β cos α_n)²)."""
         across = sin(self.helix_angle) * cos(self.pressure_angle)
         return sqrt((1.0 - across) * (1.0 + across))
 
     @property
     def pitch_involute(self) -> float:
-        """inv α_t."""
-        from dynamics_cli.gear.trochoid import roll_less_arc
-
-        return roll_less_arc(sin(self.pressure_angle) / (cos(self.pressure_angle) * cos(self.helix_angle)))
+        """The involute of the pressure angle, inv α_t."""
+        return involute(self.transverse_angle)
 
     @property
     def shift_angle(self) -> float:
@@ -84,13 +83,3 @@ class Toothing:
     def hollow_half(self) -> float:
         """Half angle at the base circle of what lies between: the space, or an internal gear's tooth."""
         return 0.5 * pi / self.teeth - self.shift_angle - self.pitch_involute
-
-    @property
-    def single(self) -> bool:
-        """Whether its numbers are single ones, not arrays."""
-        return not any(hasattr(value, "dtype") for value in self.__dict__.values())
-
-
-def arc_of(roll: float) -> float:
-    """The pressure angle atan t at a roll angle t."""
-    return atan(roll)

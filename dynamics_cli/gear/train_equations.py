@@ -7,7 +7,7 @@ from dynamics_cli.records import Advice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
     from dynamics_cli.numerics.rational import Pair
 

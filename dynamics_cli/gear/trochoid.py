@@ -33,21 +33,6 @@ def roll_less_arc(t: float) -> float:
     return t * square * series
 
 
-def roll_of(involute: float) -> float:
-    """The roll angle t = tan φ of a given inv φ = t − atan t ≥ 0."""
-    plain = getattr(involute, "value", involute)
-    t = (3.0 * plain) ** (1.0 / 3.0) if plain < 1.0 else plain + 1.0
-    for _ in range(60):
-        last = t
-        t -= (roll_less_arc(t) - plain) * (1.0 + t * t) / (t * t) if t else 0.0
-        if abs(t - last) <= 2e-16 * t:
-            break
-    if t == 0.0:
-        return 0.0 * involute
-    # one more step in the numbers that came in carries their derivatives and bounds
-    return t - (roll_less_arc(t) - involute) * ((1.0 + t * t) / (t * t))
-
-
 @record
 class Cutter:
     """A rack and how it generates a gear, in normal modules.

@@ -44,7 +44,7 @@ RATIO = Task(
     examples=(
         "dynamics gear ratio --target 365.2422/27.3217 --stages 3 --teeth 12..120",
         "dynamics gear ratio --target 3.14159265358979 --stages 1 --teeth 17..400 --coprime",
-        'dynamics gear ratio --target 19.2 --teeth 15..90 --coaxial --coprime --largest-stage 6',
+        "dynamics gear ratio --target 19.2 --teeth 15..90 --coaxial --coprime --largest-stage 6",
         'dynamics gear ratio --target 6.3 --teeth 17..90 --centre-distance "90 mm" --module "2 mm"',
     ),
     table="best",
@@ -52,4 +52,27 @@ RATIO = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (TRAIN, RATIO)
+MEASURE = Task(
+    "measure",
+    "Sizes that show a gear's tooth thickness: span, over pins, chords; and the shift from a measured size.",
+    Model(
+        "involute geometry",
+        HERE + "measure:measure",
+        source="ISO 21771; KHK Gear Technical Reference, tooth thickness",
+        formula="{span.span|W_k} = m_n·cos α_n·((k − ½)·π + z·inv α_t) + 2·x·m_n·sin α_n; "
+        "{pins.size|M} = d_b/cos α_K·(cos 90°/z when z is odd) + {pins.pin|D_M}, "
+        "inv α_K = D_M/(z·m_n·cos α_n) − π/(2z) + 2·x·tan α_n/z + inv α_t",
+        assumptions=("the root is cut by a rack with a rounded corner (an internal gear has a fillet)",),
+    ),
+    examples=(
+        'dynamics gear measure --teeth 24 --module "3 mm" --profile-shift 0.4',
+        'dynamics gear measure --teeth 31 --module "2 mm" --helix-angle "15 deg" --upper-allowance "-0.05 mm" '
+        '--lower-allowance "-0.09 mm" --face-width "20 mm"',
+        'dynamics gear measure --teeth 37 --diametral-pitch "8 1/in" --pin "0.216 in" --measured-pins "4.921 in" '
+        "--units us",
+        'dynamics gear measure --teeth 72 --module "2 mm" --internal',
+    ),
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE)
