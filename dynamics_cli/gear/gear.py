@@ -208,12 +208,24 @@ def basic_rack(
 ) -> BasicRack:
     """The rack of a named profile, with what was given in place of its own; refuses what is no rack."""
     addendum, dedendum, radius = _RACKS[profile]
-    rack = BasicRack(
-        pressure_angle,
-        addendum if addendum_factor is None else addendum_factor,
-        dedendum if dedendum_factor is None else dedendum_factor,
-        radius if root_radius_factor is None else root_radius_factor,
-    )
+    addendum = addendum if addendum_factor is None else addendum_factor
+    dedendum = dedendum if dedendum_factor is None else dedendum_factor
+    _require_rack(BasicRack(pressure_angle, addendum, dedendum, 0.0))
+    if root_radius_factor is not None:
+        radius = root_radius_factor
+    else:
+        sine, cosine = sin(pressure_angle), cos(pressure_angle)
+        widest = (0.25 * pi * cosine - dedendum * sine) / (1.0 - sine)
+        require(
+            widest >= 0.0,
+            "the rack is pointed above its tip: π/4 − h_fP·tan α is {0:.6g}",
+            0.25 * pi - dedendum * sine / cosine,
+            code="pointed-rack",
+            hint="give a smaller dedendum factor",
+        )
+        # a profile's own corner that does not fit at this pressure angle becomes a full round
+        radius = widest if widest < radius else radius
+    rack = BasicRack(pressure_angle, addendum, dedendum, radius)
     _require_rack(rack)
     return rack
 
@@ -221,7 +233,7 @@ def basic_rack(
 def _require_rack(rack: BasicRack) -> None:
     angle = rack.pressure_angle
     require(
-        0.0 < angle and angle < 0.5 * pi,
+        angle > 0.0 and angle < 0.5 * pi,
         "a pressure angle of {0:.6g} rad makes no involute",
         angle,
         code="pressure-angle",
@@ -287,7 +299,7 @@ class Gear:
 
     @property
     def reference_diameter(self) -> float:
-        """d = z·m_t."""
+        """Reference diameter z·m_t."""
         return self.teeth * self.transverse_module
 
     @property
@@ -323,7 +335,7 @@ class Gear:
         return Cutter(self.teeth, rack.pressure_angle, self.helix_angle, self.shift, rack.dedendum, rack.tip_radius)
 
     def roll(self, diameter: float) -> float:
-        """t = tan α_y at a diameter, √((d_y/d_b)² − 1), with nothing lost near the base circle."""
+        """Roll angle tan α_y at a diameter, √((d_y/d_b)² − 1), with nothing lost near the base circle."""
         base = self.base_diameter
         require(
             absolute(diameter) >= absolute(base),
