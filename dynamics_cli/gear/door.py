@@ -1,85 +1,38 @@
-"""How a gear is given to measuring, profiles and meshes: normal data at the door, the toothing inside."""
+"""How a gear comes to measuring, profiles and meshes: the gear of its rack, and the toothing that they work with."""
 
-from math import pi, radians
+from math import pi
 
 from dynamics_cli.errors import require
+from dynamics_cli.gear.gear import Gear, basic_rack, signed_gear
 from dynamics_cli.gear.toothing import Toothing
-from dynamics_cli.gear.trochoid import Cutter, roll_less_arc, root
-from dynamics_cli.numerics.elementary import atan2, cos, sin, sqrt
-from dynamics_cli.quantities import DiametralPitch, Module, Size
-from dynamics_cli.records import record
+from dynamics_cli.gear.trochoid import roll_less_arc, root
+from dynamics_cli.numerics.elementary import absolute, cos, sqrt
 
-TWENTY_DEGREES = radians(20.0)
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.gear.gear import Pitch
 
-
-@record
-class ByModule:
-    """The size of the teeth by their normal module.
-
-    Parameters
-    ----------
-    module : Module
-        Normal module [m].
-    """
-
-    module: Module
-
-    @property
-    def normal_module(self) -> float:
-        """m_n."""
-        return self.module
+# Fillet of an internal gear in modules, unless one is given: that of most pinion cutters fits most spaces.
+INTERNAL_FILLET = 0.2
+STEEPEST = 84.0 * pi / 180.0
 
 
-@record
-class ByDiametralPitch:
-    """The size of the teeth by their normal diametral pitch.
-
-    Parameters
-    ----------
-    diametral_pitch : DiametralPitch
-        Teeth for each length of pitch diameter, in the normal plane [1/m].
-    """
-
-    diametral_pitch: DiametralPitch
-
-    @property
-    def normal_module(self) -> float:
-        """m_n."""
-        return 1.0 / self.diametral_pitch
-
-
-@record
-class ByCircularPitch:
-    """The size of the teeth by their normal circular pitch.
-
-    Parameters
-    ----------
-    circular_pitch : Size
-        Pitch along the pitch circle, in the normal plane [m].
-    """
-
-    circular_pitch: Size
-
-    @property
-    def normal_module(self) -> float:
-        """m_n."""
-        return self.circular_pitch / pi
-
-
-Pitch = ByModule | ByDiametralPitch | ByCircularPitch
-
-
-def cutter_of(
-    teeth: int, pressure_angle: float, helix_angle: float, shift: float, dedendum: float, root_radius: float
-) -> Cutter:
-    """The rack that cuts an external gear."""
-    return Cutter(teeth, pressure_angle, helix_angle, shift, dedendum, root_radius)
-
-
-def require_gear(teeth: int, module: float, pressure_angle: float, helix_angle: float) -> None:
-    """Refuse what is no gear at all."""
+def gear_of(
+    *,
+    teeth: int,
+    pitch: "Pitch",
+    profile: str,
+    pressure_angle: float,
+    addendum_factor: float | None,
+    dedendum_factor: float | None,
+    root_radius_factor: float | None,
+    helix_angle: float,
+    profile_shift: float,
+    internal: bool,
+    sign: str,
+) -> Gear:
+    """The gear of what was given, in ISO's signs; refuses what is no gear."""
     require(teeth >= 3, "a gear of {0} teeth is none", teeth, code="teeth")
-    require(module > 0.0, "teeth of module {0:.6g} mm have no size", 1e3 * module, code="module")
     require(
         (pressure_angle > 0.01) & (pressure_angle < 0.25 * pi),
         "a pressure angle of {0:.6g} rad is none of a gear",
@@ -88,42 +41,53 @@ def require_gear(teeth: int, module: float, pressure_angle: float, helix_angle: 
         hint="give an angle between 1 and 45 degrees",
     )
     require(
-        abs(helix_angle) < 0.47 * pi,
+        absolute(helix_angle) < STEEPEST,
         "a helix angle of {0:.6g} rad leaves no gear",
         helix_angle,
         code="helix-angle",
         hint="give an angle below 84 degrees",
     )
+    rack = basic_rack(profile, pressure_angle, addendum_factor, dedendum_factor, root_radius_factor)
+    return signed_gear(
+        teeth,
+        pitch.normal(cos(helix_angle)),
+        rack,
+        internal=internal,
+        sign=sign,
+        helix_angle=helix_angle,
+        shift=profile_shift,
+    )
 
 
-def toothing(
-    *,
-    teeth: int,
-    module: float,
-    pressure_angle: float,
-    helix_angle: float,
-    profile_shift: float,
-    internal: bool,
-    addendum: float,
-    dedendum: float,
-    root_radius: float,
-    tip_diameter: float | None = None,
-) -> Toothing:
-    """The toothing of a gear; its form radius from the exact trochoid when a rack cuts it."""
-    require_gear(teeth, module, pressure_angle, helix_angle)
-    radius = 0.5 * teeth * module / cos(helix_angle)
-    if internal:
-        own_tip, own_root = radius - (addendum - profile_shift) * module, radius + (dedendum + profile_shift) * module
-        form = _internal_form(radius * cos(_transverse(pressure_angle, helix_angle)), own_root, root_radius * module)
-    else:
-        own_tip, own_root = radius + (addendum + profile_shift) * module, radius - (dedendum - profile_shift) * module
-        cutter = cutter_of(teeth, pressure_angle, helix_angle, profile_shift, dedendum, root_radius)
-        form = root(cutter).form_radius * module
+def fillet_of(gear: Gear, root_radius_factor: float | None) -> float:
+    """Radius in the root, in modules: of the rack's corner, or of an internal gear's fillet."""
+    if not gear.internal:
+        return gear.rack.tip_radius
+    return INTERNAL_FILLET if root_radius_factor is None else root_radius_factor
+
+
+def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = INTERNAL_FILLET) -> Toothing:
+    """The toothing of a gear, in magnitudes; its form radius from the exact trochoid when a rack cuts it."""
+    own_tip, own_root = 0.5 * absolute(gear.tip_diameter), 0.5 * absolute(gear.root_diameter)
     if tip_diameter is not None:
         own_tip = 0.5 * tip_diameter
-    gear = Toothing(teeth, internal, module, pressure_angle, helix_angle, profile_shift, own_tip, own_root, form)
-    require_teeth(gear, form)
-    return gear
+    if gear.internal:
+        form = _internal_form(0.5 * absolute(gear.base_diameter), own_root, fillet * gear.module)
+    else:
+        form = root(gear.cutter).form_radius * gear.module
+    made = Toothing(
+        abs(gear.teeth),
+        gear.internal,
+        gear.module,
+        gear.rack.pressure_angle,
+        gear.helix_angle,
+        -gear.shift if gear.internal else gear.shift,
+        own_tip,
+        own_root,
+        form,
+    )
+    require_teeth(made, form)
+    return made
 
 
 def require_teeth(gear: Toothing, form: float) -> None:
@@ -153,10 +117,6 @@ def require_teeth(gear: Toothing, form: float) -> None:
         if not gear.internal
         else "give a larger tip diameter",
     )
-
-
-def _transverse(pressure_angle: float, helix_angle: float) -> float:
-    return atan2(sin(pressure_angle), cos(pressure_angle) * cos(helix_angle))
 
 
 def _internal_form(base: float, root_circle: float, fillet: float) -> float:

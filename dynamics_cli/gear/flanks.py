@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 # A root or tip land narrower than this share of a pitch is a point.
 _NO_LAND = 1e-12
 _MOST_POINTS = 2_000_000
+# Steps of the first look at a trochoid.
+_COARSE = 48
 
 
 @record
@@ -259,20 +261,22 @@ def _trochoid(shape: ToothForm, tolerance: float) -> "tuple[Array, Array, float]
     cutter, junction = shape.cutter, shape.junction
     assert cutter is not None
     assert junction is not None
-    start, end = 0.5 * pi, junction.direction
-    count = 4
+    coarse = np.linspace(0.5 * pi, junction.direction, _COARSE + 1)
+    heights = shape.module * _triangles(*trochoid_points(cutter, coarse))
+    # where the coarse triangles are high the chords are short: every one is off alike
+    spread = np.concatenate([[0.0], np.cumsum(np.sqrt(heights))])
+    count = max(2, ceil(1.05 * float(spread[-1]) / sqrt(tolerance)))
     while True:
         require(
             count < _MOST_POINTS, "a tolerance of {0:.3g} mm needs too many points", 1e3 * tolerance, code="tolerance"
         )
-        theta = np.linspace(start, end, count + 1)
+        theta = np.interp(np.linspace(0.0, spread[-1], count + 1), spread, coarse)
         radius, angle, direction = trochoid_points(cutter, theta)
-        radius, angle = shape.module * radius, pi / shape.teeth - angle
-        off = _triangles(radius, angle, direction)
+        off = shape.module * float(np.max(_triangles(radius, angle, direction)))
         if off <= tolerance:
             break
-        # the bound falls as the square of the step
-        count = max(count + 1, ceil(count * sqrt(1.02 * off / tolerance)))
+        count += 1 + count // 8
+    radius, angle = shape.module * radius, pi / shape.teeth - angle
     radius[0], radius[-1] = shape.root, shape.form
     angle[-1] = shape.half_angle(junction.roll)
     return radius, angle, off
@@ -293,12 +297,13 @@ def trochoid_points(cutter: Cutter, theta: "Array") -> "tuple[Array, Array, Arra
     return np.sqrt(across * across + xi * xi), theta - np.arctan2(xi, across) - turn, turn - theta
 
 
-def _triangles(radius: "Array", angle: "Array", direction: "Array") -> float:
-    """The largest height of the triangles of chord and end tangents of a curve that turns one way."""
+def _triangles(radius: "Array", angle: "Array", direction: "Array") -> "Array":
+    """Heights of the triangles of chord and end tangents of a curve that turns one way; infinite if it does not."""
     import numpy as np
 
-    turned = np.abs(direction[1:] - direction[:-1])
-    if np.any(np.diff(direction)[1:] * np.diff(direction)[:-1] < 0.0) or np.any(turned > 1.0):
-        return float("inf")
-    away = np.hypot(radius[1:] - radius[:-1], 0.5 * (radius[1:] + radius[:-1]) * (angle[1:] - angle[:-1]))
-    return float(np.max(0.5 * away * np.tan(0.5 * turned)))
+    steps = np.diff(direction)
+    turned = np.abs(steps)
+    if np.any(steps[1:] * steps[:-1] < 0.0) or np.any(turned > 1.0):
+        return np.full(steps.shape, np.inf)
+    away = np.hypot(np.diff(radius), 0.5 * (radius[1:] + radius[:-1]) * np.diff(angle))
+    return 0.5 * away * np.tan(0.5 * turned)

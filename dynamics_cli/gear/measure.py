@@ -3,7 +3,9 @@
 from math import pi
 
 from dynamics_cli.errors import InadmissibleError, require
-from dynamics_cli.gear.door import TWENTY_DEGREES, Pitch, toothing
+from dynamics_cli.gear.door import fillet_of, gear_of, toothing
+from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign, module_advice
+from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.sizes import (
     Chord,
     Pins,
@@ -29,6 +31,10 @@ if TYPE_CHECKING:
     from dynamics_cli.gear.toothing import Toothing
 
     Sized = TypeVar("Sized")
+
+
+FULL = BasicProfile("a")
+ISO = Sign("iso")
 
 
 @record
@@ -87,13 +93,15 @@ def measure(
     *,
     teeth: Count,
     pitch: Pitch,
-    pressure_angle: Angle = TWENTY_DEGREES,
+    profile: BasicProfile = FULL,
+    pressure_angle: Angle = FULL_DEPTH,
     helix_angle: Angle = 0.0,
     profile_shift: Ratio = 0.0,
     internal: bool = False,
-    addendum: Ratio = 1.0,
-    dedendum: Ratio = 1.25,
-    root_radius: Ratio = 0.38,
+    shift_sign: Sign = ISO,
+    addendum_factor: Ratio | None = None,
+    dedendum_factor: Ratio | None = None,
+    root_radius_factor: Ratio | None = None,
     tip_diameter: Size | None = None,
     face_width: Size | None = None,
     over: Count | None = None,
@@ -116,24 +124,28 @@ def measure(
     ----------
     teeth : Count
         Number of teeth.
-    pitch : ByModule | ByDiametralPitch | ByCircularPitch
-        Normal module, diametral pitch or circular pitch.
+    pitch : Pitch
+        Module, diametral pitch or circular pitch, normal or transverse.
+    profile : Profile
+        Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine.
     pressure_angle : Angle
         Normal pressure angle [rad].
     helix_angle : Angle
         Helix angle [rad].
     profile_shift : Ratio
-        Profile shift factor; positive outwards for an internal gear too.
+        Profile shift factor.
     internal : bool
         Whether the teeth point inwards.
-    addendum : Ratio
-        Addendum factor.
-    dedendum : Ratio
-        Dedendum factor.
-    root_radius : Ratio
-        Radius of the rack's corner (of the fillet of an internal gear), in modules.
+    shift_sign : Sign
+        Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS).
+    addendum_factor : Ratio
+        Addendum in modules, in place of the basic rack's.
+    dedendum_factor : Ratio
+        Dedendum in modules, in place of the basic rack's.
+    root_radius_factor : Ratio
+        Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given).
     tip_diameter : Size
-        Tip diameter, where it is not d + 2 (h_a + x) m [m].
+        Tip diameter, where it is not that of the rack [m].
     face_width : Size
         Face width, to see whether a helical gear is wide enough for its span [m].
     over : Count
@@ -172,23 +184,25 @@ def measure(
 
     Examples
     --------
-    >>> from dynamics_cli.gear.door import ByModule
-    >>> answer = measure(teeth=24, pitch=ByModule(0.003), profile_shift=0.4)
+    >>> from dynamics_cli.gear.gear import NormalModule
+    >>> answer = measure(teeth=24, pitch=NormalModule(0.003), profile_shift=0.4)
     >>> (answer.span.over, round(1e3 * answer.span.span, 4))
     (4, 32.8266)
     """
-    gear = toothing(
+    made = gear_of(
         teeth=teeth,
-        module=pitch.normal_module,
+        pitch=pitch,
+        profile=profile,
         pressure_angle=pressure_angle,
+        addendum_factor=addendum_factor,
+        dedendum_factor=dedendum_factor,
+        root_radius_factor=root_radius_factor,
         helix_angle=helix_angle,
         profile_shift=profile_shift,
         internal=internal,
-        addendum=addendum,
-        dedendum=dedendum,
-        root_radius=root_radius,
-        tip_diameter=tip_diameter,
+        sign=shift_sign,
     )
+    gear = toothing(made, tip_diameter=tip_diameter, fillet=fillet_of(made, root_radius_factor))
     _require_allowances(upper_allowance, lower_allowance)
     allowances = (upper_allowance, lower_allowance)
     advice: list[Advice] = []
@@ -209,7 +223,7 @@ def measure(
         from_pins=_from_pins(gear, pin, measured_pins),
         from_chord=None if measured_chord is None else _found(gear, shift_from_chord(gear, measured_chord)),
         checks=_checks(gear, spanned, pinned),
-        advice=tuple(advice),
+        advice=tuple(advice) + module_advice(pitch, made.module),
     )
 
 

@@ -75,4 +75,24 @@ MEASURE = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE)
+PROFILE = Task(
+    "profile",
+    "Exact profile of a gear, internal gear or rack, for --drawing FILE.dxf, .svg or .csv.",
+    Model(
+        "generation by a rack",
+        HERE + "profile:profile",
+        source="ISO 21771; law of gearing applied to the rack's corner",
+        formula="R = r_b·√(1 + t²), ψ = ψ_b − (t − atan t); d_Ff = 2·√(r_b² + ξ²), or where trochoid and involute meet",
+        assumptions=("an internal gear's root is a fillet tangent to root circle and involute",),
+    ),
+    examples=(
+        'dynamics gear profile --teeth 20 --module "2 mm"',
+        'dynamics gear profile --teeth 9 --module "3 mm" --profile-shift 0.1 --only-teeth 1 --tolerance "0.1 um"',
+        'dynamics gear profile --teeth 72 --module "2 mm" --internal',
+        'dynamics gear profile --teeth 6 --module "2 mm" --rack',
+    ),
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, PROFILE)
