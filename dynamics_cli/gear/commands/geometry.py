@@ -47,4 +47,25 @@ HELICAL = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL)
+INVOLUTE = Task(
+    "involute",
+    "Involute function and inverse, roll angle, tooth thickness at any radius, points of the curve.",
+    Model(
+        "involute of a circle",
+        HERE + "curve:involute_point",
+        source="ISO 21771, section 4; " + BOOK + "section 17.4",
+        formula="{involute|inv α} = tan({pressure_angle|α}) − {pressure_angle|α}, {roll_angle|ξ} = "
+        "tan({pressure_angle|α}), {diameter|d_y} = {base_diameter|d_b}/cos({pressure_angle|α})",
+        method="series, no iteration",
+    ),
+    examples=(
+        'dynamics gear involute --angle "20 deg"',
+        "dynamics gear involute --value 0.034316",
+        'dynamics gear involute --diameter "45.6 mm" --base-diameter "33.8289 mm" '
+        '--known-thickness "6.0227 mm" --known-diameter "36 mm" --points 5',
+    ),
+    table="points",
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE)
