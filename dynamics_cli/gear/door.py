@@ -60,10 +60,39 @@ def gear_of(
 
 
 def fillet_of(gear: Gear, root_radius_factor: float | None) -> float:
-    """Radius in the root, in modules: of the rack's corner, or of an internal gear's fillet."""
+    """Radius in the root, in modules: of the rack's corner, or of an internal gear's fillet.
+
+    A fillet that is not given is 0.2 modules, or as large as the space takes where that is less.
+    """
     if not gear.internal:
         return gear.rack.tip_radius
-    return INTERNAL_FILLET if root_radius_factor is None else root_radius_factor
+    if root_radius_factor is not None:
+        return root_radius_factor
+    if _space_beside(gear, INTERNAL_FILLET) >= 0.0:
+        return INTERNAL_FILLET
+    require(
+        _space_beside(gear, 0.0) > 0.0,
+        "the tooth spaces are pointed before their root at {0:.6g} mm: half the angle left is {1:.6g} rad",
+        1e3 * absolute(gear.root_diameter),
+        _space_beside(gear, 0.0),
+        code="pointed-space",
+        hint="give a smaller dedendum factor, or another profile shift",
+    )
+    low, high = 0.0, INTERNAL_FILLET
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _space_beside(gear, middle) >= 0.0 else (low, middle)
+    return low
+
+
+def _space_beside(gear: Gear, fillet: float) -> float:
+    """Half the angle that a fillet leaves between itself and the centreline of an internal gear's space."""
+    base, size = 0.5 * absolute(gear.base_diameter), fillet * gear.module
+    ratio = (0.5 * absolute(gear.root_diameter) - size) / base
+    if not ratio > 1.0:
+        return -1.0
+    value = absolute(gear.base_half_angle) - roll_less_arc(sqrt((ratio - 1.0) * (ratio + 1.0))) - size / base
+    return getattr(value, "value", value)  # type: ignore[no-any-return]
 
 
 def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = INTERNAL_FILLET) -> Toothing:

@@ -95,4 +95,27 @@ PROFILE = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, PROFILE)
+MESH = Task(
+    "mesh",
+    "Proof of a mesh: both exact profiles turned through it, point by point.",
+    Model(
+        "rotated profiles",
+        HERE + "mesh:mesh",
+        source="law of gearing; ISO 21771",
+        formula="{contact_ratio|ε_α} = (end − start of contact)/p_bt, both as tips and form circles allow",
+        assumptions=("rigid gears of exact shape on parallel axes", "both have the same basic rack"),
+        method="sampling of exact profiles",
+    ),
+    examples=(
+        'dynamics gear mesh --first-teeth 12 --second-teeth 24 --module "3 mm" --first-profile-shift 0.6 '
+        "--second-profile-shift 0.36",
+        'dynamics gear mesh --first-teeth 16 --second-teeth 24 --module "3 mm" --internal '
+        "--second-profile-shift 0.5 --shift-sign khk",
+        'dynamics gear mesh --first-teeth 17 --second-teeth 51 --module "2 mm" --centre-distance "68.1 mm"',
+    ),
+    table="path",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, PROFILE, MESH)
