@@ -146,7 +146,7 @@ def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
 
 
 def wall(form: ToothForm, tolerance: float) -> "tuple[Array, Array, Array]":
-    """The side of a tooth space: rising radii, half angles of the space, and the share of an arc that lies across it."""
+    """The side of a tooth space: rising radii, half angles of the space, and the share of arcs that lies across."""
     import numpy as np
 
     chain = flank(form, tolerance)

@@ -91,7 +91,8 @@ def _space_beside(gear: Gear, fillet: float) -> float:
     ratio = (0.5 * absolute(gear.root_diameter) - size) / base
     if not ratio > 1.0:
         return -1.0
-    value = absolute(gear.base_half_angle) - roll_less_arc(sqrt((ratio - 1.0) * (ratio + 1.0))) - size / base
+    space = pi / abs(gear.teeth) + gear.base_half_angle
+    value = space - roll_less_arc(sqrt((ratio - 1.0) * (ratio + 1.0))) - size / base
     return getattr(value, "value", value)  # type: ignore[no-any-return]
 
 

@@ -118,4 +118,24 @@ MESH = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, PROFILE, MESH)
+IDENTIFY = Task(
+    "identify",
+    "An unknown gear from its teeth, spans and tip diameter: module or pitch, pressure angle, profile shift.",
+    Model(
+        "base pitch and span",
+        HERE + "identify:identify",
+        source="ISO 21771, ISO 54; KHK Gear Technical Reference",
+        formula="{base_pitch|p_bn} = (W_k − W_j)/(k − j) = π·m_n·cos α_n",
+        assumptions=("the gear is a standard one with teeth of full depth or stub teeth",),
+    ),
+    examples=(
+        'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
+        '--tip-diameter "80.4 mm"',
+        'dynamics gear identify --teeth 32 --span-read "over=3, length=24.69 mm" --tip-diameter "4.25 in"',
+    ),
+    table="candidates",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, IDENTIFY, PROFILE, MESH)
