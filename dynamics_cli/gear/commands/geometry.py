@@ -68,4 +68,31 @@ INVOLUTE = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE)
+PAIR = Task(
+    "pair",
+    "Two gears in mesh: distance, shifts, contact, sliding, backlash, interference, forces (no strength rating).",
+    Model(
+        "parallel shafts",
+        HERE + "pair:pair",
+        source="ISO 21771, sections 5 to 7; " + BOOK + "sections 17.6 to 17.8; efficiency after Ohlendorf 1958",
+        formula="inv({working_pressure_angle|α_wt}) = inv(α_t) + 2·({first_profile_shift|x₁} + "
+        "{second_profile_shift|x₂})·tan(α_n)/(z₁ + z₂), {centre_distance|a_w} = {reference_distance|a_d}·cos(α_t)/"
+        "cos({working_pressure_angle|α_wt}), {transverse_contact_ratio|ε_α} = {path_length|g_α}/p_bt",
+        assumptions=("involute flanks without deviations, rigid teeth, parallel shafts", "strength is not rated"),
+    ),
+    examples=(
+        'dynamics gear pair --first-teeth 12 --second-teeth 24 --module "3 mm" --first-profile-shift 0.6 '
+        "--second-profile-shift 0.36",
+        'dynamics gear pair --first-teeth 16 --second-teeth 24 --module "3 mm" --internal --second-profile-shift 0.5 '
+        "--shift-sign khk",
+        'dynamics gear pair --first-teeth 12 --second-teeth 60 --module "3 mm" --helix-angle "30 deg" '
+        '--centre-distance "125 mm" --split first --face-width "60 mm" --power "5 kW" --speed "1450 rpm" '
+        '--first-bearings-left "50 mm" --first-bearings-right "50 mm"',
+        'dynamics gear pair --first-teeth 17 --second-teeth 43 --module "2 mm" --centre-distance "61 mm" '
+        "--split balanced-sliding",
+    ),
+    table="points",
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR)
