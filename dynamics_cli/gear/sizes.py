@@ -15,6 +15,12 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
+# Flanks that lean farther than this from their middle hold no pin of sensible size.
+_WIDEST = 1.5
+# Van Keuren's wire for external gears, in modules.
+_USUAL = 1.728
+
+
 def plain(x: float) -> float:
     """A tracked number as the double it is."""
     return getattr(x, "value", x)  # type: ignore[no-any-return]
@@ -74,7 +80,7 @@ class Pins:
     """
 
     pin: Size
-    ideal_pin: Size
+    ideal_pin: Size | None
     size: Size
     size_upper: Size | None
     size_lower: Size | None
@@ -266,8 +272,11 @@ def pin_contact(gear: Toothing, pin: float) -> float:
     return sqrt(base * base + reach * reach)
 
 
-def ideal_pin(gear: Toothing) -> float:
-    """The diameter that touches at d + 2xm: closed form for a spur gear, a few steps of Newton for a helical one."""
+def ideal_pin(gear: Toothing) -> float | None:
+    """The diameter that touches at d + 2xm; None where the flanks of few teeth part so widely that none does.
+
+    Closed form for a spur gear, a few steps of Newton for a helical one.
+    """
     reach = gear.pitch_radius + gear.shift * gear.module
     base = gear.base_radius
     ratio = reach / base
@@ -277,6 +286,8 @@ def ideal_pin(gear: Toothing) -> float:
     sign = -1.0 if gear.internal else 1.0
     offset = gear.solid_half if gear.internal else gear.hollow_half
     # t_K = t_c ± δ cos β_b on the centreline: (t_K − atan t_K) ± offset = ± δ/cos β_b
+    if not gear.internal and plain(atan(touch) + offset + roll_less_arc(touch)) >= _WIDEST:
+        return None
     if plain(helix) == 1.0:
         # tan(φ + η) − tan φ as a product: nothing cancels
         angle, gap = atan(touch), sign * offset + roll_less_arc(touch)
@@ -363,7 +374,8 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     ideal = ideal_pin(gear)
     chosen = pin
     if chosen is None:
-        chosen = next((one for one in standard_pins(plain(ideal)) if _serves(gear, one)), None)
+        near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
+        chosen = next((one for one in standard_pins(near) if _serves(gear, one)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:
@@ -376,7 +388,7 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
                 f"a pin of {1e3 * plain(chosen):.6g} mm " + words,
                 *numbers,
                 code="pin-off-flank",
-                hint=f"the ideal is {1e3 * plain(ideal):.6g} mm",
+                hint=None if ideal is None else f"the ideal is {1e3 * plain(ideal):.6g} mm",
             )
     roll = pin_roll(gear, chosen)
     upper, lower = (
