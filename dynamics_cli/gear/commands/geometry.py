@@ -95,4 +95,44 @@ PAIR = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR)
+RACK_TASK = Task(
+    "rack",
+    "A rack and the gear on it: dimensions, distance, contact ratio, travel, forces (no strength rating).",
+    Model(
+        "gear and rack",
+        HERE + "rack:rack",
+        source="ISO 53, ISO 21771; " + BOOK + "section 17.9",
+        formula="{datum_distance|a} = {reference_diameter|d}/2 + x·m_n, {travel|s} = z·{pitch|p_t}, "
+        "{transverse_contact_ratio|ε_α} = ({approach_length|g_f} + {recess_length|g_a})/p_bt",
+        assumptions=("no backlash, no deviations", "strength is not rated"),
+    ),
+    examples=(
+        'dynamics gear rack --teeth 12 --module "3 mm" --profile-shift 0.6 --datum-height "32 mm"',
+        'dynamics gear rack --teeth 20 --transverse-module "2 mm" --helix-angle "20 deg" --speed "120 rpm" '
+        '--torque "15 N*m"',
+    ),
+    arrays=False,
+)
+
+BEVEL = Task(
+    "bevel",
+    "A bevel pair at any shaft angle: straight, spiral or zerol, crown and internal wheels (no strength rating).",
+    Model(
+        "pitch cones",
+        HERE + "bevel:bevel",
+        source="ISO 23509; Gleason proportions as handbooks print them; " + BOOK + "section 17.13",
+        formula="{first.pitch_angle|δ₁} = atan2(sin({shaft_angle|Σ}), {ratio|u} + cos({shaft_angle|Σ})), "
+        "{cone_distance|R_e} = {first.pitch_diameter|d_e1}/(2·sin({first.pitch_angle|δ₁}))",
+        assumptions=("tip and root cones with constant clearance, unless standard", "strength is not rated"),
+    ),
+    examples=(
+        'dynamics gear bevel --first-teeth 20 --second-teeth 40 --module "3 mm" --face-width "22 mm"',
+        'dynamics gear bevel --first-teeth 20 --second-teeth 40 --module "3 mm" --face-width "20 mm" --kind spiral '
+        '--torque "20 N*m"',
+        'dynamics gear bevel --first-teeth 20 --second-teeth 20 --module "2 mm" --face-width "7 mm" '
+        '--shaft-angle "120 deg" --kind standard',
+    ),
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL)
