@@ -2,7 +2,7 @@
 
 Run: python tests/references/generate_gear_trains_references.py [FILE]. The same bytes every time.
 
-Pins: a ball pushed into the space of two helicoids, its centre found in space from the surface's own normal. Spans: arcs
+Pins: a ball pushed into the space of two helicoids, found in space from the surface's own normal. Spans: arcs
 of the base circle unrolled. Chords: from coordinates. Roots: the envelope of the rack's corner in the parameter of its
 circle, junction by bisection of 170 steps.
 """
