@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
-from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, ShaftSpeed, Size, Teeth, Torque
+from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Teeth, Torque
 from dynamics_cli.records import Advice, Check, Choice, record
 
 FULL_DEPTH = 20.0 * pi / 180.0
@@ -154,7 +154,6 @@ def bevel(
     spiral_angle: Angle | None = None,
     flank: Flank = Flank("concave"),  # noqa: B008
     torque: Torque | None = None,
-    speed: ShaftSpeed | None = None,
 ) -> BevelData:
     """Dimensions of a bevel pair at any shaft angle, straight, spiral or zerol, and its tooth forces.
 
@@ -184,8 +183,6 @@ def bevel(
         Flank of the pinion that drives, concave or convex; decides the thrust of spiral teeth.
     torque : Torque
         Torque on the pinion, for the forces [N m].
-    speed : ShaftSpeed
-        Speed of the pinion; its sign does not matter [rad/s].
 
     Returns
     -------
@@ -262,7 +259,7 @@ def bevel(
                 tangential,
                 pressure_angle,
                 lean,
-            )  # fmt: skip
+            )
         )
     transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
     overlap = face_width * tan(spiral) / (pi * mean_module) if plain(spiral) > 0.0 else None

@@ -135,4 +135,45 @@ BEVEL = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL)
+CROSSED = Task(
+    "crossed",
+    "Crossed helical (screw) gears: distance, working helices, shaft angle, sliding, efficiency (no strength rating).",
+    Model(
+        "virtual spur gears",
+        HERE + "crossed:crossed",
+        source="KHK gear technical reference, screw gears; " + BOOK + "section 17.14",
+        formula="{centre_distance|a_w} = {reference_distance|a_d} + {distance_modification|y}·{module|m_n}, "
+        "{shaft_angle|Σ} = |{first_working_helix|β_w1} + {second_working_helix|β_w2}|",
+        assumptions=("exact when the profile shifts sum to zero", "friction at the pitch point"),
+    ),
+    examples=(
+        'dynamics gear crossed --first-teeth 15 --first-helix-angle "20 deg" --first-profile-shift 0.4 '
+        '--second-teeth 24 --second-helix-angle "30 deg" --second-profile-shift 0.2 --module "3 mm"',
+        'dynamics gear crossed --first-teeth 13 --first-helix-angle "45 deg" --second-teeth 26 '
+        '--second-helix-angle "45 deg" --module "2 mm" --speed "600 rpm"',
+    ),
+    arrays=False,
+)
+
+WORM = Task(
+    "worm",
+    "A worm pair: geometry, lead angle, efficiency both ways, self-locking, forces (no strength rating).",
+    Model(
+        "inclined plane",
+        HERE + "worm:worm",
+        source="DIN 3975; " + BOOK + "section 17.14",
+        formula="{lead_angle|γ} = atan({axial_module|m_x}·{threads|z₁}/{worm_diameter|d₁}), {efficiency|η} = "
+        "tan({lead_angle|γ})/tan({lead_angle|γ} + {friction_angle|ρ'}), {backward_efficiency|η'} = "
+        "tan({lead_angle|γ} − {friction_angle|ρ'})/tan({lead_angle|γ})",
+        assumptions=("shafts at right angles", "friction at the pitch point only", "strength is not rated"),
+    ),
+    examples=(
+        'dynamics gear worm --threads 2 --teeth 30 --module "3 mm" --worm-diameter "44 mm"',
+        'dynamics gear worm --threads 1 --teeth 40 --module "4 mm" --diameter-factor 10 --friction 0.12 '
+        '--speed "1450 rpm" --power "2 kW"',
+        'dynamics gear worm --threads 4 --teeth 40 --normal-module "4 mm" --lead-angle "20 deg"',
+    ),
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM)
