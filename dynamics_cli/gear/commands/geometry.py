@@ -176,4 +176,47 @@ WORM = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM)
+HYPOID = Task(
+    "hypoid",
+    "Pitch-point geometry of a hypoid pair: cones, offset and spiral angles, sliding, limit pressure angle.",
+    Model(
+        "pitch cones in contact",
+        HERE + "hypoid:hypoid",
+        source="Wildhaber 1946; ISO 23509; " + BOOK + "section 17.14",
+        formula="sin({axial_offset_angle|η}) = {offset|E}/({wheel_radius|r₂} + {first_pitch_radius|r₁}·"
+        "cos({second_pitch_angle|δ₂})/cos({first_pitch_angle|δ₁})), {second_spiral_angle|β₂} = "
+        "{first_spiral_angle|β₁} − {pitch_offset_angle|ε'}",
+        assumptions=("the pitch angle of the wheel is the user's choice", "strength is not rated"),
+        method="bracketed root, one tracked Newton step",
+    ),
+    examples=(
+        'dynamics gear hypoid --first-teeth 10 --second-teeth 41 --offset "35 mm" --wheel-radius "85 mm"',
+        'dynamics gear hypoid --first-teeth 13 --second-teeth 38 --offset "20 mm" --wheel-radius "70 mm" '
+        '--wheel-pitch-angle "68 deg" --pinion-spiral-angle "45 deg" --speed "3000 rpm"',
+    ),
+    arrays=False,
+)
+
+WHEELS = Task(
+    "wheels",
+    "Rolling wheels and belts: speeds, belt length and wrap, what friction carries.",
+    Model(
+        "rolling without slip",
+        HERE + "wheels:wheels",
+        source=BOOK + "section 17.2; Euler's belt formula",
+        formula=(
+            "{belt_length|L} = 2·{span|s} + {first_diameter|d₁}/2·{first_wrap|θ₁} + "
+            "{second_diameter|d₂}/2·{second_wrap|θ₂}",
+            "{ratio|ω₁/ω₂} = ∓{second_diameter|d₂}/{first_diameter|d₁}",
+        ),
+        assumptions=("rigid wheels, an inextensible and flexible belt", "no slip"),
+    ),
+    examples=(
+        'dynamics gear wheels --first-diameter "100 mm" --second-diameter "300 mm" --drive open-belt '
+        '--centre-distance "500 mm" --speed "1450 rpm" --power "2 kW" --friction 0.3',
+        'dynamics gear wheels --first-diameter "4 in" --second-diameter "10 in" --speed "300 rpm" --units us',
+    ),
+    arrays=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM, HYPOID, WHEELS)
