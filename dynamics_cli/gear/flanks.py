@@ -205,7 +205,7 @@ def flank(shape: ToothForm, tolerance: float) -> Chain:
     """Sample one flank so that no chord leaves the exact curve by more than `tolerance`, with the bound proved.
 
     Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀), and by (u₁ − u₀)²·
-    r_b √(1 + u₁²)/8 near the base circle. Trochoid: it turns one way only, so it lies in the triangle of its chord and
+    r_b √(1 + u₁²)/8 or its triangle's height near the base circle. Trochoid: it turns one way only, so it lies in the triangle of its chord and
     end tangents.
     """
     import numpy as np
@@ -248,7 +248,9 @@ def _involute_rolls(base: float, low: float, high: float, tolerance: float) -> "
         near = step * step * np.sqrt(1.0 + rolls[1:] * rolls[1:])
         rise = step * (rolls[1:] + rolls[:-1])
         far = 0.25 * rise * rise / np.maximum(rolls[:-1], 1e-300)
-        off = 0.125 * base * float(np.max(np.minimum(near, far)))
+        # the triangle of chord and end tangents: the chord is no longer than its arc r_b (t₁² − t₀²)/2
+        corner = 2.0 * rise * np.tan(0.5 * np.minimum(step, 1.0)) + (step > 1.0) * 1e300
+        off = 0.125 * base * float(np.max(np.minimum(np.minimum(near, far), corner)))
         if off <= tolerance:
             return rolls, off
         count += 1 + count // 8
