@@ -227,7 +227,7 @@ def _solved(point: _Point) -> float:
         first, turned, _ = own.at(sign * high)
         require(
             high < 0.5 * pi and first > 0.0 and abs(own.spiral - turned) < 0.5 * pi,
-            "no pinion reaches an offset of {0:.6g} mm on this wheel: its cone closes at an offset angle of {1:.4g} deg",
+            "no pinion reaches an offset of {0:.6g} mm on this wheel: its cone closes at an angle of {1:.4g} deg",
             1e3 * own.offset,
             high * 180.0 / pi,
             code="offset",

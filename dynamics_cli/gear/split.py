@@ -20,7 +20,7 @@ from dynamics_cli.records import Choice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.gear.pair import Mate
+    from dynamics_cli.gear.pair_data import Mate
 
 
 class Split(Choice):

@@ -219,4 +219,19 @@ WHEELS = Task(
     arrays=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM, HYPOID, WHEELS)
+GLOSSARY = Task(
+    "glossary",
+    "The terms of gearing with symbol, other names and formula.",
+    Model(
+        "words",
+        HERE + "glossary:glossary",
+        source=BOOK + "section 17.16 (the terms; the words are ours); symbols of ISO 21771",
+        method="a table",
+    ),
+    examples=("dynamics gear glossary", "dynamics gear glossary backlash 'base pitch'"),
+    table="entries",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM, HYPOID, WHEELS, GLOSSARY)
