@@ -13,6 +13,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+NEEDED = "give --base-diameter"
+
 
 @record
 class AtAngle:
@@ -33,11 +35,11 @@ class AtInvolute:
 
     Parameters
     ----------
-    value : Positive
-        inv α_y there.
+    involute : Positive
+        Its inv α_y.
     """
 
-    value: Positive
+    involute: Positive
 
 
 @record
@@ -122,7 +124,7 @@ class InvoluteData:
     arc_length: Size | None
     thickness: Coordinate | None
     pointed_diameter: Size | None
-    points: tuple[CurvePoint, ...]
+    points: tuple[CurvePoint, ...] | None
     checks: tuple[Check, ...] = ()
 
 
@@ -208,9 +210,9 @@ def involute_point(
 def _angles(at: "Any", base_diameter: float | None) -> tuple[float, float, float]:
     """Pressure angle, involute function and roll angle."""
     if isinstance(at, AtInvolute):
-        angle = inverse_involute(at.value)
+        angle = inverse_involute(at.involute)
         # t = inv + α loses nothing, where tan of an angle near 90° would
-        return angle, at.value, at.value + angle
+        return angle, at.involute, at.involute + angle
     if isinstance(at, AtAngle):
         require(
             (at.angle >= 0.0) & (at.angle < 0.5 * pi),
@@ -241,10 +243,10 @@ def _roll(diameter: float, base: float) -> float:
     return sqrt((diameter - base) * (diameter + base)) / base
 
 
-def _points(base_diameter: float | None, roll: float, count: int) -> tuple[CurvePoint, ...]:
+def _points(base_diameter: float | None, roll: float, count: int) -> tuple[CurvePoint, ...] | None:
     require(count <= 1000, "{0} points are too many for this table", count, code="points", hint="use gear profile")
     if base_diameter is None or count == 0:
-        return ()
+        return None
     made = []
     for index in range(count):
         share = index / (count - 1) if count > 1 else 1.0

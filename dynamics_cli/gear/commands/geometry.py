@@ -60,7 +60,7 @@ INVOLUTE = Task(
     ),
     examples=(
         'dynamics gear involute --angle "20 deg"',
-        "dynamics gear involute --value 0.034316",
+        "dynamics gear involute --involute 0.034316",
         'dynamics gear involute --diameter "45.6 mm" --base-diameter "33.8289 mm" '
         '--known-thickness "6.0227 mm" --known-diameter "36 mm" --points 5',
     ),
@@ -234,4 +234,37 @@ GLOSSARY = Task(
     tracked=False,
 )
 
-TASKS: "tuple[Task, ...]" = (SPUR, HELICAL, INVOLUTE, PAIR, RACK_TASK, BEVEL, CROSSED, WORM, HYPOID, WHEELS, GLOSSARY)
+DATA_BLOCK = Task(
+    "data-block",
+    "The table that goes on a gear drawing, with inspection sizes; as table, Markdown or CSV.",
+    Model(
+        "generating rack",
+        HERE + "data_block:data_block",
+        source="ISO 1340, ISO 21771",
+        assumptions=RACK,
+    ),
+    examples=(
+        'dynamics gear data-block --teeth 24 --module "3 mm" --profile-shift 0.4 --accuracy "ISO 1328-1 grade 7" '
+        "--format markdown",
+        'dynamics gear data-block --teeth 31 --module "3.5 mm" --helix-angle "21 deg" --hand left --mate-teeth 30 '
+        '--centre-distance "116.5 mm" --upper-allowance "-0.07 mm" --lower-allowance "-0.11 mm"',
+    ),
+    table="rows",
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (
+    SPUR,
+    HELICAL,
+    INVOLUTE,
+    PAIR,
+    RACK_TASK,
+    BEVEL,
+    CROSSED,
+    WORM,
+    HYPOID,
+    WHEELS,
+    GLOSSARY,
+    DATA_BLOCK,
+)
