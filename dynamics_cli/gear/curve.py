@@ -1,4 +1,4 @@
-"""The involute itself: its function and inverse, roll angle, curvature, thickness at any radius, points of the curve."""
+"""The involute: its function and inverse, roll angle, curvature, thickness at any radius, points of the curve."""
 
 from math import pi
 

@@ -1,7 +1,10 @@
 """How far the profile may be shifted: undercut on one side, pointed teeth on the other."""
 
+from math import pi
+
 from dynamics_cli.gear.gear import Gear
-from dynamics_cli.numerics.elementary import absolute, cos, sin, tan
+from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.involute import involute
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,9 +50,14 @@ def pointed_shift(gear: Gear) -> float:
     """
     own = bare(gear)
 
+    base, angle = own.base_diameter, involute(own.transverse_angle) + 0.5 * pi / own.teeth
+    widening, reach = 2.0 * tan(own.rack.pressure_angle) / own.teeth, 2.0 * own.module
+    tip = own.reference_diameter + reach * (own.rack.addendum + own.tip_change)
+
     def half(shift: float) -> float:
-        shifted = _shifted(own, shift)
-        return shifted.thickness(shifted.tip_diameter)
+        ratio = (tip + reach * shift) / base
+        roll = sqrt((ratio - 1.0) * (ratio + 1.0))
+        return angle + widening * shift - (roll - atan(roll))
 
     low = -own.rack.addendum - own.tip_change
     high = low + 1.0
