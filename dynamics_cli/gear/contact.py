@@ -175,11 +175,12 @@ def _fillet_points(form: ToothForm) -> "tuple[Array, Array]":
     return np.hypot(x, y), half + np.arctan2(y, x)
 
 
-def least_gap(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
-    """Least distance of a tooth of `first` from the root of the space of `second` that it turns through.
+def least_gaps(first: ToothForm, second: ToothForm, distance: float, play: float) -> tuple[float, float]:
+    """Least distances of a tooth of `first` from the root and the flanks of the space of `second` it turns through.
 
-    `play` is half the angle `second` can be turned by: the driving flanks touch. Only what lies beyond the involute of
-    `second` counts, for along the involutes the flanks touch by design. Negative where they overlap.
+    `play` is half the angle `second` can be turned by: the driving flanks touch. Along the involutes the distance is
+    zero by design, to the sampling; negative ones are overlaps (off the line of action: trimming). Infinite where
+    nothing comes near.
     """
     import numpy as np
 
@@ -196,14 +197,38 @@ def least_gap(first: ToothForm, second: ToothForm, distance: float, play: float)
     else:
         x2, y2, ratio = distance - x, -y, -first.teeth / second.teeth
     away = np.hypot(x2, y2)
-    counts = away > second.form if second.internal else away < second.form
-    if not counts.any():
-        return float("inf")
-    away = away[counts]
-    inside = np.abs((np.arctan2(y2, x2) - ratio * turned)[counts] - play)
-    beside = away * (np.interp(away, radius, half) - inside) * np.interp(away, radius, across)
+    near = away > second.tip if second.internal else away < second.tip
+    away = away[near]
+    if not away.size:
+        return float("inf"), float("inf")
+    # of the ways round, the one that the space has turned with the tooth
+    lean = np.remainder((np.arctan2(y2, x2) - ratio * turned)[near] + pi, 2.0 * pi) - pi
+    beside = away * (np.interp(away, radius, half) - np.abs(lean - play)) * np.interp(away, radius, across)
+    deep = away > second.form if second.internal else away < second.form
     above = second.root - away if second.internal else away - second.root
-    return float(np.min(np.minimum(beside, above)))
+    # a root that is dug into shows up there, and not again from the other side
+    involute = own_radius <= first.form if first.internal else own_radius >= first.form
+    flanks = np.broadcast_to(involute, near.shape)[near] & ~deep
+    return _least(np.minimum(beside, above), deep), _least(beside, flanks)
+
+
+def _least(gaps: "Array", where: "Array") -> float:
+    return float(gaps[where].min()) if where.any() else float("inf")
+
+
+def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
+    """How far the tip of a pinion is ahead of an internal gear's tip where their tip circles cross, along that circle.
+
+    Negative when it digs into the tooth that it should have left; infinite when the tip circles do not cross.
+    """
+    own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
+    other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
+    if not second.internal or abs(own) >= 1.0 or abs(other) >= 1.0:
+        return float("inf")
+    # the corners' angles from the line of centres, turned back to where the tooth and the space lie on it
+    pinion = acos(own) - first.half_angle(first.roll(first.tip))
+    ring = acos(other) - second.half_angle(second.roll(second.tip))
+    return second.tip * (pinion * first.teeth / second.teeth - ring)
 
 
 def _tooth_points(form: ToothForm) -> "tuple[Array, Array]":

@@ -3,7 +3,7 @@
 from math import cos, pi, sqrt, tan
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.contact import Path, half_play, least_gap, path_of_contact, transmission_error
+from dynamics_cli.gear.contact import Path, half_play, least_gaps, path_of_contact, tips_pass, transmission_error
 from dynamics_cli.gear.door import gear_of, toothing
 from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
@@ -17,6 +17,8 @@ FULL = BasicProfile("a")
 ISO = Sign("iso")
 MOST_POINTS = 10_000_000
 EXACT = 1e-12
+# Chords of the sampled flanks overlap by less than this share of the module where they touch.
+TRIMS = 1e-4
 
 
 @record
@@ -252,14 +254,17 @@ def _proof(first: ToothForm, second: ToothForm, distance: float, path: Path, poi
     worst = float(np.max(np.abs(error)))
     play = half_play(first, second, path)
     backlash = 2.0 * play * second.base
-    inward = least_gap(first, second, distance, max(play, 0.0))
-    outward = least_gap(second, first, distance, max(play, 0.0) * second.teeth / first.teeth)
+    inward, own = least_gaps(first, second, distance, max(play, 0.0))
+    outward, other = least_gaps(second, first, distance, max(play, 0.0) * second.teeth / first.teeth)
+    # a jam makes the flanks overlap by itself
+    trimmed = max(0.0, -min(own, other) - max(0.0, -backlash), -tips_pass(first, second, distance) - EXACT)
     clearances = _tip_clearances(first, second, distance)
     ratio = (path.end - path.start) / path.pitch
     jam = -EXACT * distance
     room = -1e-6 * first.module
     gaps = {"gear 1 in the root of gear 2": inward, "gear 2 in the root of gear 1": outward}
-    runs = ratio >= 1.0 and backlash >= jam and min(inward, outward, *clearances) >= room
+    trims = trimmed > TRIMS * first.module or tips_pass(first, second, distance) < -EXACT
+    runs = ratio >= 1.0 and backlash >= jam and min(inward, outward, *clearances) >= room and not trims
     picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
     return MeshProof(
         centre_distance=distance,
@@ -278,7 +283,7 @@ def _proof(first: ToothForm, second: ToothForm, distance: float, path: Path, poi
         runs=runs,
         path=_points(first, second, path, lengths[picks], error[picks]),
         checks=(Check("conjugate action", worst <= EXACT, worst, EXACT),),
-        advice=_advice(path, ratio, backlash, gaps, clearances, first),
+        advice=_advice(path, ratio, backlash, gaps, clearances, first) + (_tips_meet(trimmed) if trims else ()),
         numerics=_numerics(first, distance, path),
     )
 
@@ -357,6 +362,11 @@ def _advice(
             Advice("clipped", f"the tip of gear 1 meets no involute for {lost:.6g} mm: it is past gear 2's form circle")
         )
     return tuple(found)
+
+
+def _tips_meet(overlap: float) -> tuple[Advice, ...]:
+    message = f"off the line of action the tips overlap the flanks they pass by {1e3 * overlap:.6g} mm"
+    return (Advice("tip-interference", message, "serious", "shorten the tips, or make the tooth numbers differ more"),)
 
 
 def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:

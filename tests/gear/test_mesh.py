@@ -21,7 +21,7 @@ def involute(angle: float) -> float:
     return math.tan(angle) - angle
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(st.integers(18, 120), st.integers(18, 200), st.floats(0.0, 0.4), st.floats(0.0, 0.4), st.floats(0.0, 0.6))
 def test_an_external_pair_keeps_its_closed_forms(z1: int, z2: int, x1: float, x2: float, beta: float) -> None:
     answer = mesh(
@@ -75,7 +75,7 @@ def test_a_hundred_thousand_points_turn_evenly() -> None:
 
 
 @given(st.floats(-0.2e-3, 0.5e-3))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=10, deadline=None)
 def test_backlash_follows_the_centre_distance(more: float) -> None:
     """j = 2 p·(inv α_w' − inv α_w)·…: from the working angles at both distances."""
     base = mesh(first_teeth=20, second_teeth=40, pitch=M2, points=10)
@@ -92,7 +92,7 @@ def overlap(first: ToothForm, second: ToothForm, distance: float, turn: float, p
     """Whether any corner of one gear's polygon lies within the other's, both turned by exact angles."""
 
     def polygon(form: ToothForm, rotation: float, at: float) -> np.ndarray:
-        x, y = chain_points(form, flank(form, 1e-8), form.teeth)
+        x, y = chain_points(form, flank(form, 1e-7), form.teeth)
         points = (x.ravel() + 1j * y.ravel()) * np.exp(1j * rotation)
         return points + at
 
@@ -135,7 +135,7 @@ def test_polygons_agree_that_roots_are_clear(first_teeth: int, second_teeth: int
     one, two = forms(arguments)
     found = any(
         overlap(one, two, answer.centre_distance, turn, 0.0)
-        for turn in np.linspace(-1.2, 1.2, 25) * math.pi / first_teeth
+        for turn in np.linspace(-1.2, 1.2, 9) * math.pi / first_teeth
     )
     clear = min(x for x in (answer.first_in_second, answer.second_in_first) if x is not None) > -2e-9
     assert found is fouls
@@ -174,6 +174,24 @@ def test_an_undercut_pinion_clips_the_contact() -> None:
     assert answer.nominal_contact_ratio > 1.5
     assert not answer.runs
     assert "open-mesh" in {one.code for one in answer.advice}
+
+
+@pytest.mark.parametrize(("ring", "meets"), [(64, True), (66, True), (68, True), (69, False), (70, False)])
+def test_tips_meet_where_tooth_numbers_differ_little(ring: int, meets: bool) -> None:
+    """Full-depth 20° teeth: the tips pass one another only when the ring has nine teeth more."""
+    answer = mesh(first_teeth=60, second_teeth=ring, pitch=M2, internal=True, points=10)
+    assert ("tip-interference" in {one.code for one in answer.advice}) == meets
+    # by the tips' own angles: where tip circles cross, the pinion's tip must be ahead of the ring's
+    r1, r2, a = 62 * MM, (ring - 2) * MM, answer.centre_distance
+    alpha, bases = math.radians(20.0), (60 * MM, ring * MM)
+    crossing_first = math.pi - math.acos((r1**2 + a**2 - r2**2) / (2 * r1 * a))
+    crossing_second = math.acos((r2**2 + a**2 - r1**2) / (2 * r2 * a))
+    tips = [math.acos(base * math.cos(alpha) / r) for base, r in zip(bases, (r1, r2), strict=True)]
+    lead = [
+        crossing + involute(tip) - involute(alpha)
+        for crossing, tip in ((crossing_first, tips[0]), (crossing_second, tips[1]))
+    ]
+    assert (60 / ring * lead[0] < lead[1]) == meets
 
 
 def test_one_tooth_of_difference_at_a_high_working_angle() -> None:
