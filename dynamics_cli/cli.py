@@ -22,6 +22,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
     "inertia": ("dynamics_cli.inertia.commands", "Mass properties and principal axes of shapes, assemblies and meshes."),
     "cam": ("dynamics_cli.cam.commands", "Cam motions, profiles, sizes and forces, with proved deviations."),
+    "gear": ("dynamics_cli.gear.commands", "Gear geometry, measurement, pairs, trains and ratios."),
 }
 # Forces every call through typer, so that tests can compare the two routes.
 ROUTE_VARIABLE = "DYNAMICS_ROUTE"

@@ -168,6 +168,7 @@ if TYPE_CHECKING:
     # read in a way of their own
     Slope = float
     Count = int
+    Teeth = int
     Vector = tuple[float, float, float]
     Position = tuple[float, float, float]
     Direction = tuple[float, float, float]
@@ -364,6 +365,7 @@ else:
         "slope", "", form="slope", si="%", us="%", example="-3 %", about="rise over run, or an angle; uphill positive"
     )
     Count = Kind("count", "", form="whole", low=0.0, example="3", about="a whole number")
+    Teeth = Kind("teeth", "", form="whole", low=1.0, example="24", about="a number of teeth")
     Vector = Kind("vector", "", form="vector", size=3, example="1, 0, 2", about="three pure numbers")
     Position = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")

@@ -1,0 +1,413 @@
+"""Bevel gears of any shaft angle: straight, spiral and zerol, with crown and internal wheels."""
+
+from math import pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.limits import plain
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
+from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Teeth, Torque
+from dynamics_cli.records import Advice, Check, Choice, record
+
+FULL_DEPTH = 20.0 * pi / 180.0
+RIGHT_ANGLE = 0.5 * pi
+# Spiral angles of cutters, Gleason's usual.
+USUAL_SPIRAL = 35.0 * pi / 180.0
+_NO_CONE = 1e-12
+
+
+class Kind(Choice):
+    """Proportions of a bevel gear's teeth."""
+
+    names = ("gleason", "standard", "spiral", "zerol")
+    aliases = {"straight": "gleason", "gleason-straight": "gleason", "plain": "standard"}  # noqa: RUF012
+
+
+class Flank(Choice):
+    """Which flank of the pinion drives: the concave one, as usual, pushes it away from its apex."""
+
+    names = ("concave", "convex")
+
+
+# of h_a2 in modules: 0.54 + 0.46/(…), working depth, whole depth
+_DEPTHS = {
+    "gleason": (0.54, 0.46, 2.0, 2.188),
+    "zerol": (0.54, 0.46, 2.0, 2.188),
+    "spiral": (0.46, 0.39, 1.7, 1.888),
+}
+
+
+@record
+class BevelGear:
+    """One gear of a bevel pair, at its outer end; angles above 90 degrees belong to an internal wheel.
+
+    Parameters
+    ----------
+    pitch_angle : Angle
+        Pitch cone angle δ [rad].
+    pitch_diameter : Size
+        Outer pitch diameter d_e [m].
+    mean_diameter : Size
+        Pitch diameter in the middle of the face, d_m [m].
+    addendum : Size
+        Outer addendum h_ae [m].
+    dedendum : Size
+        Outer dedendum h_fe [m].
+    addendum_angle : Angle
+        Addendum angle θ_a [rad].
+    dedendum_angle : Angle
+        Dedendum angle θ_f [rad].
+    tip_angle : Angle
+        Tip cone angle δ_a (AGMA: face angle) [rad].
+    root_angle : Angle
+        Root cone angle δ_f [rad].
+    tip_diameter : Coordinate
+        Outer tip diameter d_ae [m].
+    tip_distance : Coordinate
+        From the apex of the pitch cone to the outer tip, along the axis (KHK: X) [m].
+    tip_width : Coordinate
+        Axial width of the face at the tips (KHK: X_b) [m].
+    inner_diameter : Coordinate
+        Tip diameter at the inner end (KHK: d_i) [m].
+    virtual_teeth : Ratio
+        Teeth of the spur gear of the back cone, z/cos δ; none for a crown gear.
+    tangential_force : Force
+        Tangential force F_t at the mean diameter [N].
+    axial_force : Force
+        Axial force, positive away from the apex [N].
+    radial_force : Force
+        Radial force, positive towards the own axis [N].
+    """
+
+    pitch_angle: Angle
+    pitch_diameter: Size
+    mean_diameter: Size
+    addendum: Size
+    dedendum: Size
+    addendum_angle: Angle
+    dedendum_angle: Angle
+    tip_angle: Angle
+    root_angle: Angle
+    tip_diameter: Coordinate
+    tip_distance: Coordinate
+    tip_width: Coordinate
+    inner_diameter: Coordinate
+    virtual_teeth: Ratio | None
+    tangential_force: Force | None
+    axial_force: Force | None
+    radial_force: Force | None
+
+
+@record
+class BevelData:
+    """A bevel pair.
+
+    Parameters
+    ----------
+    ratio : Ratio
+        Gear ratio u = z₂/z₁.
+    cone_distance : Size
+        Outer cone distance R_e [m].
+    mean_cone_distance : Size
+        Mean cone distance R_m [m].
+    mean_module : Module
+        Transverse module in the middle of the face m_mt [m].
+    face_ratio : Ratio
+        Face width over outer cone distance, best below 1/3.
+    transverse_pressure_angle : Angle
+        Transverse pressure angle α_t of spiral teeth [rad].
+    crown_teeth : Ratio
+        Number of teeth of the crown gear that both mesh with, z₁/sin δ₁.
+    contact_ratio : Ratio
+        Transverse contact ratio of the spur gears of the back cones (Tredgold).
+    overlap_ratio : Ratio
+        Overlap ratio of spiral teeth at the mean cone distance.
+    first : BevelGear
+        The pinion.
+    second : BevelGear
+        The wheel.
+    """
+
+    ratio: Ratio
+    cone_distance: Size
+    mean_cone_distance: Size
+    mean_module: Module
+    face_ratio: Ratio
+    transverse_pressure_angle: Angle | None
+    crown_teeth: Ratio
+    contact_ratio: Ratio | None
+    overlap_ratio: Ratio | None
+    first: BevelGear
+    second: BevelGear
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def bevel(
+    *,
+    first_teeth: Teeth,
+    second_teeth: Teeth,
+    module: Module,
+    shaft_angle: Angle = RIGHT_ANGLE,
+    face_width: Size,
+    pressure_angle: Angle = FULL_DEPTH,
+    kind: Kind = Kind("gleason"),  # noqa: B008
+    spiral_angle: Angle | None = None,
+    flank: Flank = Flank("concave"),  # noqa: B008
+    torque: Torque | None = None,
+) -> BevelData:
+    """Dimensions of a bevel pair at any shaft angle, straight, spiral or zerol, and its tooth forces.
+
+    Equation
+    --------
+    δ₁ = atan2(sin Σ, u + cos Σ), δ₂ = atan2(u sin Σ, 1 + u cos Σ); R_e = d_e/(2 sin δ); θ_f = atan(h_f/R_e).
+
+    Parameters
+    ----------
+    first_teeth : Teeth
+        Number of teeth of the pinion z₁.
+    second_teeth : Teeth
+        Number of teeth of the wheel z₂.
+    module : Module
+        Outer transverse module m_et [m].
+    shaft_angle : Angle
+        Shaft angle Σ [rad].
+    face_width : Size
+        Face width b along the pitch cone [m].
+    pressure_angle : Angle
+        Normal pressure angle α_n [rad].
+    kind : Kind
+        Proportions: gleason (straight teeth, also written straight), standard, spiral or zerol.
+    spiral_angle : Angle
+        Mean spiral angle β_m; 35 degrees for spiral teeth and 0 for the others, unless given [rad].
+    flank : Flank
+        Flank of the pinion that drives, concave or convex; decides the thrust of spiral teeth.
+    torque : Torque
+        Torque on the pinion, for the forces [N m].
+
+    Returns
+    -------
+    BevelData
+        The pair and both gears.
+
+    Raises
+    ------
+    InadmissibleError
+        When the shaft angle is not between 0 and 180 degrees, the pinion would be no cone, the face reaches the apex,
+        or Gleason's proportions are asked for an internal wheel.
+
+    Notes
+    -----
+    δ₂ above 90° is an internal wheel, and exactly 90°, at cos Σ = −z₁/z₂, a crown wheel. Strength (ISO 10300) is not
+    rated. At equal torque the forces of both gears are one force, seen from two axes.
+
+    References
+    ----------
+    ISO 23509; Gleason proportions as handbooks print them; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press
+    2002, section 17.13.
+
+    Examples
+    --------
+    >>> from math import degrees
+    >>> answer = bevel(first_teeth=20, second_teeth=40, module=0.003, face_width=0.022)
+    >>> round(degrees(answer.first.tip_angle), 5)
+    30.48699
+    """
+    angles = _cones(first_teeth, second_teeth, shaft_angle)
+    require(
+        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
+        "a pressure angle of {0:.6g} rad makes no teeth",
+        pressure_angle,
+        code="pressure-angle",
+    )
+    spiral = (USUAL_SPIRAL if kind == "spiral" else 0.0) if spiral_angle is None else absolute(spiral_angle)
+    require(spiral < 0.5 * pi, "a spiral angle of {0:.6g} rad never crosses the face", spiral, code="spiral-angle")
+    require(
+        kind == "spiral" or plain(spiral) == 0.0,
+        "{0} teeth have no spiral angle at the middle of the face",
+        kind,
+        code="spiral-angle",
+        hint="ask for --kind spiral",
+    )
+    ratio = second_teeth / first_teeth
+    cone = 0.5 * first_teeth * module / sin(angles[0])
+    require(
+        (face_width > 0.0) & (face_width < cone),
+        "a face of {0:.6g} mm does not end before the apex at {1:.6g} mm",
+        1e3 * face_width,
+        1e3 * cone,
+        code="face-width",
+        hint="take less than a third of the cone distance",
+    )
+    middle = cone - 0.5 * face_width
+    mean_module = module * middle / cone
+    depths = _depths(kind, module, angles, first_teeth, second_teeth)
+    thetas = [atan(depth[1] / cone) for depth in depths]
+    tips = (thetas[1], thetas[0]) if kind != "standard" else tuple(atan(depth[0] / cone) for depth in depths)
+    mean_radius = 0.5 * first_teeth * mean_module
+    tangential = None if torque is None else absolute(torque) / mean_radius
+    gears = []
+    for own, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
+        lean = spiral if (flank == "concave") == (own == 0) else -spiral
+        gears.append(
+            _gear(
+                teeth,
+                angle,
+                depth,
+                tips[own],
+                thetas[own],
+                (module, mean_module, cone, face_width),
+                tangential,
+                pressure_angle,
+                lean,
+            )
+        )
+    transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
+    overlap = face_width * tan(spiral) / (pi * mean_module) if plain(spiral) > 0.0 else None
+    return BevelData(
+        ratio=ratio,
+        cone_distance=cone,
+        mean_cone_distance=middle,
+        mean_module=mean_module,
+        face_ratio=face_width / cone,
+        transverse_pressure_angle=transverse if plain(spiral) > 0.0 else None,
+        crown_teeth=first_teeth / sin(angles[0]),
+        contact_ratio=_tredgold(first_teeth, second_teeth, angles, depths, module, transverse),
+        overlap_ratio=overlap,
+        first=gears[0],
+        second=gears[1],
+        checks=_checks(angles, shaft_angle),
+        advice=_advice(angles, face_width / cone, face_width / module),
+    )
+
+
+def _cones(first: int, second: int, shaft_angle: float) -> tuple[float, float]:
+    """Both pitch angles; refuses shafts that are no bevel pair's."""
+    require(
+        (shaft_angle > 0.0) & (shaft_angle < pi),
+        "a shaft angle of {0:.6g} rad makes no bevel pair",
+        shaft_angle,
+        code="shaft-angle",
+        hint="parallel shafts take gear pair",
+    )
+    ratio = second / first
+    sine, cosine = sin(shaft_angle), cos(shaft_angle)
+    own = atan2(sine, ratio + cosine)
+    other = atan2(ratio * sine, 1.0 + ratio * cosine)
+    require(
+        own < 0.5 * pi,
+        "the first gear would be internal (its pitch angle is {0:.6g} degrees)",
+        own * 180.0 / pi,
+        code="internal-pinion",
+        hint="exchange the gears",
+    )
+    return own, other
+
+
+def _depths(
+    kind: str, module: float, angles: tuple[float, float], first: int, second: int
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Addendum and dedendum of pinion and wheel."""
+    if kind == "standard":
+        return (module, 1.25 * module), (module, 1.25 * module)
+    least, more, working, whole = _DEPTHS[kind]
+    equivalent = first * cos(angles[1]) / (second * cos(angles[0]))
+    require(
+        equivalent > -_NO_CONE,
+        "Gleason's proportions are none for an internal wheel of pitch angle {0:.6g} degrees",
+        angles[1] * 180.0 / pi,
+        code="internal-wheel",
+        hint="ask for --kind standard",
+    )
+    wheel = (least + more * equivalent) * module
+    pinion = working * module - wheel
+    return (pinion, whole * module - pinion), (wheel, whole * module - wheel)
+
+
+def _gear(
+    teeth: int,
+    angle: float,
+    depth: tuple[float, float],
+    addendum_angle: float,
+    dedendum_angle: float,
+    sizes: tuple[float, float, float, float],
+    tangential: float | None,
+    pressure_angle: float,
+    lean: float,
+) -> BevelGear:
+    module, mean_module, cone, face = sizes
+    sine, cosine = sin(angle), cos(angle)
+    tip = angle + addendum_angle
+    diameter = teeth * module + 2.0 * depth[0] * cosine
+    forces: tuple[float | None, float | None] = (None, None)
+    if tangential is not None:
+        up = tan(pressure_angle) / cos(lean)
+        along = sin(lean) / cos(lean)
+        forces = tangential * (up * sine + along * cosine), tangential * (up * cosine - along * sine)
+    return BevelGear(
+        pitch_angle=angle,
+        pitch_diameter=teeth * module,
+        mean_diameter=teeth * mean_module,
+        addendum=depth[0],
+        dedendum=depth[1],
+        addendum_angle=addendum_angle,
+        dedendum_angle=dedendum_angle,
+        tip_angle=tip,
+        root_angle=angle - dedendum_angle,
+        tip_diameter=diameter,
+        tip_distance=cone * cosine - depth[0] * sine,
+        tip_width=face * cos(tip) / cos(addendum_angle),
+        inner_diameter=diameter - 2.0 * face * sin(tip) / cos(addendum_angle),
+        virtual_teeth=teeth / cosine if abs(plain(cosine)) > _NO_CONE else None,
+        tangential_force=tangential,
+        axial_force=forces[0],
+        radial_force=forces[1],
+    )
+
+
+def _tredgold(
+    first: int,
+    second: int,
+    angles: tuple[float, float],
+    depths: tuple[tuple[float, float], tuple[float, float]],
+    module: float,
+    pressure_angle: float,
+) -> float | None:
+    """ε_α of the spur gears on the back cones, those of an internal wheel negative."""
+    cosines = cos(angles[0]), cos(angles[1])
+    sine, cosine = sin(pressure_angle), cos(pressure_angle)
+    total = 0.0 * module
+    for teeth, cone, depth in zip((first, second), cosines, depths, strict=True):
+        if abs(plain(cone)) <= 1e-9:
+            total = total + depth[0] / sine
+            continue
+        radius = 0.5 * teeth * module / cone
+        base, tip = radius * cosine, radius + depth[0]
+        square = (tip - base) * (tip + base)
+        if plain(square) < 0.0:
+            return None
+        reach = sqrt(square)
+        total = total + ((reach if plain(cone) > 0.0 else -reach) - radius * sine)
+    return total / (pi * module * cosine)
+
+
+def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...]:
+    residual = abs(plain(angles[0]) + plain(angles[1]) - plain(shaft_angle))
+    return (Check("pitch angles add to the shaft angle", residual <= 1e-14, residual, 1e-14),)
+
+
+def _advice(angles: tuple[float, float], face_ratio: float, face_modules: float) -> tuple[Advice, ...]:
+    made = []
+    wheel = plain(angles[1])
+    if abs(wheel - 0.5 * pi) <= 1e-9:
+        made.append(Advice("crown-wheel", "the wheel is a crown gear: its pitch cone is flat", "note"))
+    elif wheel > 0.5 * pi:
+        made.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
+    if plain(face_ratio) > 1.0 / 3.0 or plain(face_modules) > 10.0:
+        made.append(
+            Advice(
+                "wide-face",
+                f"the face is {plain(face_ratio):.3g} of the cone distance and {plain(face_modules):.3g} modules wide",
+                mend="keep it below a third of the cone distance and ten modules",
+            )
+        )
+    return tuple(made)

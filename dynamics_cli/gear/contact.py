@@ -1,0 +1,253 @@
+"""Two exact profiles turned against each other: where they touch, how evenly they turn, and what room they leave.
+
+The frame: gear 1 at the origin, gear 2 at (a, 0); external gears lie side by side, an internal gear lies about the
+other. Everything is found from the profiles themselves, point by point, not from the formulas of the pair.
+"""
+
+from math import acos, pi, sqrt
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.flanks import ToothForm, _fillet_centre, flank
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+# Chords of a tooth and of the space it turns through, as shares of the module; steps of the turn.
+_COARSE, _FINE = 2e-4, 1e-6
+_STEPS = 241
+
+
+@record
+class Path:
+    """The line of action, from gear 1's base circle: lengths along it.
+
+    Parameters
+    ----------
+    start : Length
+        Where contact begins, as the profiles allow [m].
+    end : Length
+        Where it ends [m].
+    tip_start : Length
+        Where the tip of gear 2 would begin it [m].
+    tip_end : Length
+        Where the tip of gear 1 would end it [m].
+    total : Length
+        Distance between the tangent points of the base circles [m].
+    pressure_angle : Angle
+        Working pressure angle [rad].
+    pitch : Length
+        Base pitch [m].
+    """
+
+    start: float
+    end: float
+    tip_start: float
+    tip_end: float
+    total: float
+    pressure_angle: float
+    pitch: float
+
+
+def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Path:
+    """The stretch of the line of action where both flanks are involutes; refuses an open mesh."""
+    sum_of_bases = first.base - second.base if second.internal else first.base + second.base
+    reach = abs(sum_of_bases)
+    require(
+        distance > reach,
+        "a centre distance of {0:.9g} mm is less than the {1:.9g} mm that the base circles need",
+        1e3 * distance,
+        1e3 * reach,
+        code="centre-distance",
+    )
+    total = sqrt((distance - reach) * (distance + reach))
+    pitch = 2.0 * pi * first.base / first.teeth
+    other = 2.0 * pi * second.base / second.teeth
+    require(
+        abs(pitch - other) <= 1e-12 * pitch,
+        "the base pitches differ: {0:.12g} mm and {1:.12g} mm",
+        1e3 * pitch,
+        1e3 * other,
+        code="base-pitch",
+        hint="both gears need one module and one pressure angle",
+    )
+    tip_end = first.base * first.roll(first.tip)
+    form_start = first.base * _form_roll(first)
+    if second.internal:
+        tip_start = total_of_internal(second.base * second.roll(second.tip), total)
+        form_end = total_of_internal(second.base * second.roll(second.form), total)
+    else:
+        tip_start = total - second.base * second.roll(second.tip)
+        form_end = total - second.base * _form_roll(second)
+    return Path(
+        start=max(tip_start, form_start),
+        end=min(tip_end, form_end),
+        tip_start=tip_start,
+        tip_end=tip_end,
+        total=total,
+        pressure_angle=acos(reach / distance),
+        pitch=pitch,
+    )
+
+
+def total_of_internal(length: float, total: float) -> float:
+    """A length from the internal gear's tangent point as one from gear 1's: the two lie on one side."""
+    return length - total
+
+
+def _form_roll(form: ToothForm) -> float:
+    return form.junction.roll if form.junction is not None else form.roll(form.form)
+
+
+def transmission_error(
+    first: ToothForm, second: ToothForm, distance: float, path: Path, count: int
+) -> "tuple[Array, Array]":
+    """Lengths along the path of contact, and what gear 2's angle there is ahead of the ratio times gear 1's.
+
+    At each point gear 1 is turned until its flank passes through it, then gear 2 is. Of the theory of involutes nothing
+    is used but the two profiles.
+    """
+    import numpy as np
+
+    lengths = np.linspace(path.start, path.end, count)
+    alpha = path.pressure_angle
+    x = first.base * np.cos(alpha) + lengths * np.sin(alpha)
+    y = lengths * np.cos(alpha) - first.base * np.sin(alpha)
+    own = np.arctan2(y, x) - _half_angles(first, np.hypot(x, y))
+    if second.internal:
+        x2, y2, ratio = x + distance, y, first.teeth / second.teeth
+    else:
+        x2, y2, ratio = distance - x, -y, -first.teeth / second.teeth
+    other = np.arctan2(y2, x2) - _half_angles(second, np.hypot(x2, y2))
+    error = other - ratio * own
+    return lengths, error - np.median(error)
+
+
+def _half_angles(form: ToothForm, radius: "Array") -> "Array":
+    """Half angle of what the two involutes bound, at each radius."""
+    import numpy as np
+
+    ratio = radius / form.base
+    roll = np.sqrt(np.maximum((ratio - 1.0) * (ratio + 1.0), 0.0))
+    return form.half_base - (roll - np.arctan(roll))
+
+
+def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
+    """Half the angle gear 2 can be turned by while gear 1 stands; negative when the teeth jam."""
+    length = first.base * (path.pressure_angle + first.half_base)
+    if second.internal:
+        return path.pressure_angle + second.half_base - (length + path.total) / second.base
+    return (path.total - length) / second.base - path.pressure_angle - second.half_base + pi / second.teeth
+
+
+def wall(form: ToothForm, tolerance: float) -> "tuple[Array, Array, Array]":
+    """The side of a tooth space: rising radii, half angles of the space, and the share of arcs that lies across."""
+    import numpy as np
+
+    chain = flank(form, tolerance)
+    radius, half = chain.radius, pi / form.teeth - chain.angle
+    if form.internal:
+        more_radius, more_half = _fillet_points(form)
+        radius = np.concatenate([radius[::-1], more_radius[1:]])
+        half = np.concatenate([half[::-1], more_half[1:]])
+    slope = radius * np.gradient(half, radius)
+    return radius, half, 1.0 / np.sqrt(1.0 + slope * slope)
+
+
+def _fillet_points(form: ToothForm) -> "tuple[Array, Array]":
+    """The fillet of an internal gear from the involute to the root circle, as radii and half angles of the space."""
+    import numpy as np
+
+    if form.fillet == 0.0:
+        return np.array([form.form, form.root]), np.full(2, form.half_angle(form.roll(form.form)))
+    centre, angle = _fillet_centre(form)
+    reach = sqrt((centre - form.base) * (centre + form.base))
+    half = pi / form.teeth - angle
+    # from the normal of the involute, which leans by the pressure angle of the centre, to the radius
+    directions = np.linspace(0.5 * pi - np.arctan(reach / form.base), 0.0, 33)
+    x = centre + form.fillet * np.cos(directions)
+    y = form.fillet * np.sin(directions)
+    return np.hypot(x, y), half + np.arctan2(y, x)
+
+
+def least_gaps(first: ToothForm, second: ToothForm, distance: float, play: float) -> tuple[float, float]:
+    """Least distances of a tooth of `first` from the root and the flanks of the space of `second` it turns through.
+
+    `play` is half the angle `second` can be turned by: the driving flanks touch. Along the involutes the distance is
+    zero by design, to the sampling; negative ones are overlaps (off the line of action: trimming). Infinite where
+    nothing comes near.
+    """
+    import numpy as np
+
+    own_radius, own_angle = _tooth_points(first)
+    radius, half, across = wall(second, _FINE * second.module)
+    reach = _reach(first, second, distance)
+    turned = np.linspace(-reach, reach, _STEPS)[:, None]
+    angle = own_angle + turned
+    x, y = own_radius * np.cos(angle), own_radius * np.sin(angle)
+    if first.internal:
+        x2, y2, ratio = x - distance, y, first.teeth / second.teeth
+    elif second.internal:
+        x2, y2, ratio = x + distance, y, first.teeth / second.teeth
+    else:
+        x2, y2, ratio = distance - x, -y, -first.teeth / second.teeth
+    away = np.hypot(x2, y2)
+    near = away > second.tip if second.internal else away < second.tip
+    away = away[near]
+    if not away.size:
+        return float("inf"), float("inf")
+    # of the ways round, the one that the space has turned with the tooth
+    lean = np.remainder((np.arctan2(y2, x2) - ratio * turned)[near] + pi, 2.0 * pi) - pi
+    beside = away * (np.interp(away, radius, half) - np.abs(lean - play)) * np.interp(away, radius, across)
+    deep = away > second.form if second.internal else away < second.form
+    above = second.root - away if second.internal else away - second.root
+    # a root that is dug into shows up there, and not again from the other side
+    involute = own_radius <= first.form if first.internal else own_radius >= first.form
+    flanks = np.broadcast_to(involute, near.shape)[near] & ~deep
+    return _least(np.minimum(beside, above), deep), _least(beside, flanks)
+
+
+def _least(gaps: "Array", where: "Array") -> float:
+    return float(gaps[where].min()) if where.any() else float("inf")
+
+
+def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
+    """How far the tip of a pinion is ahead of an internal gear's tip where their tip circles cross, along that circle.
+
+    Negative when it digs into the tooth that it should have left; infinite when the tip circles do not cross.
+    """
+    own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
+    other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
+    if not second.internal or abs(own) >= 1.0 or abs(other) >= 1.0:
+        return float("inf")
+    # the corners' angles from the line of centres, turned back to where the tooth and the space lie on it
+    pinion = acos(own) - first.half_angle(first.roll(first.tip))
+    ring = acos(other) - second.half_angle(second.roll(second.tip))
+    return second.tip * (pinion * first.teeth / second.teeth - ring)
+
+
+def _tooth_points(form: ToothForm) -> "tuple[Array, Array]":
+    """Radii and angles of the points of a whole tooth, its tip land with them."""
+    import numpy as np
+
+    chain = flank(form, _COARSE * form.module)
+    land = np.linspace(-chain.angle[-1], chain.angle[-1], 9)[1:-1]
+    radius = np.concatenate([chain.radius, np.full(land.shape, form.tip), chain.radius[::-1]])
+    return radius, np.concatenate([-chain.angle, land, chain.angle[::-1]])
+
+
+def _reach(first: ToothForm, second: ToothForm, distance: float) -> float:
+    """How far from the line of centres a tip of `first` is within the teeth of `second`."""
+    if first.internal:
+        cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
+    elif second.internal:
+        cosine = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
+    else:
+        cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
+    # a little farther, so that a tooth's own width is inside at both ends
+    return min(pi, (0.0 if cosine >= 1.0 else acos(max(cosine, -1.0))) + 2.0 * pi / first.teeth)

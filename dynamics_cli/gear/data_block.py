@@ -1,0 +1,264 @@
+"""The table that goes on a gear's drawing: what must be known to make the gear and to measure it."""
+
+from math import pi
+
+from dynamics_cli.gear.gear import FULL_DEPTH, Hand, Pitch, Profile, Sign
+from dynamics_cli.gear.limits import plain
+from dynamics_cli.gear.measure import Measurements, measure
+from dynamics_cli.gear.single import GearData, helical
+from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Teeth, Text
+from dynamics_cli.records import Advice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_DEGREES = 180.0 / pi
+
+
+@record
+class DataRow:
+    """One line of the data block.
+
+    Parameters
+    ----------
+    item : Text
+        What it is.
+    symbol : Text
+        Its symbol in ISO 21771.
+    data : Text
+        What it is in this gear.
+    unit : Text
+        Its unit.
+    """
+
+    item: Text
+    symbol: Text
+    data: Text
+    unit: Text
+
+
+@record
+class DataBlock:
+    """The data block of a gear drawing.
+
+    Parameters
+    ----------
+    rows : tuple of DataRow
+        Its lines.
+    """
+
+    rows: tuple[DataRow, ...]
+    advice: tuple[Advice, ...] = ()
+
+
+def data_block(
+    *,
+    teeth: Teeth,
+    pitch: Pitch,
+    helix_angle: Angle = 0.0,
+    hand: Hand = Hand("right"),  # noqa: B008
+    pressure_angle: Angle = FULL_DEPTH,
+    profile_shift: Ratio = 0.0,
+    profile: Profile = Profile("a"),  # noqa: B008
+    addendum_factor: Ratio | None = None,
+    dedendum_factor: Ratio | None = None,
+    root_radius_factor: Ratio | None = None,
+    internal: bool = False,
+    shift_sign: Sign = Sign("iso"),  # noqa: B008
+    upper_allowance: Coordinate | None = None,
+    lower_allowance: Coordinate | None = None,
+    face_width: Size | None = None,
+    over: Count | None = None,
+    pin: Size | None = None,
+    mate_teeth: Teeth | None = None,
+    centre_distance: Size | None = None,
+    accuracy: Text = "",
+    drawing_number: Text = "",
+    decimals: Count = 4,
+) -> DataBlock:
+    """The data block of a gear drawing, with its inspection sizes, as table, Markdown or CSV.
+
+    Equation
+    --------
+    As `gear helical` and `gear measure`.
+
+    Parameters
+    ----------
+    teeth : Teeth
+        Number of teeth.
+    pitch : Pitch
+        Size of the teeth, normal or transverse.
+    helix_angle : Angle
+        Helix angle β; 0 for a spur gear [rad].
+    hand : Hand
+        Hand of the helix.
+    pressure_angle : Angle
+        Normal pressure angle α_n [rad].
+    profile_shift : Ratio
+        Profile shift factor x.
+    profile : Profile
+        Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own.
+    addendum_factor : Ratio
+        Addendum factor h_a*.
+    dedendum_factor : Ratio
+        Dedendum factor h_fP*.
+    root_radius_factor : Ratio
+        Radius of the rack's corner ρ_fP*.
+    internal : bool
+        An internal gear (ring).
+    shift_sign : Sign
+        Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it.
+    upper_allowance : Coordinate
+        Upper deviation of the normal tooth thickness, E_sns, negative for backlash [m].
+    lower_allowance : Coordinate
+        Lower deviation of the normal tooth thickness, E_sni [m].
+    face_width : Size
+        Face width b [m].
+    over : Count
+        Teeth to span; the best number unless given.
+    pin : Size
+        Diameter of pins or balls; the nearest standard one unless given [m].
+    mate_teeth : Teeth
+        Number of teeth of the mating gear.
+    centre_distance : Size
+        Centre distance with the mating gear [m].
+    accuracy : Text
+        Accuracy grade, in the standard's words.
+    drawing_number : Text
+        Drawing number of the mating gear.
+    decimals : Count
+        Decimals of lengths in mm and angles in degrees, up to 9.
+
+    Returns
+    -------
+    DataBlock
+        The lines.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no such gear.
+
+    Notes
+    -----
+    Values are rounded, as a drawing has them; `gear helical` and `gear measure` have them in full.
+
+    References
+    ----------
+    ISO 1340 (information to be given to the manufacturer), ISO 21771.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.gear import NormalModule
+    >>> data_block(teeth=24, pitch=NormalModule(0.003)).rows[0].data
+    '24'
+    """
+    same = {
+        "teeth": teeth,
+        "pitch": pitch,
+        "helix_angle": helix_angle,
+        "profile_shift": profile_shift,
+        "profile": profile,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "internal": internal,
+        "shift_sign": shift_sign,
+        "pressure_angle": pressure_angle,
+    }
+    gear = helical(hand=hand, **same)  # type: ignore[arg-type]
+    sizes = measure(
+        face_width=face_width,
+        over=over,
+        pin=pin,
+        upper_allowance=upper_allowance,
+        lower_allowance=lower_allowance,
+        **same,  # type: ignore[arg-type]
+    )
+    lines = _Lines(min(decimals, 9))
+    lines.number("Number of teeth", "z", -teeth if internal else teeth)
+    lines.length("Normal module", "m_n", gear.normal_module)
+    lines.angle("Normal pressure angle", "α_n", pressure_angle)
+    lines.word("Basic rack", "", _rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
+    lines.angle("Helix angle", "β", abs(plain(helix_angle)))
+    if gear.hand is not None:
+        lines.word("Hand of helix", "", str(gear.hand))
+        lines.length("Lead", "p_z", gear.lead)
+    lines.factor("Profile shift factor", "x", gear.profile_shift)
+    _circles(lines, gear)
+    _inspection(lines, sizes, upper_allowance, lower_allowance)
+    lines.length("Face width", "b", face_width)
+    lines.word("Accuracy grade", "", accuracy)
+    lines.number("Teeth of mating gear", "z₂", mate_teeth)
+    lines.word("Drawing of mating gear", "", drawing_number)
+    lines.length("Centre distance", "a_w", centre_distance)
+    return DataBlock(tuple(lines.rows), gear.advice)
+
+
+def _rack_name(profile: str, *factors: float | None) -> str:
+    name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
+    own = [
+        f"{symbol} {plain(factor):g}"
+        for symbol, factor in zip(("h_a*", "h_fP*", "ρ_fP*"), factors, strict=True)
+        if factor is not None
+    ]
+    return ", ".join([name, *own])
+
+
+def _circles(lines: "_Lines", gear: GearData) -> None:
+    lines.length("Reference diameter", "d", gear.reference_diameter)
+    lines.length("Base diameter", "d_b", gear.base_diameter)
+    lines.length("Tip diameter", "d_a", gear.tip_diameter)
+    lines.length("Root diameter", "d_f", gear.root_diameter)
+    lines.length("Root form diameter", "d_Ff", gear.root_form_diameter)
+    lines.length("Tooth depth", "h", gear.tooth_depth)
+    lines.length("Normal tooth thickness", "s_n", gear.normal_thickness)
+
+
+def _inspection(lines: "_Lines", sizes: Measurements, upper: float | None, lower: float | None) -> None:
+    lines.length("Upper thickness allowance", "E_sns", upper)
+    lines.length("Lower thickness allowance", "E_sni", lower)
+    span = sizes.span
+    if span is not None:
+        lines.number("Teeth to span", "k", span.over)
+        lines.length("Span", "W_k", span.span)
+        lines.length("Span, greatest", "W_k,s", span.span_upper)
+        lines.length("Span, least", "W_k,i", span.span_lower)
+    pins = sizes.pins
+    if pins is not None:
+        lines.length("Pin diameter", "D_M", pins.pin)
+        lines.length("Size over pins", "M_d", pins.size)
+        lines.length("Size over pins, of thickest teeth", "M_d,s", pins.size_upper)
+        lines.length("Size over pins, of thinnest teeth", "M_d,i", pins.size_lower)
+
+
+class _Lines:
+    """The lines as they are written."""
+
+    def __init__(self, decimals: int) -> None:
+        self.decimals = decimals
+        self.rows: list[DataRow] = []
+
+    def word(self, item: str, symbol: str, text: str, unit: str = "") -> None:
+        """A line, unless it is empty."""
+        if text:
+            self.rows.append(DataRow(item, symbol, text, unit))
+
+    def number(self, item: str, symbol: str, value: int | None) -> None:
+        """A whole number."""
+        if value is not None:
+            self.word(item, symbol, str(value))
+
+    def factor(self, item: str, symbol: str, value: float) -> None:
+        """A pure number."""
+        self.word(item, symbol, f"{plain(value):+.{self.decimals}f}")
+
+    def length(self, item: str, symbol: str, value: "Any") -> None:
+        """A length in mm."""
+        if value is not None:
+            self.word(item, symbol, f"{1e3 * plain(value):.{self.decimals}f}", "mm")
+
+    def angle(self, item: str, symbol: str, value: "Any") -> None:
+        """An angle in degrees."""
+        self.word(item, symbol, f"{_DEGREES * plain(value):.{self.decimals}f}", "deg")

@@ -1,0 +1,311 @@
+"""Exact profiles of gears as ordered pieces: root arc, trochoid or fillet, involute, tip arc, sharing their end points.
+
+Angles are measured from a tooth's centreline, radii in metres, in the transverse plane. A profile is a chain of points
+of one tooth in polar form; a whole gear repeats the chain, and the arcs between the chains close it.
+"""
+
+from math import ceil, pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.trochoid import Cutter, Root, root
+from dynamics_cli.numerics.elementary import atan, sqrt
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+# A root or tip land narrower than this share of a pitch is a point.
+_NO_LAND = 1e-12
+_MOST_POINTS = 2_000_000
+# Steps of the first look at a trochoid.
+_COARSE = 48
+
+
+@record
+class ToothForm:
+    """One tooth, ready to be drawn or meshed; lengths in metres.
+
+    Parameters
+    ----------
+    teeth : int
+        Number of teeth.
+    internal : bool
+        Whether the teeth point inwards.
+    module : Module
+        Normal module [m].
+    base : Length
+        Base radius [m].
+    tip : Length
+        Tip radius [m].
+    form : Length
+        Radius where the involute begins above the root [m].
+    root : Length
+        Root radius [m].
+    half_base : Angle
+        Half angle between the involutes of one tooth (of one space of an internal gear) at the base circle [rad].
+    cutter : Cutter
+        The rack that cuts the root of an external gear.
+    junction : Root
+        Where its trochoid meets the involute.
+    fillet : Length
+        Radius of the fillet of an internal gear [m].
+    """
+
+    teeth: int
+    internal: bool
+    module: float
+    base: float
+    tip: float
+    form: float
+    root: float
+    half_base: float
+    cutter: Cutter | None = None
+    junction: Root | None = None
+    fillet: float = 0.0
+
+    def roll(self, radius: float) -> float:
+        """Roll angle t of the involute at a radius."""
+        ratio = radius / self.base
+        return sqrt((ratio - 1.0) * (ratio + 1.0))
+
+    def half_angle(self, roll: float) -> float:
+        """Half the angle of the tooth (of the space of an internal gear) where the involute has this roll angle."""
+        return self.half_base - (roll - atan(roll))
+
+
+def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm:
+    """Give the form of an external gear cut by a rack; refuses what leaves no flank or a pointed tip."""
+    junction = root(cutter)
+    base = cutter.base_radius * module
+    form = junction.form_radius * module
+    require(
+        form < tip_radius,
+        "the root reaches {0:.9g} mm diameter, beyond the tips at {1:.9g} mm: no involute is left",
+        2e3 * form,
+        2e3 * tip_radius,
+        code="no-flank",
+        hint="raise the profile shift",
+    )
+    shape = ToothForm(
+        teeth=cutter.teeth,
+        internal=False,
+        module=module,
+        base=base,
+        tip=tip_radius,
+        form=form,
+        root=cutter.root_radius * module,
+        half_base=pi / cutter.teeth - cutter.space_half_angle,
+        cutter=cutter,
+        junction=junction,
+    )
+    return _with_tip(shape)
+
+
+def internal_form(
+    teeth: int,
+    module: float,
+    *,
+    base_radius: float,
+    half_base: float,
+    tip_radius: float,
+    root_radius: float,
+    fillet: float,
+) -> ToothForm:
+    """Give the form of an internal gear whose fillet is an arc tangent to root circle and involute.
+
+    A curve at a constant distance from an involute is an involute of the same base circle, so the centre of the fillet
+    and its point on the flank are closed forms: t = √((r_f − ρ)² − r_b²)/r_b + ρ/r_b.
+    """
+    require(
+        tip_radius >= base_radius,
+        "the tips at {0:.9g} mm diameter lie inside the base circle of {1:.9g} mm, where there is no involute",
+        2e3 * tip_radius,
+        2e3 * base_radius,
+        code="tip-inside-base",
+        hint="raise the tip diameter, or the profile shift",
+    )
+    centre = root_radius - fillet
+    require(centre > base_radius, "a fillet of {0:.6g} mm does not fit", 1e3 * fillet, code="fillet")
+    reach = sqrt((centre - base_radius) * (centre + base_radius)) + fillet
+    form = sqrt(base_radius * base_radius + reach * reach)
+    require(form > tip_radius, "the fillet of {0:.6g} mm leaves no flank", 1e3 * fillet, code="fillet")
+    shape = ToothForm(
+        teeth=teeth,
+        internal=True,
+        module=module,
+        base=base_radius,
+        tip=tip_radius,
+        form=form,
+        root=root_radius,
+        half_base=half_base,
+        fillet=fillet,
+    )
+    _fillet_centre(shape)
+    return _with_tip(shape)
+
+
+def _with_tip(shape: ToothForm) -> ToothForm:
+    half = shape.half_angle(shape.roll(shape.tip))
+    if shape.internal:
+        half = pi / shape.teeth - half
+    require(
+        half > -_NO_LAND,
+        "the teeth are pointed below their tips: half the tip angle would be {0:.6g} rad",
+        half,
+        code="pointed",
+        hint="lower the profile shift, or shorten the tips",
+    )
+    return shape
+
+
+def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
+    """Radius, and angle from the centreline of the tooth, of the fillet's centre of an internal gear."""
+    centre = shape.root - shape.fillet
+    ratio = centre / shape.base
+    t = sqrt((ratio - 1.0) * (ratio + 1.0))
+    half = shape.half_base - (t - atan(t)) - shape.fillet / shape.base
+    require(
+        half >= 0.0,
+        "a fillet of {0:.6g} mm is wider than the tooth space",
+        1e3 * shape.fillet,
+        code="fillet",
+        hint="give a smaller one",
+    )
+    return centre, pi / shape.teeth - half
+
+
+@record
+class Chain:
+    """One flank from root to tip in polar form, and what its chords leave out.
+
+    Parameters
+    ----------
+    radius : array
+        Radii, root first [m].
+    angle : array
+        Angles from the tooth's centreline, positive [rad].
+    joint : int
+        Index of the point where trochoid or fillet ends and the involute begins.
+    deviation : Length
+        Proved bound on the distance of the chords from the exact curves [m].
+    """
+
+    radius: "Array"
+    angle: "Array"
+    joint: int
+    deviation: float
+
+
+def flank(shape: ToothForm, tolerance: float) -> Chain:
+    """Sample one flank so that no chord leaves the exact curve by more than `tolerance`, with the bound proved.
+
+    Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀), and by (u₁ − u₀)²·
+    r_b √(1 + u₁²)/8 or its triangle's height near the base circle. Trochoid: it turns one way only, so it lies in the triangle of its chord and
+    end tangents.
+    """
+    import numpy as np
+
+    low, high, invert = shape.roll(max(shape.form, shape.base)), shape.roll(shape.tip), shape.internal
+    if shape.junction is not None:
+        low = shape.junction.roll
+    rolls, off = _involute_rolls(shape.base, min(low, high), max(low, high), tolerance)
+    if invert:
+        rolls = rolls[::-1]
+    radius = shape.base * np.sqrt(1.0 + rolls * rolls)
+    half = shape.half_base - (rolls - np.arctan(rolls))
+    # the ends are the very radii that the record states
+    radius[0], radius[-1] = shape.form, shape.tip
+    if invert:
+        return Chain(radius, pi / shape.teeth - half, 0, off)
+    root_radius, root_angle, more = _trochoid(shape, tolerance)
+    return Chain(
+        np.concatenate([root_radius[:-1], radius]),
+        np.concatenate([root_angle[:-1], half]),
+        len(root_radius) - 1,
+        max(off, more),
+    )
+
+
+def _involute_rolls(base: float, low: float, high: float, tolerance: float) -> "tuple[Array, float]":
+    """Roll angles spread so that every chord is off alike, and the proved bound of what they are off."""
+    import numpy as np
+
+    first, last = low * sqrt(low), high * sqrt(high)
+    count = max(2, ceil((last - first) * sqrt(base / (18.0 * tolerance))))
+    while True:
+        require(
+            count < _MOST_POINTS, "a tolerance of {0:.3g} mm needs too many points", 1e3 * tolerance, code="tolerance"
+        )
+        steps = np.linspace(first, last, count + 1)
+        rolls = np.cbrt(steps) ** 2
+        rolls[0], rolls[-1] = low, high
+        step = rolls[1:] - rolls[:-1]
+        near = step * step * np.sqrt(1.0 + rolls[1:] * rolls[1:])
+        rise = step * (rolls[1:] + rolls[:-1])
+        far = 0.25 * rise * rise / np.maximum(rolls[:-1], 1e-300)
+        # the triangle of chord and end tangents: the chord is no longer than its arc r_b (t₁² − t₀²)/2
+        corner = 2.0 * rise * np.tan(0.5 * np.minimum(step, 1.0)) + (step > 1.0) * 1e300
+        off = 0.125 * base * float(np.max(np.minimum(np.minimum(near, far), corner)))
+        if off <= tolerance:
+            return rolls, off
+        count += 1 + count // 8
+
+
+def _trochoid(shape: ToothForm, tolerance: float) -> "tuple[Array, Array, float]":
+    """The trochoid from the root circle to the involute: radii, angles, and the proved bound of its chords."""
+    import numpy as np
+
+    cutter, junction = shape.cutter, shape.junction
+    assert cutter is not None
+    assert junction is not None
+    coarse = np.linspace(0.5 * pi, junction.direction, _COARSE + 1)
+    heights = shape.module * _triangles(*trochoid_points(cutter, coarse))
+    # where the coarse triangles are high the chords are short: every one is off alike
+    spread = np.concatenate([[0.0], np.cumsum(np.sqrt(heights))])
+    count = max(2, ceil(1.05 * float(spread[-1]) / sqrt(tolerance)))
+    while True:
+        require(
+            count < _MOST_POINTS, "a tolerance of {0:.3g} mm needs too many points", 1e3 * tolerance, code="tolerance"
+        )
+        theta = np.interp(np.linspace(0.0, spread[-1], count + 1), spread, coarse)
+        radius, angle, direction = trochoid_points(cutter, theta)
+        off = shape.module * float(np.max(_triangles(radius, angle, direction)))
+        if off <= tolerance:
+            break
+        count += 1 + count // 8
+    radius, angle = shape.module * radius, pi / shape.teeth - angle
+    radius[0], radius[-1] = shape.root, shape.form
+    angle[-1] = shape.half_angle(junction.roll)
+    return radius, angle, off
+
+
+def trochoid_points(cutter: Cutter, theta: "Array") -> "tuple[Array, Array, Array]":
+    """Radii in modules, half angles of the space, and directions of the curve, at directions θ of its normal."""
+    import numpy as np
+
+    sine, cosine = np.sin(theta), np.cos(theta)
+    radius, excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
+    widening = np.sqrt(1.0 + excess * cosine * cosine)
+    depth = cutter.corner_depth + cutter.tip_radius * sine / widening
+    xi = radius * sine - depth / sine
+    across = radius * cosine
+    travel = cutter.corner_depth * cosine / sine - cutter.corner_offset - cutter.tip_radius * excess * cosine / widening
+    turn = travel / radius
+    return np.sqrt(across * across + xi * xi), theta - np.arctan2(xi, across) - turn, turn - theta
+
+
+def _triangles(radius: "Array", angle: "Array", direction: "Array") -> "Array":
+    """Heights of the triangles of chord and end tangents of a curve that turns one way; infinite if it does not."""
+    import numpy as np
+
+    steps = np.diff(direction)
+    turned = np.abs(steps)
+    if np.any(steps[1:] * steps[:-1] < 0.0) or np.any(turned > 1.0):
+        return np.full(steps.shape, np.inf)
+    away = np.hypot(np.diff(radius), 0.5 * (radius[1:] + radius[:-1]) * np.diff(angle))
+    return 0.5 * away * np.tan(0.5 * turned)

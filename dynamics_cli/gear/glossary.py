@@ -1,0 +1,115 @@
+"""The words of gearing with their symbols, other names and formulas."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.terms import TERMS
+from dynamics_cli.quantities import Text
+from dynamics_cli.records import record
+
+
+@record
+class Entry:
+    """A term of gearing.
+
+    Parameters
+    ----------
+    term : Text
+        The term.
+    symbol : Text
+        Its symbol in ISO 21771, or AGMA's.
+    also : Text
+        Other names.
+    formula : Text
+        A formula in which it stands.
+    meaning : Text
+        What it is.
+    """
+
+    term: Text
+    symbol: Text
+    also: Text
+    formula: Text
+    meaning: Text
+
+
+@record
+class Glossary:
+    """Terms of gearing.
+
+    Parameters
+    ----------
+    entries : tuple of Entry
+        The terms asked for, in alphabetical order.
+    """
+
+    entries: tuple[Entry, ...]
+
+
+def glossary(*terms: Text) -> Glossary:
+    """Explain the terms of gearing, with symbol, other names and a formula.
+
+    Equation
+    --------
+    Each entry has its own.
+
+    Parameters
+    ----------
+    terms : tuple of Text
+        Terms, or parts of terms; all of them unless any is given.
+
+    Returns
+    -------
+    Glossary
+        The entries that match.
+
+    Raises
+    ------
+    InadmissibleError
+        When a term is not known; the message names those that sound alike.
+
+    Notes
+    -----
+    Terms of the glossary of the book; symbols of ISO 21771.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 17.16 (the terms; the words are ours).
+
+    Examples
+    --------
+    >>> glossary("base pitch").entries[0].symbol
+    'p_b'
+    """
+    chosen = []
+    for term in terms:
+        found = _matching(" ".join(term.lower().replace("-", " ").split()))
+        require(
+            bool(found),
+            "{0!r} is no term of the glossary; near it: {1}",
+            term,
+            ", ".join(_near(term)),
+            code="unknown-term",
+            hint="dynamics gear glossary lists all",
+        )
+        chosen += [entry for entry in found if entry not in chosen]
+    rows = sorted(chosen) if terms else list(TERMS)
+    return Glossary(tuple(Entry(*row) for row in rows))
+
+
+def _matching(term: str) -> "list[tuple[str, ...]]":
+    """The entry of that very name, else those whose name, symbol or other names hold the words."""
+    names = [entry for entry in TERMS if term == entry[0] or term in entry[2].lower().split(", ")]
+    if names:
+        return names
+    symbols = [entry for entry in TERMS if term and term in entry[1].lower().split(", ")]
+    return symbols or [entry for entry in TERMS if term and term in f"{entry[0]} {entry[2]}".lower()]
+
+
+def _near(term: str) -> list[str]:
+    """Three terms that share the most letters in pairs."""
+    own = {term.lower()[i : i + 2] for i in range(len(term) - 1)}
+
+    def shared(entry: "tuple[str, ...]") -> float:
+        pairs = {entry[0][i : i + 2] for i in range(len(entry[0]) - 1)}
+        return len(own & pairs) / (1 + len(own | pairs))
+
+    return [entry[0] for entry in sorted(TERMS, key=shared, reverse=True)[:3]]

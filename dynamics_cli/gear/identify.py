@@ -1,0 +1,283 @@
+"""An unknown gear from what can be measured of it: module or pitch, pressure angle and profile shift."""
+
+from math import pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.gear import INCH, SERIES_I, SERIES_II
+from dynamics_cli.gear.toothing import Toothing
+from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.quantities import Angle, Coordinate, Count, Module, Ratio, Size, Text
+from dynamics_cli.records import Advice, Check, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
+SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
+DIAMETRAL_PITCHES = (
+    1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
+    32, 36, 40, 44, 48, 56, 64, 72, 80, 96, 120,
+)  # fmt: skip
+ADDENDA = (1.0, 0.8)
+COMMON_SHIFT = 1.0
+
+
+@record
+class SpanRead:
+    """A span that was measured.
+
+    Parameters
+    ----------
+    over : Count
+        Over how many teeth.
+    length : Size
+        What was read [m].
+    """
+
+    over: Count
+    length: Size
+
+
+@record
+class Candidate:
+    """A gear that what was measured may belong to.
+
+    Parameters
+    ----------
+    size : Text
+        Its module or diametral pitch, as it is ordered.
+    module : Module
+        Normal module [m].
+    pressure_angle : Angle
+        Normal pressure angle [rad].
+    profile_shift : Ratio
+        Profile shift factor, from the spans.
+    addendum_factor : Ratio
+        Addendum factor that the tip diameter asks for.
+    base_pitch_error : Coordinate
+        Normal base pitch, measured less its own [m].
+    disagreement : Ratio
+        How far everything is off, in units of what measuring is good for; below 1 it fits.
+    """
+
+    size: Text
+    module: Module
+    pressure_angle: Angle
+    profile_shift: Ratio
+    addendum_factor: Ratio | None
+    base_pitch_error: Coordinate | None
+    disagreement: Ratio
+
+
+@record
+class Identified:
+    """Gears that fit, best first.
+
+    Parameters
+    ----------
+    candidates : tuple of Candidate
+        The gears.
+    base_pitch : Size
+        Normal base pitch that was measured [m].
+    fitting : Count
+        How many standard gears fit within what measuring is good for.
+    """
+
+    candidates: tuple[Candidate, ...]
+    base_pitch: Size | None
+    fitting: Count
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def identify(
+    *,
+    teeth: Count,
+    spans: tuple[SpanRead, ...],
+    tip_diameter: Size | None = None,
+    helix_angle: Angle = 0.0,
+    reading: Size = 2e-5,
+    count: Count = 5,
+) -> Identified:
+    """Name an unknown gear from its teeth, spans and tip diameter.
+
+    Equation
+    --------
+    p_bn = (W_k − W_j)/(k − j) = π m_n cos α_n; then x from W_k, and h_a* = (d_a − d)/(2 m_n) − x.
+
+    Parameters
+    ----------
+    teeth : Count
+        Number of teeth, counted.
+    spans : tuple of SpanRead
+        Spans over different numbers of teeth; two give the base pitch.
+    tip_diameter : Size
+        Tip diameter [m].
+    helix_angle : Angle
+        Helix angle, measured at the pitch cylinder [rad].
+    reading : Size
+        What a reading is good for [m].
+    count : Count
+        How many candidates to show.
+
+    Returns
+    -------
+    Identified
+        Standard modules and diametral pitches with common pressure angles, best agreement first.
+
+    Raises
+    ------
+    InadmissibleError
+        When spans contradict one another, or there are too few of them to tell.
+
+    Notes
+    -----
+    A span grows by one base pitch a tooth, whatever the shift; only m cos α is known from it. Module and pressure angle
+    are told apart by the tip diameter and by what is usual: a shift beyond ±1 and an addendum other than 1 or 0.8
+    count against a candidate.
+
+    References
+    ----------
+    KHK Gear Technical Reference (identifying an unknown gear); ISO 54.
+
+    Examples
+    --------
+    >>> reads = (SpanRead(4, 0.0328266), SpanRead(3, 0.0239703))
+    >>> identify(teeth=24, spans=reads, tip_diameter=0.0804).candidates[0].size
+    'module 3'
+    """
+    require(teeth >= 3, "a gear of {0} teeth is none", teeth, code="teeth")
+    require(count > 0, "no candidate is asked for", code="count")
+    require(reading > 0.0, "readings are never exact", code="reading", hint='--reading "0.02 mm"')
+    require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
+    require(len({one.over for one in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
+    for one in spans:
+        require(
+            one.over >= 1 and one.length > 0.0,
+            "a span over {0} teeth of {1:.6g} mm is none",
+            one.over,
+            1e3 * one.length,
+            code="spans",
+        )
+    require(
+        len(spans) > 1 or tip_diameter is not None,
+        "one span alone fits too many gears",
+        code="spans",
+        hint="give a second span over one tooth more, or the tip diameter",
+    )
+    pitch, room = _base_pitch(spans, reading)
+    found = sorted(
+        _candidates(teeth, spans, tip_diameter, helix_angle, reading, pitch, room), key=lambda one: one.disagreement
+    )
+    require(
+        bool(found),
+        "no standard gear of {0} teeth has a base pitch near {1:.6g} mm",
+        teeth,
+        1e3 * (pitch or 0.0),
+        code="no-candidate",
+    )
+    fitting = sum(one.disagreement <= 1.0 for one in found)
+    return Identified(
+        candidates=tuple(found[:count]),
+        base_pitch=pitch,
+        fitting=fitting,
+        checks=_checks(teeth, helix_angle, found[0], spans, reading),
+        advice=_advice(fitting, tip_diameter),
+    )
+
+
+def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | None, float]:
+    """The base pitch by the spans farthest apart, and what it is good for; refuses spans that contradict it."""
+    if len(spans) == 1:
+        return None, 0.0
+    ordered = sorted(spans, key=lambda one: one.over)
+    steps = ordered[-1].over - ordered[0].over
+    pitch = (ordered[-1].length - ordered[0].length) / steps
+    require(pitch > 0.0, "spans over more teeth are shorter: {0:.6g} mm a tooth", 1e3 * pitch, code="spans")
+    for one in ordered[1:-1]:
+        off = one.length - ordered[0].length - (one.over - ordered[0].over) * pitch
+        require(
+            abs(off) <= 3.0 * reading,
+            "the span over {0} teeth is {1:.6g} mm off the line of the others",
+            one.over,
+            1e3 * off,
+            code="spans",
+            hint="an anvil off the flank, or a wrong count: measure again",
+        )
+    return pitch, 2.0 * reading / steps
+
+
+def _sizes() -> "Iterator[tuple[str, float]]":
+    for module in (*SMALL_MODULES, *SERIES_I, *SERIES_II):
+        yield f"module {module:g}", 1e-3 * module
+    for diametral in DIAMETRAL_PITCHES:
+        yield f"{diametral:g} DP", INCH / diametral
+
+
+def _candidates(
+    teeth: int,
+    spans: tuple[SpanRead, ...],
+    tip_diameter: float | None,
+    helix_angle: float,
+    reading: float,
+    pitch: float | None,
+    room: float,
+) -> "Iterator[Candidate]":
+    from dynamics_cli.gear.sizes import shift_from_span
+
+    for name, module in _sizes():
+        for degrees in PRESSURE_ANGLES:
+            angle = degrees * pi / 180.0
+            own = pi * module * cos(angle)
+            error = None if pitch is None else pitch - own
+            if error is not None and abs(error) > 6.0 * room:
+                continue
+            gear = Toothing(teeth, False, module, angle, helix_angle, 0.0, 1.0, 1.0)
+            shift = sum(shift_from_span(gear, one.over, one.length) for one in spans) / len(spans)
+            if abs(shift) > 2.5:
+                continue
+            addendum = None
+            off = 0.0 if error is None else error * error / (room * room)
+            off += 0.2 * shift * shift + 25.0 * max(0.0, abs(shift) - COMMON_SHIFT) ** 2
+            if tip_diameter is not None:
+                addendum = 0.5 * tip_diameter / module - 0.5 * teeth / cos(helix_angle) - shift
+                known = 3.0 * reading / module / (2.0 * sin(angle)) + 0.02
+                off += min(((addendum - usual) / known) ** 2 + (0.25 if usual != 1.0 else 0.0) for usual in ADDENDA)
+            # what is rare counts a little
+            off += 0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2
+            if off < 1e4:
+                yield Candidate(name, module, angle, shift, addendum, error, off**0.5)
+
+
+def _checks(
+    teeth: int, helix_angle: float, best: Candidate, spans: tuple[SpanRead, ...], reading: float
+) -> tuple[Check, ...]:
+    """The spans of the best candidate against what was read."""
+    from dynamics_cli.gear.sizes import span_length
+
+    gear = Toothing(teeth, False, best.module, best.pressure_angle, helix_angle, best.profile_shift, 1.0, 1.0)
+    worst = max(abs(span_length(gear, one.over) - one.length) for one in spans)
+    return (
+        Check("spans of the best candidate against the readings [m]", worst <= 6.0 * reading, worst, 6.0 * reading),
+    )
+
+
+def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:
+    if fitting == 1:
+        return ()
+    if fitting == 0:
+        return (
+            Advice(
+                "no-fit",
+                "no standard gear fits within what the readings are good for: the nearest are shown",
+                "serious",
+            ),
+        )
+    return (
+        Advice(
+            "several-fit",
+            f"{fitting} standard gears fit these readings",
+            mend="measure more sharply" if tip_diameter is not None else "give the tip diameter",
+        ),
+    )

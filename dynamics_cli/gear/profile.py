@@ -1,0 +1,256 @@
+"""The profile of a gear, an internal gear or a rack, as a drawing of ordered pieces."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.door import fillet_of, gear_of, toothing
+from dynamics_cli.gear.flanks import ToothForm, external_form, internal_form
+from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
+from dynamics_cli.gear.gear import Profile as BasicProfile
+from dynamics_cli.gear.outline import gear_outline, rack_outline
+from dynamics_cli.outlines import Drawing
+from dynamics_cli.quantities import Angle, Count, Ratio, Size
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.gear.gear import Gear
+    from dynamics_cli.outlines import Outline
+
+ONE_MICROMETRE = 1e-6
+# Finer than this the rounding of coordinates would be a part of the deviation.
+FINEST = 1e-12
+
+
+FULL = BasicProfile("a")
+ISO = Sign("iso")
+
+
+@record
+class GearProfile:
+    """A profile and what it was made of.
+
+    Parameters
+    ----------
+    deviation : Size
+        Proved bound on the distance of the drawing from the exact profile [m].
+    points : Count
+        How many points its curves have.
+    pieces : Count
+        How many pieces it has: arcs, lines and curves.
+    tip_diameter : Size
+        Tip diameter [m].
+    root_diameter : Size
+        Root diameter [m].
+    base_diameter : Size
+        Base diameter [m].
+    form_diameter : Size
+        Where the involute begins above the root [m].
+    undercut : bool
+        Whether the rack cuts into the involute.
+    drawing : Drawing
+        The profile.
+    """
+
+    deviation: Size
+    points: Count
+    pieces: Count
+    tip_diameter: Size | None
+    root_diameter: Size | None
+    base_diameter: Size | None
+    form_diameter: Size | None
+    undercut: bool | None
+    drawing: Drawing | None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def tooth_form(gear: "Gear", tip_diameter: float | None, root_radius_factor: float | None) -> ToothForm:
+    """The form of a gear: cut by its rack, or with a fillet when it is internal."""
+    fillet = fillet_of(gear, root_radius_factor)
+    teeth = toothing(gear, tip_diameter=tip_diameter, fillet=fillet)
+    if not gear.internal:
+        return external_form(gear.cutter, gear.module, teeth.tip)
+    return internal_form(
+        teeth.teeth,
+        teeth.module,
+        base_radius=teeth.base_radius,
+        half_base=teeth.solid_half,
+        tip_radius=teeth.tip,
+        root_radius=teeth.root,
+        fillet=fillet * teeth.module,
+    )
+
+
+def profile(
+    *,
+    teeth: Count,
+    pitch: Pitch,
+    profile: BasicProfile = FULL,
+    pressure_angle: Angle = FULL_DEPTH,
+    helix_angle: Angle = 0.0,
+    profile_shift: Ratio = 0.0,
+    internal: bool = False,
+    shift_sign: Sign = ISO,
+    addendum_factor: Ratio | None = None,
+    dedendum_factor: Ratio | None = None,
+    root_radius_factor: Ratio | None = None,
+    tip_diameter: Size | None = None,
+    rack: bool = False,
+    only_teeth: Count | None = None,
+    tolerance: Size = ONE_MICROMETRE,
+) -> GearProfile:
+    """Draw the exact transverse profile of a gear: root arcs, trochoids, involutes and tip arcs that share their ends.
+
+    Equation
+    --------
+    Involute: R = r_b √(1 + t²), half angle ψ = ψ_b − (t − atan t). Trochoid: the rack's corner cuts where its normal
+    passes through the pitch point. A chord of the involute is off by at most (t₁² − t₀²)² r_b/(32 t₀); a chord of the
+    trochoid lies with its arc in the triangle of its end tangents.
+
+    Parameters
+    ----------
+    teeth : Count
+        Number of teeth (of a rack: how many are drawn).
+    pitch : Pitch
+        Module, diametral pitch or circular pitch, normal or transverse.
+    profile : Profile
+        Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine.
+    pressure_angle : Angle
+        Normal pressure angle [rad].
+    helix_angle : Angle
+        Helix angle [rad].
+    profile_shift : Ratio
+        Profile shift factor.
+    internal : bool
+        Whether the teeth point inwards.
+    shift_sign : Sign
+        Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS).
+    addendum_factor : Ratio
+        Addendum in modules, in place of the basic rack's.
+    dedendum_factor : Ratio
+        Dedendum in modules, in place of the basic rack's.
+    root_radius_factor : Ratio
+        Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given).
+    tip_diameter : Size
+        Tip diameter, where it is not that of the rack [m].
+    rack : bool
+        Draw the rack that meshes with the gear, in its normal plane.
+    only_teeth : Count
+        Draw only so many teeth, as an open outline; tooth 0 points along +y.
+    tolerance : Size
+        How far the drawing may be from the exact profile [m].
+
+    Returns
+    -------
+    GearProfile
+        The drawing, its proved deviation, and the diameters.
+
+    Raises
+    ------
+    InadmissibleError
+        When the teeth are pointed below their tips, no flank is left, or the corner does not fit.
+
+    Notes
+    -----
+    Arcs are exact; curves are polylines spread so that every chord is off alike. An internal gear's root is a fillet
+    tangent to root circle and involute, not the trochoid of a particular pinion cutter.
+
+    References
+    ----------
+    ISO 21771; Litvin & Fuentes, Gear Geometry and Applied Theory (generation by a rack).
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.gear import NormalModule
+    >>> drawn = profile(teeth=20, pitch=NormalModule(0.002))
+    >>> (drawn.pieces, drawn.deviation <= 1e-6)
+    (120, True)
+    """
+    require(
+        tolerance >= FINEST,
+        "a tolerance of {0:.3g} mm is finer than coordinates are rounded",
+        1e3 * tolerance,
+        code="tolerance",
+    )
+    require(teeth > 0, "{0} teeth make no profile", teeth, code="teeth")
+    require(
+        not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
+    )
+    made = gear_of(
+        teeth=max(teeth, 3) if rack else teeth,
+        pitch=pitch,
+        profile=profile,
+        pressure_angle=pressure_angle,
+        addendum_factor=addendum_factor,
+        dedendum_factor=dedendum_factor,
+        root_radius_factor=root_radius_factor,
+        helix_angle=helix_angle,
+        profile_shift=0.0 if rack else profile_shift,
+        internal=internal,
+        sign=shift_sign,
+    )
+    if rack:
+        cutter = made.cutter
+        require(
+            cutter.corner_offset >= 0.0,
+            "a root radius of {0:.6g} modules does not fit the rack",
+            made.rack.tip_radius,
+            code="tip-radius",
+        )
+        outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
+        return _result(outline, 4 * teeth, None, None)
+    form = tooth_form(made, tip_diameter, root_radius_factor)
+    outline, points = gear_outline(form, tolerance, teeth=only_teeth)
+    return _result(outline, points, form, tolerance)
+
+
+def _result(outline: "Outline", points: int, form: ToothForm | None, tolerance: float | None) -> GearProfile:
+    undercut = form.junction.undercut if form is not None and form.junction is not None else None
+    advice = ()
+    if undercut and form is not None and form.junction is not None:
+        advice = (_undercut_advice(form),)
+    checks: tuple[Check, ...] = ()
+    if tolerance is not None:
+        checks = (
+            Check(
+                "the proved deviation keeps the tolerance",
+                outline.deviation <= 1.01 * tolerance,
+                outline.deviation,
+                tolerance,
+            ),
+        )
+    return GearProfile(
+        deviation=outline.deviation,
+        points=points,
+        pieces=len(outline.pieces),
+        tip_diameter=None if form is None else 2.0 * form.tip,
+        root_diameter=None if form is None else 2.0 * form.root,
+        base_diameter=None if form is None else 2.0 * form.base,
+        form_diameter=None if form is None else 2.0 * form.form,
+        undercut=undercut,
+        drawing=Drawing((outline,), title=outline.name),
+        checks=checks,
+        advice=advice,
+        numerics=None
+        if form is None
+        else Numerics(
+            "closed forms; the junction of trochoid and involute bracketed",
+            tuple(
+                ErrorBound(name, 2e-14) for name in ("tip_diameter", "root_diameter", "base_diameter", "form_diameter")
+            ),
+        ),
+    )
+
+
+def _undercut_advice(form: ToothForm) -> Advice:
+    junction, cutter = form.junction, form.cutter
+    assert junction is not None
+    assert cutter is not None
+    from math import sin
+
+    more = -junction.margin * sin(cutter.transverse_angle)
+    return Advice(
+        "undercut",
+        f"the rack undercuts the involute below {2e3 * form.form:.6g} mm diameter",
+        mend=f"raise the profile shift by {more:.4g} to {cutter.shift + more:.4g}",
+    )

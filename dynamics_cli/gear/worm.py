@@ -1,0 +1,436 @@
+"""Cylindrical worm pairs: geometry, lead angle, efficiency both ways, and self-locking with its sign."""
+
+from math import pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.limits import plain
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
+from dynamics_cli.quantities import (
+    Angle,
+    Coordinate,
+    Force,
+    Friction,
+    Module,
+    Positive,
+    Power,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Speed,
+    Teeth,
+    Torque,
+)
+from dynamics_cli.records import Advice, Check, record
+
+FULL_DEPTH = 20.0 * pi / 180.0
+
+
+@record
+class AxialModule:
+    """Size of the teeth as the axial module of the worm, the transverse one of the wheel.
+
+    Parameters
+    ----------
+    module : Module
+        Axial module m_x [m].
+    """
+
+    module: Module
+
+
+@record
+class WormNormalModule:
+    """Size of the teeth as the normal module.
+
+    Parameters
+    ----------
+    normal_module : Module
+        Normal module m_n [m].
+    """
+
+    normal_module: Module
+
+
+@record
+class WormDiameter:
+    """The worm by its reference diameter.
+
+    Parameters
+    ----------
+    worm_diameter : Size
+        Reference diameter of the worm d₁ [m].
+    """
+
+    worm_diameter: Size
+
+
+@record
+class DiameterFactor:
+    """The worm by its diameter factor.
+
+    Parameters
+    ----------
+    diameter_factor : Positive
+        Diameter factor q = d₁/m_x.
+    """
+
+    diameter_factor: Positive
+
+
+@record
+class LeadAngle:
+    """The worm by its lead angle.
+
+    Parameters
+    ----------
+    lead_angle : Angle
+        Lead angle γ at the reference cylinder [rad].
+    """
+
+    lead_angle: Angle
+
+
+@record
+class WormData:
+    """A worm and its wheel.
+
+    Parameters
+    ----------
+    ratio : Ratio
+        Gear ratio u = z₂/z₁.
+    lead_angle : Angle
+        Lead angle γ of the worm at its reference cylinder; the helix angle of the wheel [rad].
+    lead : Size
+        Lead of the worm p_z, its advance in a turn [m].
+    axial_pitch : Size
+        Axial pitch of the worm p_x, transverse pitch of the wheel [m].
+    axial_module : Module
+        Axial module m_x [m].
+    normal_module : Module
+        Normal module m_n [m].
+    diameter_factor : Ratio
+        Diameter factor q.
+    axial_pressure_angle : Angle
+        Pressure angle in the axial section α_x [rad].
+    centre_distance : Size
+        Centre distance a [m].
+    worm_diameter : Size
+        Reference diameter of the worm d₁ [m].
+    worm_tip_diameter : Size
+        Tip diameter of the worm d_a1 [m].
+    worm_root_diameter : Size
+        Root diameter of the worm d_f1 [m].
+    worm_length : Size
+        Length of the thread that a usual worm has, (4.5 + 0.02 z₂)π m_x [m].
+    wheel_diameter : Size
+        Reference diameter of the wheel d₂ [m].
+    throat_diameter : Size
+        Throat diameter of the wheel d_a2 in its mid-plane [m].
+    wheel_outer_diameter : Size
+        Outside diameter of the wheel d_e2 that is usual [m].
+    wheel_root_diameter : Size
+        Root diameter of the wheel d_f2 [m].
+    throat_radius : Size
+        Radius of the throat r_k, about the worm's axis [m].
+    face_width : Size
+        Face width of the wheel that is usual, 2m_x√(q + 1) [m].
+    friction_angle : Angle
+        Angle of friction ρ' = atan(μ/cos α_n) [rad].
+    efficiency : Ratio
+        Efficiency when the worm drives.
+    backward_efficiency : Ratio
+        Efficiency when the wheel drives; at or below zero the worm locks itself.
+    locking_margin : Angle
+        Angle of friction less lead angle; positive is self-locking [rad].
+    self_locking : bool
+        Whether the wheel cannot drive the worm.
+    sliding_speed : Speed
+        Sliding velocity at the reference cylinder v_g [m/s].
+    wheel_speed : ShaftSpeed
+        Speed of the wheel [rad/s].
+    worm_torque : Torque
+        Torque on the worm when it drives [N m].
+    wheel_torque : Torque
+        Torque of the wheel [N m].
+    worm_tangential_force : Force
+        Tangential force on the worm, axial on the wheel [N].
+    worm_axial_force : Force
+        Axial force on the worm, tangential on the wheel [N].
+    radial_force : Force
+        Force that parts worm and wheel [N].
+    release_torque : Torque
+        Torque on the worm that lets the loaded wheel go: negative when it runs away by itself [N m].
+    """
+
+    ratio: Ratio
+    lead_angle: Angle
+    lead: Size
+    axial_pitch: Size
+    axial_module: Module
+    normal_module: Module
+    diameter_factor: Ratio
+    axial_pressure_angle: Angle
+    centre_distance: Size
+    worm_diameter: Size
+    worm_tip_diameter: Size
+    worm_root_diameter: Coordinate
+    worm_length: Size
+    wheel_diameter: Size
+    throat_diameter: Size
+    wheel_outer_diameter: Size
+    wheel_root_diameter: Size
+    throat_radius: Coordinate
+    face_width: Size
+    friction_angle: Angle
+    efficiency: Ratio
+    backward_efficiency: Ratio
+    locking_margin: Angle
+    self_locking: bool
+    sliding_speed: Speed | None
+    wheel_speed: ShaftSpeed | None
+    worm_torque: Torque | None
+    wheel_torque: Torque | None
+    worm_tangential_force: Force | None
+    worm_axial_force: Force | None
+    radial_force: Force | None
+    release_torque: Torque | None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def worm(
+    *,
+    threads: Teeth,
+    teeth: Teeth,
+    size: AxialModule | WormNormalModule,
+    worm: WormDiameter | DiameterFactor | LeadAngle,
+    pressure_angle: Angle = FULL_DEPTH,
+    profile_shift: Ratio = 0.0,
+    addendum_factor: Ratio = 1.0,
+    dedendum_factor: Ratio = 1.25,
+    friction: Friction = 0.05,
+    speed: ShaftSpeed | None = None,
+    torque: Torque | None = None,
+    power: Power | None = None,
+) -> WormData:
+    """Geometry of a worm pair with shafts at right angles, its efficiency both ways, and self-locking.
+
+    Equation
+    --------
+    tan γ = m_x z₁/d₁; a = (d₁ + d₂)/2 + x₂ m_x; η = tan γ/tan(γ + ρ'), η' = tan(γ − ρ')/tan γ, tan ρ' = μ/cos α_n.
+
+    Parameters
+    ----------
+    threads : Teeth
+        Number of threads of the worm z₁.
+    teeth : Teeth
+        Number of teeth of the wheel z₂.
+    size : AxialModule | WormNormalModule
+        Size of the teeth, axial or normal.
+    worm : WormDiameter | DiameterFactor | LeadAngle
+        The worm's reference diameter, diameter factor or lead angle.
+    pressure_angle : Angle
+        Normal pressure angle α_n [rad].
+    profile_shift : Ratio
+        Profile shift factor x₂ of the wheel, in axial modules.
+    addendum_factor : Ratio
+        Addendum factor.
+    dedendum_factor : Ratio
+        Dedendum factor.
+    friction : Friction
+        Coefficient of friction μ of the flanks.
+    speed : ShaftSpeed
+        Speed of the worm [rad/s].
+    torque : Torque
+        Torque on the worm, driving [N m].
+    power : Power
+        Power into the worm, in place of the torque; needs the speed [W].
+
+    Returns
+    -------
+    WormData
+        Worm, wheel, efficiency and forces.
+
+    Raises
+    ------
+    InadmissibleError
+        When the worm has no diameter that fits, its root vanishes, or friction locks it also forwards.
+
+    Notes
+    -----
+    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, and its sign is
+    that of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
+    diameter are the usual choices, not limits.
+
+    References
+    ----------
+    DIN 3975; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 17.14.
+
+    Examples
+    --------
+    >>> from math import degrees
+    >>> answer = worm(threads=2, teeth=30, size=AxialModule(0.003), worm=WormDiameter(0.044))
+    >>> round(degrees(answer.lead_angle), 5)
+    7.76517
+    """
+    require(
+        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
+        "a pressure angle of {0:.6g} rad makes no teeth",
+        pressure_angle,
+        code="pressure-angle",
+    )
+    module, gamma, diameter = _worm(size, worm, threads)
+    wheel = teeth * module
+    add, ded = addendum_factor * module, dedendum_factor * module
+    root = diameter - 2.0 * ded
+    require(
+        root > 0.0,
+        "the worm's root would have a diameter of {0:.6g} mm",
+        1e3 * root,
+        code="no-root",
+        hint="give the worm a larger diameter, or a smaller lead angle",
+    )
+    shift = profile_shift * module
+    rho = atan(friction / cos(pressure_angle))
+    require(
+        gamma + rho < 0.5 * pi,
+        "lead angle and angle of friction sum to {0:.6g} degrees: the worm cannot drive either",
+        (gamma + rho) * 180.0 / pi,
+        code="locked",
+        hint="a smaller lead angle or less friction",
+    )
+    forward = tan(gamma) / tan(gamma + rho)
+    backward = tan(gamma - rho) / tan(gamma)
+    load = _load(torque, power, speed)
+    forces = _forces(load, diameter, gamma, rho, pressure_angle, friction)
+    wheel_torque = None if load is None else 0.5 * wheel * forces[1]  # type: ignore[operator]
+    locking = rho - gamma
+    return WormData(
+        ratio=teeth / threads,
+        lead_angle=gamma,
+        lead=pi * module * threads,
+        axial_pitch=pi * module,
+        axial_module=module,
+        normal_module=module * cos(gamma),
+        diameter_factor=diameter / module,
+        axial_pressure_angle=atan2(sin(pressure_angle), cos(pressure_angle) * cos(gamma)),
+        centre_distance=0.5 * (diameter + wheel) + shift,
+        worm_diameter=diameter,
+        worm_tip_diameter=diameter + 2.0 * add,
+        worm_root_diameter=root,
+        worm_length=pi * module * (4.5 + 0.02 * teeth),
+        wheel_diameter=wheel,
+        throat_diameter=wheel + 2.0 * (add + shift),
+        wheel_outer_diameter=wheel + 2.0 * (add + shift) + module,
+        wheel_root_diameter=absolute(wheel + 2.0 * (shift - ded)),
+        throat_radius=0.5 * diameter - add,
+        face_width=2.0 * module * sqrt(diameter / module + 1.0),
+        friction_angle=rho,
+        efficiency=forward,
+        backward_efficiency=backward,
+        locking_margin=locking,
+        self_locking=plain(locking) >= 0.0,
+        sliding_speed=None if speed is None else 0.5 * absolute(speed) * diameter / cos(gamma),
+        wheel_speed=None if speed is None else speed * (threads / teeth),
+        worm_torque=load,
+        wheel_torque=wheel_torque,
+        worm_tangential_force=forces[0],
+        worm_axial_force=forces[1],
+        radial_force=forces[2],
+        release_torque=None if load is None else 0.5 * diameter * forces[1] * tan(rho - gamma),  # type: ignore[operator]
+        checks=_checks(forward, gamma, pressure_angle, friction),
+        advice=_advice(gamma, rho),
+    )
+
+
+def _worm(
+    size: AxialModule | WormNormalModule, worm: WormDiameter | DiameterFactor | LeadAngle, threads: int
+) -> tuple[float, float, float]:
+    """Axial module, lead angle and reference diameter."""
+    if isinstance(worm, LeadAngle):
+        gamma = worm.lead_angle
+        require(
+            (gamma > 0.0) & (gamma < 0.5 * pi),
+            "a lead angle of {0:.6g} rad makes no worm",
+            gamma,
+            code="lead-angle",
+        )
+        module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
+        return module, gamma, threads * module / tan(gamma)
+    if isinstance(worm, DiameterFactor):
+        gamma = atan2(threads, worm.diameter_factor)
+        module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
+        return module, gamma, worm.diameter_factor * module
+    diameter = worm.worm_diameter
+    require(diameter > 0.0, "a worm of {0:.6g} m diameter is none", diameter, code="worm-diameter")
+    if isinstance(size, AxialModule):
+        return size.module, atan2(threads * size.module, diameter), diameter
+    # sin γ = m_n z₁/d₁
+    rise = threads * size.normal_module
+    require(
+        rise < diameter,
+        "a worm of {0:.6g} mm diameter has no room for {1} threads of {2:.6g} mm normal module: sin γ would be {3:.6g}",
+        1e3 * diameter,
+        threads,
+        1e3 * size.normal_module,
+        rise / diameter,
+        code="worm-diameter",
+        hint="give the worm a larger diameter",
+    )
+    gamma = atan2(rise, sqrt((diameter - rise) * (diameter + rise)))
+    return size.normal_module / cos(gamma), gamma, diameter
+
+
+def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
+    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
+    if power is None:
+        return None if torque is None else absolute(torque)
+    require(
+        speed is not None and absolute(speed) > 0.0,
+        "a power needs a speed to become a torque",
+        code="speed",
+        hint="give --speed",
+    )
+    return absolute(power) / absolute(speed)  # type: ignore[arg-type]
+
+
+def _forces(
+    torque: float | None, diameter: float, gamma: float, rho: float, pressure_angle: float, friction: float
+) -> tuple[float | None, float | None, float | None]:
+    """Tangential and axial force on the worm, and the radial force, when the worm drives."""
+    if torque is None:
+        return None, None, None
+    tangential = 2.0 * torque / diameter
+    normal = tangential / (cos(pressure_angle) * sin(gamma) + friction * cos(gamma))
+    return tangential, tangential / tan(gamma + rho), normal * sin(pressure_angle)
+
+
+def _checks(forward: float, gamma: float, pressure_angle: float, friction: float) -> tuple[Check, ...]:
+    """The efficiency again from the forces of an inclined plane."""
+    g, a, mu = plain(gamma), plain(pressure_angle), plain(friction)
+    again = tan(g) * (cos(a) - mu * tan(g)) / (cos(a) * tan(g) + mu)
+    residual = abs(plain(forward) - again)
+    return (Check("efficiency from the forces", residual <= 1e-13, residual, 1e-13),)
+
+
+def _advice(gamma: float, rho: float) -> tuple[Advice, ...]:
+    lead, friction = plain(gamma) * 180.0 / pi, plain(rho) * 180.0 / pi
+    if lead <= friction:
+        word = "statically self-locking" if lead > 0.5 * friction else "self-locking"
+        return (
+            Advice(
+                "self-locking",
+                f"{word}: the lead angle {lead:.4g} deg is below the angle of friction {friction:.4g} deg",
+                "note",
+                "vibration lowers friction: do not rely on it as a brake",
+            ),
+        )
+    if lead < 1.5 * friction:
+        return (
+            Advice(
+                "nearly-self-locking",
+                f"the lead angle {lead:.4g} deg is little above the angle of friction {friction:.4g} deg",
+                mend="its locking depends on lubrication and vibration",
+            ),
+        )
+    return ()

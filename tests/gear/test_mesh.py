@@ -1,0 +1,234 @@
+"""Meshes: turned profiles against the closed forms of the pair, and against polygons that may or may not overlap."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.gear.flanks import ToothForm, flank
+from dynamics_cli.gear.gear import NormalModule
+from dynamics_cli.gear.mesh import MeshProof, mesh
+from dynamics_cli.gear.outline import chain_points
+
+MM = 1e-3
+M2 = NormalModule(2 * MM)
+
+
+def involute(angle: float) -> float:
+    return math.tan(angle) - angle
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(18, 120), st.integers(18, 200), st.floats(0.0, 0.4), st.floats(0.0, 0.4), st.floats(0.0, 0.6))
+def test_an_external_pair_keeps_its_closed_forms(z1: int, z2: int, x1: float, x2: float, beta: float) -> None:
+    answer = mesh(
+        first_teeth=z1,
+        second_teeth=z2,
+        pitch=M2,
+        first_profile_shift=x1,
+        second_profile_shift=x2,
+        helix_angle=beta,
+        points=500,
+    )
+    at = math.atan(math.tan(math.radians(20)) / math.cos(beta))
+    r1, r2 = z1 * MM / math.cos(beta), z2 * MM / math.cos(beta)
+    b1, b2 = r1 * math.cos(at), r2 * math.cos(at)
+    working = answer.working_pressure_angle
+    wanted = involute(at) + 2 * (x1 + x2) * math.tan(math.radians(20)) / (z1 + z2)
+    assert involute(working) == pytest.approx(wanted, rel=1e-11)
+    a1, a2 = r1 + (1 + x1) * 2 * MM, r2 + (1 + x2) * 2 * MM
+    reach = math.sqrt(a1**2 - b1**2) + math.sqrt(a2**2 - b2**2) - answer.centre_distance * math.sin(working)
+    pitch = 2 * math.pi * b1 / z1
+    assert answer.nominal_contact_ratio == pytest.approx(reach / pitch, rel=1e-11)
+    assert answer.contact_ratio <= answer.nominal_contact_ratio * (1 + 1e-14)
+    assert answer.transmission_error < 1e-13
+    assert abs(answer.backlash) < 1e-15 * 1e3
+    assert all(check.passed for check in answer.checks)
+
+
+@pytest.mark.parametrize(("z1", "z2", "x2"), [(20, 60, 0.0), (16, 24, -0.5), (40, 100, -0.2), (30, 200, 0.1)])
+def test_an_internal_pair_keeps_its_closed_forms(z1: int, z2: int, x2: float) -> None:
+    answer = mesh(first_teeth=z1, second_teeth=z2, pitch=M2, internal=True, second_profile_shift=x2, points=500)
+    alpha = math.radians(20)
+    wanted = involute(alpha) - 2 * x2 * math.tan(alpha) / (z2 - z1)
+    assert involute(answer.working_pressure_angle) == pytest.approx(wanted, rel=1e-11)
+    b1, b2 = z1 * MM * math.cos(alpha), z2 * MM * math.cos(alpha)
+    assert answer.centre_distance == pytest.approx((b2 - b1) / math.cos(answer.working_pressure_angle), rel=1e-13)
+    a1, a2 = z1 * MM + 2 * MM, z2 * MM - (1 + x2) * 2 * MM
+    reach = (
+        math.sqrt(a1**2 - b1**2)
+        - math.sqrt(a2**2 - b2**2)
+        + answer.centre_distance * math.sin(answer.working_pressure_angle)
+    )
+    assert answer.nominal_contact_ratio == pytest.approx(reach / (2 * math.pi * b1 / z1), rel=1e-11)
+    assert answer.transmission_error < 1e-13
+    assert abs(answer.backlash) < 1e-12
+
+
+def test_a_hundred_thousand_points_turn_evenly() -> None:
+    answer = mesh(first_teeth=17, second_teeth=53, pitch=M2, first_profile_shift=0.3)
+    assert answer.contact_points == 100_000
+    assert answer.transmission_error < 1e-14
+
+
+@given(st.floats(-0.2e-3, 0.5e-3))
+@settings(max_examples=10, deadline=None)
+def test_backlash_follows_the_centre_distance(more: float) -> None:
+    """j = 2 p·(inv α_w' − inv α_w)·…: from the working angles at both distances."""
+    base = mesh(first_teeth=20, second_teeth=40, pitch=M2, points=10)
+    wider = mesh(first_teeth=20, second_teeth=40, pitch=M2, centre_distance=base.centre_distance + more, points=10)
+    bases = 60 * MM * math.cos(math.radians(20.0))
+    wanted = 2 * bases * (involute(wider.working_pressure_angle) - involute(base.working_pressure_angle))
+    assert wider.backlash == pytest.approx(wanted, abs=1e-16)
+    assert ("jam" in [one.code for one in wider.advice]) == (wider.backlash < -1e-12)
+    if wider.backlash < -1e-12:
+        assert not wider.runs
+
+
+def overlap(first: ToothForm, second: ToothForm, distance: float, turn: float, play: float) -> bool:
+    """Whether any corner of one gear's polygon lies within the other's, both turned by exact angles."""
+
+    def polygon(form: ToothForm, rotation: float, at: float) -> np.ndarray:
+        x, y = chain_points(form, flank(form, 1e-7), form.teeth)
+        points = (x.ravel() + 1j * y.ravel()) * np.exp(1j * rotation)
+        return points + at
+
+    def inside(points: np.ndarray, shape: np.ndarray) -> np.ndarray:
+        hits = np.zeros(points.shape, dtype=bool)
+        for a, b in zip(shape, np.roll(shape, -1), strict=True):
+            crosses = (a.imag > points.imag) != (b.imag > points.imag)
+            if crosses.any():
+                at = a.real + (points.imag - a.imag) * (b.real - a.real) / (
+                    b.imag - a.imag if b.imag != a.imag else 1.0
+                )
+                hits ^= crosses & (points.real < at)
+        return hits
+
+    # a tooth of gear 1 and a space of gear 2 on the line of centres
+    one = polygon(first, -math.pi / 2 + turn, 0.0)
+    two = polygon(second, math.pi / 2 + math.pi / second.teeth - turn * first.teeth / second.teeth + play, distance)
+    close_one = one[np.abs(one - distance) < second.tip]
+    close_two = two[np.abs(two) < first.tip]
+    # flanks touch by design: what overlaps only there is rounding and chords
+    deep_one = close_one[np.abs(close_one - distance) < second.form * (1 - 1e-5)]
+    deep_two = close_two[np.abs(close_two) < first.form * (1 - 1e-5)]
+    return bool(inside(deep_one, two).any() or inside(deep_two, one).any())
+
+
+def forms(answer_of: dict) -> tuple[ToothForm, ToothForm]:
+    from test_profile import form_of
+
+    one = form_of(answer_of["first_teeth"], answer_of.get("first_profile_shift", 0.0))
+    return one, form_of(answer_of["second_teeth"], answer_of.get("second_profile_shift", 0.0))
+
+
+@pytest.mark.parametrize(
+    ("first_teeth", "second_teeth", "addendum", "fouls"),
+    [(20, 40, 1.0, False), (17, 51, 1.0, False), (12, 60, 1.0, False), (30, 30, 1.0, False)],
+)
+def test_polygons_agree_that_roots_are_clear(first_teeth: int, second_teeth: int, addendum: float, fouls: bool) -> None:
+    arguments = {"first_teeth": first_teeth, "second_teeth": second_teeth}
+    answer = mesh(pitch=M2, points=10, **arguments)
+    one, two = forms(arguments)
+    found = any(
+        overlap(one, two, answer.centre_distance, turn, 0.0)
+        for turn in np.linspace(-1.2, 1.2, 9) * math.pi / first_teeth
+    )
+    clear = min(x for x in (answer.first_in_second, answer.second_in_first) if x is not None) > -2e-9
+    assert found is fouls
+    assert clear is not fouls
+
+
+def test_a_long_tip_digs_into_the_root_it_turns_through() -> None:
+    """A wheel with long teeth against a pinion of 20: its tips pass the pinion's form circle off the involute."""
+    shorter = mesh(first_teeth=20, second_teeth=200, pitch=M2, points=10)
+    longer = mesh(first_teeth=20, second_teeth=200, pitch=M2, second_tip_diameter=404.4 * MM, points=10)
+    assert shorter.second_in_first is not None
+    assert longer.second_in_first is not None
+    assert longer.second_in_first < shorter.second_in_first
+    assert longer.second_in_first < -1e-6
+    assert not longer.runs
+    assert {"interference", "clipped"} <= {one.code for one in longer.advice}
+
+
+def turned(answer: MeshProof) -> tuple[float, ...]:
+    return (answer.contact_ratio, answer.backlash, answer.centre_distance)
+
+
+def test_gears_may_be_named_in_either_order() -> None:
+    one = mesh(first_teeth=20, second_teeth=45, pitch=M2, first_profile_shift=0.3, points=10)
+    other = mesh(first_teeth=45, second_teeth=20, pitch=M2, second_profile_shift=0.3, points=10)
+    assert turned(one) == pytest.approx(turned(other), rel=1e-12, abs=1e-15)
+    assert one.first_in_second == pytest.approx(other.second_in_first, rel=1e-6)
+    assert one.second_in_first == pytest.approx(other.first_in_second, rel=1e-6)
+    assert (one.begins_at, one.ends_at) == ("tip of gear 2", "tip of gear 1")
+
+
+def test_an_undercut_pinion_clips_the_contact() -> None:
+    answer = mesh(first_teeth=8, second_teeth=60, pitch=M2, points=10)
+    assert answer.begins_at == "form circle of gear 1"
+    assert answer.contact_ratio == pytest.approx(0.912751, abs=1e-6)
+    assert answer.nominal_contact_ratio > 1.5
+    assert not answer.runs
+    assert "open-mesh" in {one.code for one in answer.advice}
+
+
+@pytest.mark.parametrize(("ring", "meets"), [(64, True), (66, True), (68, True), (69, False), (70, False)])
+def test_tips_meet_where_tooth_numbers_differ_little(ring: int, meets: bool) -> None:
+    """Full-depth 20° teeth: the tips pass one another only when the ring has nine teeth more."""
+    answer = mesh(first_teeth=60, second_teeth=ring, pitch=M2, internal=True, points=10)
+    assert ("tip-interference" in {one.code for one in answer.advice}) == meets
+    # by the tips' own angles: where tip circles cross, the pinion's tip must be ahead of the ring's
+    r1, r2, a = 62 * MM, (ring - 2) * MM, answer.centre_distance
+    alpha, bases = math.radians(20.0), (60 * MM, ring * MM)
+    crossing_first = math.pi - math.acos((r1**2 + a**2 - r2**2) / (2 * r1 * a))
+    crossing_second = math.acos((r2**2 + a**2 - r1**2) / (2 * r2 * a))
+    tips = [math.acos(base * math.cos(alpha) / r) for base, r in zip(bases, (r1, r2), strict=True)]
+    lead = [
+        crossing + involute(tip) - involute(alpha)
+        for crossing, tip in ((crossing_first, tips[0]), (crossing_second, tips[1]))
+    ]
+    assert (60 / ring * lead[0] < lead[1]) == meets
+
+
+def test_one_tooth_of_difference_at_a_high_working_angle() -> None:
+    answer = mesh(
+        first_teeth=60,
+        second_teeth=61,
+        pitch=M2,
+        internal=True,
+        second_profile_shift=-1.0,
+        addendum_factor=0.5,
+        dedendum_factor=0.7,
+        root_radius_factor=0.05,
+        points=100,
+    )
+    assert math.degrees(answer.working_pressure_angle) == pytest.approx(61.06, abs=0.01)
+    assert answer.transmission_error < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        ({"first_teeth": 20, "second_teeth": 40, "centre_distance": 50 * MM}, "centre-distance"),
+        ({"first_teeth": 20, "second_teeth": 40, "centre_distance": 65 * MM}, "open-mesh"),
+        (
+            {"first_teeth": 20, "second_teeth": 40, "first_profile_shift": -2.5, "second_profile_shift": -2.5},
+            "no-flank",
+        ),
+        (
+            {"first_teeth": 100, "second_teeth": 140, "first_profile_shift": -2.5, "second_profile_shift": -2.5},
+            "no-working-angle",
+        ),
+        ({"first_teeth": 20, "second_teeth": 40, "points": 1}, "points"),
+        ({"first_teeth": 20, "second_teeth": 40, "points": 10**9}, "points"),
+        ({"first_teeth": 2, "second_teeth": 40}, "teeth"),
+    ],
+)
+def test_what_cannot_be_is_refused(arguments: dict, code: str) -> None:
+    with pytest.raises(InadmissibleError) as caught:
+        mesh(pitch=M2, **arguments)
+    assert caught.value.code == code
