@@ -450,8 +450,6 @@ else:
         example="0, 0, 5 N",
         about="a force",
     )
-    AngularMomentumVector = Kind(
-        "angular momentum vector",
     ImpulseVector = Kind(
         "impulse vector",
         "N*s",
@@ -469,6 +467,16 @@ else:
         size=3,
         si="N*m*s",
         us="lbf*ft*s",
+        example="0, 3, 1 N*m*s",
+        about="an angular impulse in space",
+    )
+    AngularMomentumVector = Kind(
+        "angular momentum vector",
+        "N*m*s",
+        form="vector",
+        size=3,
+        si="N*m*s",
+        us="lbf*ft*s",
         example="0, 0, 5 N*m*s",
         about="an angular momentum",
     )
@@ -479,8 +487,6 @@ else:
         size=4,
         example="0.92388, 0, 0, 0.382683",
         about="a rotation as the quaternion w, x, y, z, its scalar first",
-        example="0, 3, 1 N*m*s",
-        about="an angular impulse in space",
     )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
