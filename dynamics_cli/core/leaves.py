@@ -35,7 +35,7 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, reader: "Reader") -> Bound
     if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
         from dynamics_cli.core.references import resolve
 
-        raw = resolve(raw, reader)
+        raw = resolve(raw, reader, address)
     if leaf.choice is not None:
         return _choice(leaf, raw)
     read = _FORMS.get(leaf.kind.form, _scalar)
