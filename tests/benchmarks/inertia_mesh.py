@@ -233,9 +233,8 @@ def start_up(folder: Path) -> None:
         yardstick = whole_process([sys.executable, "-c", "import numpy"])[0]
         times.append(whole_process(program(str(path)))[0])
         ratios.append(times[-1] / yardstick)
-    print(
-        f"\n10⁴ triangles, whole process: {statistics.median(times):.3f} s, {statistics.median(ratios):.2f} × import numpy"
-    )
+    seconds, ratio = statistics.median(times), statistics.median(ratios)
+    print(f"\n10⁴ triangles, whole process: {seconds:.3f} s, {ratio:.2f} × import numpy")
 
 
 def huge(folder: Path) -> None:

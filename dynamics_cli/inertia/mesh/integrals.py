@@ -80,7 +80,7 @@ class Moments:
     def centroid(self) -> "Array":
         """The mass centre in the axes of the file."""
         offset = self.centre if self.frame is None else self.frame.T @ self.centre
-        return self.reference + offset  # type: ignore[no-any-return]
+        return self.reference + offset
 
 
 class Sums:

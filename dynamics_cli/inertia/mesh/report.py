@@ -1,5 +1,7 @@
 """What is said of a mesh beside its mass properties: checks, advice, the surface."""
 
+from math import sqrt
+
 from dynamics_cli.inertia.mesh.surface import Surface
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.records import Advice, Check
@@ -44,7 +46,7 @@ def _quantisation(found: "Measured") -> "float | None":
     if not found.single or found.moments.shell:
         return None
     q = quanta(found.sums)
-    return float((found.sums.squares @ (q * q)) / 6.0) ** 0.5
+    return sqrt(float(found.sums.squares @ (q * q)) / 6.0)
 
 
 def advice_of(found: "Measured", shell: bool) -> tuple[Advice, ...]:
