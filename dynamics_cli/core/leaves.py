@@ -87,7 +87,8 @@ def _text_of(kind: Kind, raw: "Any") -> str:
                 )
             parts = zip(raw["value"], units, strict=True)
             return " ".join(f"{number} {unit}" for number, unit in parts)
-        if isinstance(raw["value"], dict) or any(character.isdigit() for character in str(raw.get("unit") or "")[:1]):
+        unit = str(raw.get("unit") or "")
+        if isinstance(raw["value"], dict) or (unit[:1].isdigit() and not unit.startswith("1/")):
             raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
         return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
     if isinstance(raw, int | float):
