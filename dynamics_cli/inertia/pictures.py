@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 VIEWS = ((0, 1), (0, 2), (1, 2))
 STEPS = 64
+# Marks closer than this share of the body's size would be written over one another.
+CROWDED = 0.15
 BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
 
 
@@ -39,9 +41,9 @@ def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Pi
     return _picture(bare(answer), drawn, scene.name)
 
 
-def mesh_picture(answer: "MassProperties", **_: object) -> Picture:
-    """The principal axes and the ellipsoid of a body whose lines are not known."""
-    return _picture(bare(answer), [], "")
+def drawn_picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
+    """A body by lines of its own, each group of them of material or of a hole."""
+    return _picture(bare(answer), drawn, title)
 
 
 def _picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
@@ -60,12 +62,22 @@ def _panel(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", i: 
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
         items.append(Arrow(at[i], at[j], size * axis[i], size * axis[j], str(k + 1), AXES))
-    items.append(Mark(at[i], at[j], "mass centre"))
-    items += [Mark(part.centroid[i], part.centroid[j], part.part) for part in answer.parts or ()]
+    items += _marks(answer, i, j)
     names = "xyz"
     return Panel(
         Axis(names[i], Coordinate), Axis(names[j], Coordinate), tuple(items), f"{names[i]}{names[j]}", equal=True
     )
+
+
+def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
+    """The mass centre and those of the parts, each place marked and named once."""
+    room = CROWDED * max(answer.equivalent_ellipsoid)
+    places = [(answer.centroid, "mass centre"), *((part.centroid, part.part) for part in answer.parts or ())]
+    kept: list[Mark] = []
+    for at, name in places:
+        if all(abs(at[i] - mark.x) > room or abs(at[j] - mark.y) > room for mark in kept):
+            kept.append(Mark(at[i], at[j], name))
+    return kept
 
 
 def _ellipse(answer: "MassProperties", i: int, j: int) -> Curve:

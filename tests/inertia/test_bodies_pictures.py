@@ -8,7 +8,7 @@ import pytest
 from dynamics_cli.inertia.amount import OfDensity, OfMass
 from dynamics_cli.inertia.assembly import Assembly, body
 from dynamics_cli.inertia.parts import Part
-from dynamics_cli.inertia.pictures import body_picture, mesh_picture, shape_picture
+from dynamics_cli.inertia.pictures import body_picture, drawn_picture, shape_picture
 from dynamics_cli.inertia.rotation import AxisAngle
 from dynamics_cli.inertia.shape import shape
 from dynamics_cli.inertia.shapes import Block, Cylinder, Ellipsoid, Shape
@@ -48,7 +48,7 @@ def test_the_lines_of_a_shape_go_around_its_centroid_and_spread_as_it_does(cls: 
 
 def test_the_ellipsoid_of_an_ellipsoid_is_itself() -> None:
     own = Ellipsoid(0.3, 0.5, 0.9)
-    picture = mesh_picture(shape(own, amount=OfMass(1.0)))
+    picture = drawn_picture(shape(own, amount=OfMass(1.0)), [], "")
     curve = next(item for item in picture.panels[1].items if isinstance(item, Curve))
     assert max(curve.x) == pytest.approx(0.3, rel=1e-3)
     assert max(curve.y) == pytest.approx(0.9, rel=1e-3)

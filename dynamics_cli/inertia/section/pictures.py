@@ -1,6 +1,6 @@
 """A section with its centroid and principal axes, and Mohr's circle of its second moments."""
 
-from math import cos, pi, sin
+from math import cos, hypot, pi, sin
 
 from dynamics_cli.inertia.section.contours import contours
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.section.task import SectionProperties
 
 STEPS = 96
+# Points of Mohr's circle this close, as a share of its radius, share a name.
+CLOSE = 0.06
 MATERIAL, CUT, AXES = 0, 1, 2
 
 
@@ -61,13 +63,22 @@ def _mohr(answer: "SectionProperties") -> Panel:
     items = (
         Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()], "all directions"),
         Curve([at.ix, at.iy], [at.ixy, -at.ixy], "x and y", "dashed"),
-        Mark(at.ix, at.ixy, "x"),
-        Mark(at.iy, -at.ixy, "y"),
-        Mark(main.i1, 0.0, "I1"),
-        Mark(main.i2, 0.0, "I2"),
+        *_marks(answer, radius),
     )
     axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
     return Panel(*axes, items, "Mohr's circle", equal=True)
+
+
+def _marks(answer: "SectionProperties", radius: float) -> "list[Mark]":
+    """The directions x and y and the principal ones, named together where they fall together."""
+    at, main = answer.centroidal, answer.principal
+    given = [(at.ix, at.ixy, "x"), (at.iy, -at.ixy, "y")]
+    out = []
+    for value, name in ((main.i1, "I1"), (main.i2, "I2")):
+        near = [word for x, y, word in given if hypot(x - value, y) < CLOSE * radius]
+        given = [one for one in given if one[2] not in near]
+        out.append(Mark(value, 0.0, ", ".join((name, *near))))
+    return out + [Mark(*one) for one in given]
 
 
 def _turns() -> "list[float]":
