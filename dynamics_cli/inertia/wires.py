@@ -67,7 +67,10 @@ def _round(shape: "Any") -> "list[Wire]":
     if "pher" in name:
         whole = not name.lower().replace("hollow", "").startswith("hemi")
         return _ball(base, base, base, whole=whole)
+    wall = getattr(shape, "thickness", 0.0)
     made = [ring(base, low, None, first, last)]
+    if 0.0 < wall < base:
+        made.append(ring(base - wall, low))
     if high > low:
         made.append(ring(top, high, None, first, last))
         sides = [first, last] if last - first < 2.0 * pi else [k * pi / 2.0 for k in range(4)]
