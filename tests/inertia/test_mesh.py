@@ -307,6 +307,11 @@ class TestAmounts:
         assert made.moments.xx == pytest.approx(xx, rel=1e-14)
         assert solid(name, amount=OfArealDensity(1.0)).moments.xx == pytest.approx(xx, rel=1e-14)
 
+    @pytest.mark.parametrize(("wall", "severity"), [(90.0, None), (110.0, "caution"), (510.0, "serious")])
+    def test_a_wall_that_is_not_thin_is_warned_of(self, tmp_path: Path, wall: float, severity: str | None) -> None:
+        made = solid(stl(tmp_path, BOX), length_unit=LengthUnit("m"), thickness=wall * 1e-3)
+        assert [a.severity for a in made.advice if a.code == "thick-wall"] == ([severity] if severity else [])
+
     def test_an_open_shell_needs_no_proof(self, tmp_path: Path) -> None:
         made = solid(stl(tmp_path, BOX[:1]), amount=OfArealDensity(2.0))
         assert (made.area, made.mass) == (pytest.approx(3.0, rel=1e-15), pytest.approx(6.0, rel=1e-15))

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 # Single precision this coarse against the mean edge is worth a warning.
 COARSE = 1e-3
+# A wall of this share of the part's middle dimension is no longer thin: its own inertia is about that much squared.
+THICK = 0.05
 
 
 def checks_of(found: "Measured", shell: bool) -> tuple[Check, ...]:
@@ -49,9 +51,19 @@ def _quantisation(found: "Measured") -> "float | None":
     return sqrt(float(found.sums.squares @ (q * q)) / 6.0)
 
 
-def advice_of(found: "Measured", shell: bool) -> tuple[Advice, ...]:
-    """Warnings of open surfaces and of coarse coordinates."""
+def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Advice, ...]:
+    """Warnings of open surfaces, of coarse coordinates, and of walls (in the file's unit) too thick to be thin."""
     out = []
+    middle = sorted((found.sums.high - found.sums.low).tolist())[1]
+    if wall > THICK * middle:
+        out.append(
+            Advice(
+                "thick-wall",
+                f"the wall is {wall / middle:.3g} of the part's middle dimension: a shell takes it for thin",
+                "caution" if wall < 5.0 * THICK * middle else "serious",
+                "model the wall as a solid with an inner surface",
+            )
+        )
     sums = found.sums
     if not shell and not found.closed:
         out.append(
