@@ -16,6 +16,7 @@ from dynamics_cli.inertia.mesh import measured as reading
 from dynamics_cli.inertia.mesh.closure import vertex_hashes
 from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
 from dynamics_cli.inertia.mesh.opening import open_mesh
+from dynamics_cli.inertia.mesh.pictures import DRAWN, mesh_picture, outlines
 from dynamics_cli.inertia.mesh.stl import BLOCK, BinaryStl, Corners
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.task import mesh
@@ -306,6 +307,11 @@ class TestAmounts:
         assert made.moments.xx == pytest.approx(xx, rel=1e-14)
         assert solid(name, amount=OfArealDensity(1.0)).moments.xx == pytest.approx(xx, rel=1e-14)
 
+    @pytest.mark.parametrize(("wall", "severity"), [(90.0, None), (110.0, "caution"), (510.0, "serious")])
+    def test_a_wall_that_is_not_thin_is_warned_of(self, tmp_path: Path, wall: float, severity: str | None) -> None:
+        made = solid(stl(tmp_path, BOX), length_unit=LengthUnit("m"), thickness=wall * 1e-3)
+        assert [a.severity for a in made.advice if a.code == "thick-wall"] == ([severity] if severity else [])
+
     def test_an_open_shell_needs_no_proof(self, tmp_path: Path) -> None:
         made = solid(stl(tmp_path, BOX[:1]), amount=OfArealDensity(2.0))
         assert (made.area, made.mass) == (pytest.approx(3.0, rel=1e-15), pytest.approx(6.0, rel=1e-15))
@@ -456,3 +462,19 @@ class TestCommand:
         assert run("inertia", "mesh", name, "--length-unit", "parsec", "--mass", "1 kg").status == 2
         assert run("inertia", "mesh", name, "--length-unit", "mm", "--density", "-1 kg/m^3").status == 2
         assert run("inertia", "mesh", name, "--length-unit", "mm", "--mass", "0 kg").status == 3
+
+
+class TestPicture:
+    def test_three_views_with_triangles(self, tmp_path: Path) -> None:
+        name = stl(tmp_path, BOX)
+        made = solid(name)
+        picture = mesh_picture(made, name, length_unit=LengthUnit("m"))
+        assert [panel.title for panel in picture.panels] == ["xy", "xz", "yz"]
+        lines = picture.panels[0].items[0]
+        finite = [x for x in lines.x if x == x]  # type: ignore[union-attr]
+        assert (min(finite), max(finite), len(finite)) == (0.0, 3.0, 4 * len(BOX))
+
+    def test_large_files_are_thinned(self, tmp_path: Path) -> None:
+        name = write_array(tmp_path / "torus.stl", torus(300, 40))
+        wire = outlines(name, 1e-3)
+        assert DRAWN / 2 < len(wire) / 5 <= DRAWN

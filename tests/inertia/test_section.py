@@ -11,7 +11,9 @@ from mpmath import mp, mpf
 
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.section.contours import Hole, Piece
+from dynamics_cli.inertia.section.pictures import section_picture
 from dynamics_cli.inertia.section.task import section
+from dynamics_cli.pictures import Arrow, Curve, Mark
 
 U = 2.0**-53
 ELL = (0.0, 0.0, 60.0, 0.0, 60.0, 8.0, 8.0, 8.0, 8.0, 40.0, 0.0, 40.0)
@@ -194,3 +196,22 @@ def test_the_command_answers_in_units() -> None:
     document = answer("inertia", "section", "--polygon", "0, 0, 3, 0, 3, 4, 0, 4 in", "--units", "us")
     assert document["results"]["centroidal"]["ix"] == {"value": pytest.approx(16.0, rel=1e-15), "unit": "in⁴"}
     assert document["warnings"][0]["code"] == "not-torsion"
+
+
+def test_the_picture_shows_contours_axes_and_mohrs_circle() -> None:
+    holes = (Hole(diameter=4.0, x=4.0, y=30.0),)
+    made = section(polygon=ELL, holes=holes)
+    shape, mohr = section_picture(made, polygon=ELL, holes=holes).panels
+    curves = [item for item in shape.items if isinstance(item, Curve)]
+    assert [curve.style for curve in curves] == ["solid", "dashed"]
+    assert (curves[0].x[0], curves[0].y[0]) == (curves[0].x[-1], curves[0].y[-1])
+    assert max(curves[1].x) == pytest.approx(6.0)
+    first, second = (item for item in shape.items if isinstance(item, Arrow))
+    assert first.dx * second.dx + first.dy * second.dy == pytest.approx(0.0, abs=1e-9)
+    marks = {item.label: item for item in mohr.items if isinstance(item, Mark)}
+    circle = mohr.items[0]
+    assert isinstance(circle, Curve)
+    assert max(circle.x) == pytest.approx(marks["I1"].x)
+    middle = 0.5 * (marks["x"].x + marks["y"].x)
+    reach = math.hypot(marks["x"].x - middle, marks["x"].y)
+    assert reach == pytest.approx(marks["I1"].x - middle, rel=1e-14)

@@ -22,6 +22,7 @@ SHAPE = Task(
     ),
     arrays=False,
     writers=WRITERS,
+    plot=HERE + "pictures:shape_picture",
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
@@ -104,6 +105,7 @@ BODY = Task(
     tracked=False,
     table="parts",
     writers=WRITERS,
+    plot=HERE + "pictures:body_picture",
     examples=(
         "dynamics inertia body examples/flywheel.toml --shaft-direction 0,0,1",
         "dynamics inertia body examples/payload.toml --about origin --product-sign positive",

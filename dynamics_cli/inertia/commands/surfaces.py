@@ -21,6 +21,7 @@ MESH = Task(
     ),
     arrays=False,
     writers=WRITERS,
+    plot="dynamics_cli.inertia.mesh.pictures:mesh_picture",
     examples=(
         "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
         'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',
@@ -42,6 +43,7 @@ SECTION = Task(
     ),
     arrays=False,
     tracked=False,
+    plot="dynamics_cli.inertia.section.pictures:section_picture",
     examples=(
         'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
         'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',

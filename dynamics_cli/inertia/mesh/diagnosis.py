@@ -139,7 +139,7 @@ def _doubled(faces: "Array") -> "list[int]":
     _, first = np.unique(corners, axis=0, return_index=True)
     later = np.ones(len(faces), dtype=bool)
     later[first] = False
-    return np.flatnonzero(later).tolist()  # type: ignore[no-any-return]
+    return np.flatnonzero(later).tolist()
 
 
 def _edge(points: "Array", edges: _Edges, k: int) -> str:

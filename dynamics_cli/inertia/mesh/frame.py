@@ -55,10 +55,10 @@ class Frame:
         np.add(x, self._grid, out=lead)
         lead -= self._grid
         lost += x - lead
-        x, lost, lead, seen = (m.reshape(3, 3 * size) for m in (x, lost, lead, out))
-        np.matmul(self._high, lost, out=seen)
-        seen += self._low @ x
-        seen += self._high @ lead
+        flat = (3, 3 * size)
+        seen = np.matmul(self._high, lost.reshape(flat), out=out.reshape(flat))
+        seen += self._low @ x.reshape(flat)
+        seen += self._high @ lead.reshape(flat)
         return out
 
 

@@ -32,6 +32,11 @@ class Lift:
             up, down = up * self.ratio[0], down * self.ratio[1]
         return tracked * (up / self.ratio[0]) / (down / self.ratio[1])  # type: ignore[return-value]
 
+    def in_file_unit(self, length: "float | None") -> float:
+        """A length in the unit of the file; none is zero."""
+        up, down = self.ratio
+        return float(getattr(length, "value", length) or 0.0) * down / up
+
     def measure(self) -> float:
         """Volume or area."""
         own = self.moments

@@ -52,4 +52,11 @@ def _by_trimesh(name: str, ending: str) -> "Source":
             f"trimesh cannot read it as {ending}: {str(error) or type(error).__name__}", code="form"
         ) from None
     require(len(faces) > 0, "there are no triangles", code="empty")
+    require(
+        int(faces.min()) >= 0 and int(faces.max()) < len(vertices),
+        "a triangle refers to corner {0} of {1}",
+        int(faces.max()) + 1,
+        len(vertices),
+        code="form",
+    )
     return Corners(name, ending.upper(), vertices, faces)

@@ -1,5 +1,7 @@
 """What is said of a mesh beside its mass properties: checks, advice, the surface."""
 
+from math import sqrt
+
 from dynamics_cli.inertia.mesh.surface import Surface
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.records import Advice, Check
@@ -14,6 +16,8 @@ if TYPE_CHECKING:
 
 # Single precision this coarse against the mean edge is worth a warning.
 COARSE = 1e-3
+# A wall of this share of the part's middle dimension is no longer thin: its own inertia is about that much squared.
+THICK = 0.05
 
 
 def checks_of(found: "Measured", shell: bool) -> tuple[Check, ...]:
@@ -44,12 +48,22 @@ def _quantisation(found: "Measured") -> "float | None":
     if not found.single or found.moments.shell:
         return None
     q = quanta(found.sums)
-    return float((found.sums.squares @ (q * q)) / 6.0) ** 0.5
+    return sqrt(float(found.sums.squares @ (q * q)) / 6.0)
 
 
-def advice_of(found: "Measured", shell: bool) -> tuple[Advice, ...]:
-    """Warnings of open surfaces and of coarse coordinates."""
+def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Advice, ...]:
+    """Warnings of open surfaces, of coarse coordinates, and of walls (in the file's unit) too thick to be thin."""
     out = []
+    middle = sorted((found.sums.high - found.sums.low).tolist())[1]
+    if wall > THICK * middle:
+        out.append(
+            Advice(
+                "thick-wall",
+                f"the wall is {wall / middle:.3g} of the part's middle dimension: a shell takes it for thin",
+                "caution" if wall < 5.0 * THICK * middle else "serious",
+                "model the wall as a solid with an inner surface",
+            )
+        )
     sums = found.sums
     if not shell and not found.closed:
         out.append(

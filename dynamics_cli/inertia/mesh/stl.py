@@ -199,6 +199,6 @@ def _numbers(text: bytes) -> "Block":
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)
         try:
-            return np.fromstring(text, dtype=np.float64, sep=" ")  # type: ignore[call-overload,no-any-return]
+            return np.fromstring(text, dtype=np.float64, sep=" ")
         except ValueError:
             return np.empty(0)

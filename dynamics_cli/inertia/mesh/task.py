@@ -139,7 +139,7 @@ def mesh(
         area=measure if shell else None,
         spread=lift.spread(density),
         checks=checks_of(found, shell),
-        advice=advice_of(found, shell),
+        advice=advice_of(found, shell=shell, wall=lift.in_file_unit(thickness)),
         numerics=Numerics(AGAIN if found.again else METHOD),
     )
     whole = MassProperties(**{**made.__dict__, "surface": surface_of(found, lift)})

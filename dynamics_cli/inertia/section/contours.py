@@ -98,8 +98,8 @@ def contours(
     if polygon:
         require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
         made.append(("the polygon", 1, [(part,) for part in polygon], 0.0))
-    for kind, sign, items in (("piece", 1, pieces), ("hole", -1, holes)):
-        made += [_shape(f"{kind} {index}", sign, item) for index, item in enumerate(items, 1)]
+    made += [_shape(f"piece {index}", 1, item) for index, item in enumerate(pieces, 1)]
+    made += [_shape(f"hole {index}", -1, item) for index, item in enumerate(holes, 1)]
     require(
         any(sign > 0 for _, sign, _, _ in made),
         "there is no material",

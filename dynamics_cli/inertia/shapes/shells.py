@@ -141,7 +141,7 @@ class FrustumShell:
 
     def unit(self) -> Unit:
         """Of mass one."""
-        a, b, h = self.closed_radius, self.top_radius, self.height
+        a, b, h = self.base_radius, self.top_radius, self.height
         both = a + b
         require(both > 0.0, "a frustum needs a base or a top", code="frustum")
         own = 0.25 * (a * a + b * b)

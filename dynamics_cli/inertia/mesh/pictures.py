@@ -1,0 +1,36 @@
+"""Three views of a mesh with its principal axes and the ellipsoid of the same mass and inertia."""
+
+from dynamics_cli.inertia.mesh.opening import open_mesh
+from dynamics_cli.inertia.pictures import drawn_picture
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.inertia.mesh.surface import LengthUnit
+    from dynamics_cli.inertia.properties import MassProperties
+    from dynamics_cli.inertia.wires import Wire
+    from dynamics_cli.pictures import Picture
+
+# Triangles drawn at most: enough to know a part by, few enough for a file that opens.
+DRAWN = 1500
+NAN = float("nan")
+
+
+def mesh_picture(answer: "MassProperties", file: str, *, length_unit: "LengthUnit", **_: object) -> "Picture":
+    """A mesh by triangles spread evenly over its file, with its axes and ellipsoid."""
+    up, down = length_unit.ratio
+    return drawn_picture(answer, [([outlines(file, up / down)], False)], "")
+
+
+def outlines(file: str, metres: float) -> "Wire":
+    """Triangles as one line, broken between them."""
+    source = open_mesh(file)
+    count = source.count or sum(block.shape[1] for block in source.blocks())
+    step = -(-count // DRAWN)
+    wire, at = [], 0
+    for block in source.blocks():
+        chosen = block[:, -at % step :: step]
+        for numbers in (metres * chosen.T.astype(float)).tolist():
+            a, b, c = (tuple(numbers[k : k + 3]) for k in (0, 3, 6))
+            wire += [a, b, c, a, (NAN, NAN, NAN)]
+        at += block.shape[1]
+    return wire

@@ -1,0 +1,85 @@
+"""A section with its centroid and principal axes, and Mohr's circle of its second moments."""
+
+from math import cos, hypot, pi, sin
+
+from dynamics_cli.inertia.section.contours import contours
+from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Coordinate, SecondMoment
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.inertia.section.contours import Hole, Piece
+    from dynamics_cli.inertia.section.task import SectionProperties
+
+STEPS = 96
+# Points of Mohr's circle this close, as a share of its radius, share a name.
+CLOSE = 0.06
+MATERIAL, CUT, AXES = 0, 1, 2
+
+
+def section_picture(
+    answer: "SectionProperties",
+    *,
+    polygon: "tuple[float, ...]" = (),
+    pieces: "tuple[Piece, ...]" = (),
+    holes: "tuple[Hole, ...]" = (),
+    **_: object,
+) -> Picture:
+    """The section and its principal axes; Mohr's circle."""
+    return Picture((_shape(answer, polygon, pieces, holes), _mohr(answer)), "section", columns=2)
+
+
+def _shape(
+    answer: "SectionProperties",
+    polygon: "tuple[float, ...]",
+    pieces: "tuple[Piece, ...]",
+    holes: "tuple[Hole, ...]",
+) -> Panel:
+    found, power = contours(polygon, pieces, holes)
+    unit = float(1 << power)
+    items: list[Curve | Mark | Arrow] = []
+    for contour in found:
+        points = [(x / unit, y / unit) for x, y in contour.corners]
+        if contour.diameter:
+            (x0, y0), r = points[0], 0.5 * (contour.diameter / unit)
+            points = [(x0 + r * cos(t), y0 + r * sin(t)) for t in _turns()]
+        else:
+            points.append(points[0])
+        style, role = ("solid", MATERIAL) if contour.sign > 0 else ("dashed", CUT)
+        items.append(Curve([x for x, _ in points], [y for _, y in points], contour.name, style, role))  # type: ignore[arg-type]
+    for length, angle, name in (
+        (answer.gyration.r2, answer.principal.angle, "1"),
+        (answer.gyration.r1, answer.principal.angle + 0.5 * pi, "2"),
+    ):
+        items.append(Arrow(answer.x, answer.y, 1.5 * length * cos(angle), 1.5 * length * sin(angle), name, AXES))
+    items.append(Mark(answer.x, answer.y, "centroid"))
+    return Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "section", equal=True)
+
+
+def _mohr(answer: "SectionProperties") -> Panel:
+    """The circle of (I, product) over all directions: its diameter joins the points of x and of y."""
+    at, main = answer.centroidal, answer.principal
+    centre, radius = 0.5 * (main.i1 + main.i2), 0.5 * (main.i1 - main.i2)
+    items = (
+        Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()], "all directions"),
+        Curve([at.ix, at.iy], [at.ixy, -at.ixy], "x and y", "dashed"),
+        *_marks(answer, radius),
+    )
+    axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
+    return Panel(*axes, items, "Mohr's circle", equal=True)
+
+
+def _marks(answer: "SectionProperties", radius: float) -> "list[Mark]":
+    """The directions x and y and the principal ones, named together where they fall together."""
+    at, main = answer.centroidal, answer.principal
+    given = [(at.ix, at.ixy, "x"), (at.iy, -at.ixy, "y")]
+    out = []
+    for value, name in ((main.i1, "I1"), (main.i2, "I2")):
+        near = [word for x, y, word in given if hypot(x - value, y) < CLOSE * radius]
+        given = [one for one in given if one[2] not in near]
+        out.append(Mark(value, 0.0, ", ".join((name, *near))))
+    return out + [Mark(*one) for one in given]
+
+
+def _turns() -> "list[float]":
+    return [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
