@@ -325,19 +325,18 @@ def momentum_and_energy(
     require_sizes(first=first, second=second, damage=damage, gravity=gravity)
     masses = _masses(first, second, gravity)
     energy = _deformation(damage, masses)
-    for one in (first, second):
-        require(
-            one.approach_heading is not None and one.exit_speed is not None and one.exit_heading is not None,
-            "the energy route needs of both vehicles the heading before, and the speed and heading after",
-            code="not-enough",
-        )
+    terms = _terms(first, second, masses)
+    require(
+        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
+        "the energy route needs of both vehicles the heading before, and the speed and heading after",
+        code="not-enough",
+    )
     require(
         first.approach_speed is None and second.approach_speed is None,
         "momentum and energy give both approach speeds; one of them is given",
         code="too-much",
         hint="leave out the approach speeds, or the energies of deformation",
     )
-    terms = _terms(first, second, masses)
     line = terms[0].heading
     assert line is not None
     bend = sin(terms[1].heading - line)  # type: ignore[operator]
