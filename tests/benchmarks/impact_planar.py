@@ -209,7 +209,9 @@ def space() -> None:
         found = 0.0
         for k, u, mu, e, exact in scenes:
             size = mp.sqrt(sum(x * x for x in exact))
-            found = max(found, *(float(abs(mpf(a) - b) / size) for a, b in zip(function(k, u, mu, e), exact, strict=True)))
+            found = max(
+                found, *(float(abs(mpf(a) - b) / size) for a, b in zip(function(k, u, mu, e), exact, strict=True))
+            )
         return found
 
     print(f"\n{'impact in space':44s}{'per impact':>14s}{'largest error':>16s}")
