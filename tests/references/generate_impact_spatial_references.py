@@ -47,27 +47,28 @@ def scenes() -> list[tuple[str, str, str, list[list[float]], list[float], float,
         found.append((f"{name}, {law}", "hard", why, k, u, mu, e, law))
 
     for law in LAWS:
-        hard("slip turns at once near zero", "the slip passes zero at a hundredth of its size and comes out another way",
+        hard("slip turns at once near zero", "the slip passes zero at a part of its size and comes out another way",
              k, [0.3, -0.62, -1.0], 0.25, 0.5, law)  # fmt: skip
         hard("slip stops and sticks", "slip approaches zero along the one direction that its rate keeps", k,
              [0.4, 0.3, -1.0], 0.9, 0.6, law)  # fmt: skip
         hard("slip stops and starts anew", "friction cannot hold: the way out is a root of its own",
              symmetric(1.3, -0.5, 0.7, 5.5, -0.1, 1.1), [-0.48, -0.78, -1.0], 0.44, 0.6, law)  # fmt: skip
-        hard("jam", "the normal velocity falls at first, so that it is no clock", symmetric(26.0, 0.5, -15.0, 3.0, 0.4, 10.0),
-             [-6.0, 0.7, -1.0], 1.5, 0.5, law)  # fmt: skip
+        hard("jam", "the normal velocity falls at first, so that it is no clock",
+             symmetric(26.0, 0.5, -15.0, 3.0, 0.4, 10.0), [-6.0, 0.7, -1.0], 1.5, 0.5, law)  # fmt: skip
         hard("grazing", "slip is nine orders above the approach", k, [12.0, -3.0, -1e-9], 0.4, 0.5, law)
         hard("hardly any slip", "slip is twelve orders below the approach", k, [1e-12, -2e-12, -1.0], 0.3, 0.5, law)
     hard("from rest, held", "no slip at first: stick is decided by K alone", k, [0.0, 0.0, -1.0], 0.6, 0.5, "stronge")
-    hard("from rest, not held", "no slip at first: it starts along the way out", symmetric(2.0, 0.1, -1.2, 2.2, 0.3, 1.6),
-         [0.0, 0.0, -1.0], 0.3, 0.5, "stronge")  # fmt: skip
+    hard("from rest, not held", "no slip at first: it starts along the way out",
+         symmetric(2.0, 0.1, -1.2, 2.2, 0.3, 1.6), [0.0, 0.0, -1.0], 0.3, 0.5, "stronge")  # fmt: skip
     hard("plastic", "the law's end is that of compression", k, [1.0, 2.0, -1.0], 0.3, 0.0, "stronge")
     hard("elastic", "nothing may be lost but to friction", k, [1.0, 2.0, -1.0], 0.3, 1.0, "stronge")
     hard("threshold of stick", "friction is that which just holds, rounded", symmetric(2.0, 0.0, -1.0, 2.0, 0.0, 2.0),
          [0.3, 0.2, -1.0], 0.5, 0.5, "stronge")  # fmt: skip
     hard("threshold of stick, just below", "friction is one rounding short of what holds",
-         symmetric(2.0, 0.0, -1.0, 2.0, 0.0, 2.0), [0.3, 0.2, -1.0], math.nextafter(0.5, 0.0), 0.5, "stronge")  # fmt: skip
-    hard("planar in space", "the slip keeps its line, the closed form is known", symmetric(2.0, 0.0, -1.0, 3.0, 0.0, 2.0),
-         [0.5, 0.0, -1.0], 0.4, 0.5, "stronge")  # fmt: skip
+         symmetric(2.0, 0.0, -1.0, 2.0, 0.0, 2.0), [0.3, 0.2, -1.0], math.nextafter(0.5, 0.0), 0.5,
+         "stronge")  # fmt: skip
+    hard("planar in space", "the slip keeps its line, the closed form is known",
+         symmetric(2.0, 0.0, -1.0, 3.0, 0.0, 2.0), [0.5, 0.0, -1.0], 0.4, 0.5, "stronge")  # fmt: skip
     hard("long lever", "K is nearly singular", symmetric(2.0001, 1.9, -1.95, 2.0002, -1.95, 2.0003), [0.7, -0.2, -1.0],
          0.4, 0.5, "stronge")  # fmt: skip
     return found
