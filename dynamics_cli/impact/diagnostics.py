@@ -77,7 +77,7 @@ def _require_size(name: str, value: object) -> None:
         for index, part in enumerate(value):
             _require_size(f"{name}[{index}]", part)
     else:
-        size = abs(value)  # type: ignore[arg-type]
+        size: float = abs(value)  # type: ignore[arg-type]
         require(
             (size == 0.0) | ((size > SMALLEST) & (size < LARGEST)),
             name + " is {0:.3g} in SI units: the calculation holds sizes from 1e-40 to 1e40",

@@ -19,6 +19,7 @@ from dynamics_cli.impact.conventions import (
     velocity_of,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
+from dynamics_cli.impact.hunt_crossley import HuntCrossley
 from dynamics_cli.impact.oblique_records import AfterOblique, Centres, Met, Moving, Normal, ObliqueImpact, Offset
 from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, sqrt, where
@@ -37,7 +38,7 @@ def oblique(
     second: Met,
     line: Normal | Centres | Offset,
     contact: Restituted | Energetic,
-    force: Spring | Hertz | None = None,
+    force: Spring | Hertz | HuntCrossley | None = None,
     axes: Axes = AXES,
     pdof_zero: PdofZero = PDOF_ZERO,
     gravity: Gravity = STANDARD_GRAVITY,
@@ -58,7 +59,7 @@ def oblique(
         The line of impact: its direction, the centres of two spheres, or how far off centre they meet.
     contact : Restituted | Energetic
         Coefficient of restitution, or the ratio of speeds of a contact that gives energy.
-    force : Spring | Hertz
+    force : Spring | Hertz | HuntCrossley
         Stiffness of the contact, for duration and peak force.
     axes : Axes
         Axes of velocities and headings: mathematical, compass, sae or iso.
