@@ -102,7 +102,7 @@ class RigidBody:
     spin : AngularSpeed
         Angular velocity before, counted like headings from x towards y [rad/s].
     nose : Angle
-        Heading of its nose, for PDOF and for a contact measured on the body; its direction of travel when left out [rad].
+        Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].
     """
 
     bulk: ByMass | ByWeight
@@ -130,7 +130,7 @@ class RigidTarget:
     spin : AngularSpeed
         Angular velocity before, counted like headings from x towards y [rad/s].
     nose : Angle
-        Heading of its nose, for PDOF and for a contact measured on the body; its direction of travel when left out [rad].
+        Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].
     """
 
     bulk: ByMass | ByWeight | Fixed

@@ -4,6 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.contact import Push, push
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
 from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_finite, require_sizes, single
+from dynamics_cli.impact.hunt_crossley import HuntCrossley
 from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, multiply_add, where
 from dynamics_cli.quantities import (
@@ -143,7 +144,7 @@ def central(
     second: Struck,
     contact: Restituted | Energetic,
     closing_speed: RoadSpeed | None = None,
-    force: Spring | Hertz | None = None,
+    force: Spring | Hertz | HuntCrossley | None = None,
     gravity: Gravity = STANDARD_GRAVITY,
 ) -> CentralImpact:
     """Two bodies meet head on: velocities after, impulse and energy from masses, velocities and restitution.
@@ -162,7 +163,7 @@ def central(
         Coefficient of restitution, or the ratio of speeds of a contact that gives energy.
     closing_speed : RoadSpeed
         Relative speed before, where it is known better than the difference of two velocities tells [m/s].
-    force : Spring | Hertz
+    force : Spring | Hertz | HuntCrossley
         Stiffness of the contact, for duration and peak force.
     gravity : Gravity
         Acceleration of gravity, for bodies given by weight [m/s^2].

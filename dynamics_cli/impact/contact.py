@@ -1,6 +1,7 @@
 """How long a central impact lasts and how hard it pushes, where the contact has a stiffness."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.impact.hunt_crossley import HuntCrossley, shape
 from dynamics_cli.impact.springs import HALF_PI, HERTZ_QUARTER, Hertz, Spring
 from dynamics_cli.numerics.elementary import exp, log, sqrt
 from dynamics_cli.quantities import Force, Size, Time
@@ -14,9 +15,9 @@ class Push:
     Parameters
     ----------
     duration : Time
-        Time from touch to release: compression, and e times as long for restitution [s].
+        Time from touch to release [s].
     peak_force : Force
-        Greatest force, at the greatest compression [N].
+        Greatest force [N].
     mean_force : Force
         Impulse over duration [N].
     compression : Size
@@ -29,10 +30,13 @@ class Push:
     compression: Size
 
 
-def push(force: Spring | Hertz | None, reduced: float, closing: float, restitution: float) -> Push | None:
+def push(
+    force: Spring | Hertz | HuntCrossley | None, reduced: float, closing: float, restitution: float
+) -> Push | None:
     """Duration and forces of a spring, F = kδ, or of Hertz's law, F = ⁴⁄₃ E*√R δ^1.5, that unloads to e² of the work.
 
-    Unloading falls from the peak by the same power of a deflection e² as large, which takes e times as long.
+    Unloading falls from the peak by the same power of a deflection e² as large, which takes e times as long. Hunt and
+    Crossley's loss acts all the while: F = k δ^1.5 (1 + c δ̇), c such that the restitution comes out.
     """
     if force is None:
         return None
@@ -44,9 +48,20 @@ def push(force: Spring | Hertz | None, reduced: float, closing: float, restituti
     else:
         stiffness = (4.0 / 3.0) * force.contact_modulus * sqrt(force.contact_radius)
         require(stiffness > 0.0, "a contact of stiffness {0:.6g} does not push", stiffness, code="no-stiffness")
+        if isinstance(force, HuntCrossley):
+            return _lossy(force, stiffness, reduced, closing, restitution)
         work = 1.25 * reduced * closing * closing
         require(work > 1e-290, "the impact is too weak: it leaves the range of a double", code="range")
         depth, quarter = exp(0.4 * log(work / stiffness)), HERTZ_QUARTER
         peak, pace = work / depth, depth / closing
     duration = (1.0 + restitution) * quarter * pace
     return Push(duration, peak, (1.0 + restitution) * reduced * closing / duration, depth)
+
+
+def _lossy(force: HuntCrossley, stiffness: float, reduced: float, closing: float, restitution: float) -> Push:
+    require(force.hunt_crossley, "--hunt-crossley is a yes or nothing", code="flag")
+    time, peak, depth = shape(restitution)
+    work = reduced * closing * closing
+    unit = exp(0.4 * log(work / stiffness))
+    duration = time * (unit / closing)
+    return Push(duration, peak * (work / unit), (1.0 + restitution) * reduced * closing / duration, depth * unit)

@@ -5,6 +5,8 @@ from dynamics_cli.records import Check
 
 # Between these, products and quotients of several numbers keep all their digits.
 SMALLEST, LARGEST = 1e-40, 1e40
+# An angle may be as small as it likes.
+ANGLES = ("heading", "nose", "angle", "swing", "normal")
 # A residual check that fails is a fault of the program, so it leaves room for sums of many roundings.
 TOLERANCE = 1e-12
 
@@ -65,7 +67,7 @@ def require_sizes(**given: object) -> None:
 
 
 def _require_size(name: str, value: object) -> None:
-    if value is None or isinstance(value, (str, bool)):
+    if value is None or isinstance(value, (str, bool)) or name.endswith(ANGLES):
         return
     fields = getattr(value, "fields", None)
     if fields is not None:
@@ -75,7 +77,7 @@ def _require_size(name: str, value: object) -> None:
         for index, part in enumerate(value):
             _require_size(f"{name}[{index}]", part)
     else:
-        size = abs(value)  # type: ignore[arg-type]
+        size: float = abs(value)  # type: ignore[arg-type]
         require(
             (size == 0.0) | ((size > SMALLEST) & (size < LARGEST)),
             name + " is {0:.3g} in SI units: the calculation holds sizes from 1e-40 to 1e40",

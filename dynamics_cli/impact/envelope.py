@@ -365,7 +365,7 @@ def _report(region: _Region, one: Solid, two: Solid, inward: "tuple[float, float
         for name in ("first", "second") if ranges[name] is not None for end in ("least", "greatest")
     )  # fmt: skip
     greatest = region.greatest["lost"][0]
-    checks = ()
+    checks: tuple[Check, ...] = ()
     if region.law == "stronge":
         least = region.least["lost"][0]
         scale = max(abs(greatest), 1e-300)

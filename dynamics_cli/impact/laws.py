@@ -200,7 +200,7 @@ def _history(m: Meeting, ended: bool, sticks: bool) -> str:
 
 def _capped(
     k: Mobility, det: float, tangential: float, normal: float, friction: float
-) -> tuple[float, float, float, bool]:
+) -> tuple[float, float, bool, bool]:
     """Impulse of a velocity change (tangential, normal), its ratio capped at μ with its sign kept; whether it stuck."""
     along, across = _pair(k, tangential, normal)
     holds = (absolute(along) <= friction * across) & (across > 0.0)

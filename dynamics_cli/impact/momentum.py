@@ -6,182 +6,25 @@ from dynamics_cli.impact.conventions import (
     AXES,
     PDOF_ZERO,
     Axes,
-    ByMass,
-    ByWeight,
-    Conventions,
-    DeltaV,
     PdofZero,
-    clock,
     conventions,
-    direction_of,
     heading_of,
     mass_of,
-    pdof,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, plain, require_sizes, single
+from dynamics_cli.impact.momentum_exchange import Exchange, change_of_velocity
+from dynamics_cli.impact.momentum_records import CrushEnergies, EquivalentSpeeds, MomentumFound, Reconstructed, Vehicle
 from dynamics_cli.impact.momentum_terms import CAUTION, Branch, Term, solve
 from dynamics_cli.numerics.elementary import absolute, cos, hypot, sin, sqrt, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
-    Angle,
-    Energy,
     Gravity,
-    Impulse,
-    Ratio,
-    RoadSpeed,
-    Speed,
-    Text,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, Check
 
 Pair = tuple[float, float]
 # Paths this close to one line (sine of 10 degrees) may be taken as collinear.
 COLLINEAR = 0.17364817766693033
-
-
-@record
-class Vehicle:
-    """A vehicle before and after; what is left out is unknown, up to two quantities in all.
-
-    Parameters
-    ----------
-    bulk : ByMass | ByWeight
-        Its mass or its weight.
-    approach_speed : RoadSpeed
-        Speed just before the impact [m/s].
-    approach_heading : Angle
-        Direction of travel just before the impact [rad].
-    exit_speed : RoadSpeed
-        Speed of the mass centre just after the impact [m/s].
-    exit_heading : Angle
-        Direction of travel of the mass centre just after the impact [rad].
-    nose : Angle
-        Heading of its nose, for PDOF; its approach heading when left out [rad].
-    """
-
-    bulk: ByMass | ByWeight
-    approach_speed: RoadSpeed | None = None
-    approach_heading: Angle | None = None
-    exit_speed: RoadSpeed | None = None
-    exit_heading: Angle | None = None
-    nose: Angle | None = None
-
-
-@record
-class CrushEnergies:
-    """Damage by the energies of deformation.
-
-    Parameters
-    ----------
-    first_crush_energy : Energy
-        Energy of deformation of the first vehicle [J].
-    second_crush_energy : Energy
-        Energy of deformation of the second vehicle [J].
-    """
-
-    first_crush_energy: Energy
-    second_crush_energy: Energy
-
-
-@record
-class EquivalentSpeeds:
-    """Damage by energy equivalent speeds.
-
-    Parameters
-    ----------
-    first_ees : RoadSpeed
-        Energy equivalent speed of the first vehicle: ½ m EES² is its energy of deformation [m/s].
-    second_ees : RoadSpeed
-        Energy equivalent speed of the second vehicle [m/s].
-    """
-
-    first_ees: RoadSpeed
-    second_ees: RoadSpeed
-
-
-@record
-class Reconstructed:
-    """One vehicle, reconstructed.
-
-    Parameters
-    ----------
-    approach_speed : RoadSpeed
-        Speed before [m/s].
-    approach_heading : Angle
-        Direction of travel before [rad].
-    exit_speed : RoadSpeed
-        Speed after [m/s].
-    exit_heading : Angle
-        Direction of travel after [rad].
-    delta_v : DeltaV
-        Change of velocity, and where the force came from.
-    energy_change : Energy
-        Change of the kinetic energy of the mass centre [J].
-    """
-
-    approach_speed: RoadSpeed
-    approach_heading: Angle
-    exit_speed: RoadSpeed
-    exit_heading: Angle
-    delta_v: DeltaV
-    energy_change: Energy
-
-
-@record
-class MomentumFound:
-    """Both vehicles before and after, and how far the answer can be trusted.
-
-    Parameters
-    ----------
-    first : Reconstructed
-        The first vehicle.
-    second : Reconstructed
-        The second vehicle.
-    angle_condition : Ratio
-        Cotangent of half the angle between the lines of the unknown speeds: 1 at 90 degrees, 11 at 10 [-].
-    verdict : Text
-        good up to 4, caution above; above 12 the answer is refused.
-    impulse : Impulse
-        Size of the impulse between the vehicles [N·s].
-    impulse_heading : Angle
-        Direction of the impulse on the first vehicle [rad].
-    closing_speed : RoadSpeed
-        Relative speed of the mass centres before [m/s].
-    closing_along_impulse : Speed
-        The part of it along the impulse, positive when they approach [m/s].
-    separation_along_impulse : Speed
-        Relative speed of the mass centres after, along the impulse, positive when they part [m/s].
-    restitution : Ratio
-        Separation over closing along the impulse, of the mass centres [-].
-    energy_lost : Energy
-        Kinetic energy of the mass centres turned into other forms, spins among them [J].
-    total_momentum : Impulse
-        Size of the momentum of both [N·s].
-    momentum_heading : Angle
-        Its direction [rad].
-    closure : Impulse
-        Momentum that is left over when fewer than two quantities are unknown [N·s].
-    conventions : Conventions
-        Axes, headings and the zero of PDOF.
-    """
-
-    first: Reconstructed
-    second: Reconstructed
-    angle_condition: Ratio | None
-    verdict: Text | None
-    impulse: Impulse
-    impulse_heading: Angle
-    closing_speed: RoadSpeed
-    closing_along_impulse: Speed
-    separation_along_impulse: Speed
-    restitution: Ratio
-    energy_lost: Energy
-    total_momentum: Impulse
-    momentum_heading: Angle
-    closure: Impulse | None
-    conventions: Conventions
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
 
 
 def momentum(
@@ -325,19 +168,18 @@ def momentum_and_energy(
     require_sizes(first=first, second=second, damage=damage, gravity=gravity)
     masses = _masses(first, second, gravity)
     energy = _deformation(damage, masses)
-    for one in (first, second):
-        require(
-            one.approach_heading is not None and one.exit_speed is not None and one.exit_heading is not None,
-            "the energy route needs of both vehicles the heading before, and the speed and heading after",
-            code="not-enough",
-        )
+    terms = _terms(first, second, masses)
+    require(
+        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
+        "the energy route needs of both vehicles the heading before, and the speed and heading after",
+        code="not-enough",
+    )
     require(
         first.approach_speed is None and second.approach_speed is None,
         "momentum and energy give both approach speeds; one of them is given",
         code="too-much",
         hint="leave out the approach speeds, or the energies of deformation",
     )
-    terms = _terms(first, second, masses)
     line = terms[0].heading
     assert line is not None
     bend = sin(terms[1].heading - line)  # type: ignore[operator]
@@ -406,71 +248,6 @@ def _deformation(damage: CrushEnergies | EquivalentSpeeds, masses: Pair) -> floa
     return damage.first_crush_energy + damage.second_crush_energy
 
 
-def _velocity(term: Term, axes: Axes) -> Pair:
-    x, y = direction_of(term.heading, axes)  # type: ignore[arg-type]
-    return term.speed * x, term.speed * y  # type: ignore[operator]
-
-
-class Exchange:
-    """The impulse on the first vehicle along any heading, from whichever vehicle has the smaller momenta.
-
-    Differences of headings go into sine and cosine, so what a speed cannot reach does not spoil it.
-    """
-
-    def __init__(self, terms: list[Term], axes: Axes) -> None:
-        self.terms = terms
-        self.plane = [_velocity(term, axes) for term in terms]
-        self.left = -1.0 if axes == "compass" else 1.0
-        amounts = [absolute(t.amount) for t in terms]
-        self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
-
-    def _turned(self, index: int, heading: float | None) -> Pair:
-        """Velocity of one vehicle along a heading (None: that of the scene's axes) and across it."""
-        term = self.terms[index]
-        if heading is None:
-            return self.plane[index]
-        if heading is term.heading:
-            return term.speed, 0.0  # type: ignore[return-value]
-        apart = term.heading - heading  # type: ignore[operator]
-        return term.speed * cos(apart), self.left * (term.speed * sin(apart))  # type: ignore[operator]
-
-    def components(self, heading: float | None) -> Pair:
-        """Impulse along a heading, and to its left (in SAE axes to its right); along the axes x and y for None."""
-        smaller = self.first_smaller
-        found: list[Pair] = []
-        for before, after, mass, wanted in (
-            (0, 2, self.terms[0].mass, smaller),
-            (3, 1, self.terms[1].mass, ~smaller if hasattr(smaller, "ndim") else not smaller),
-        ):
-            if not hasattr(smaller, "ndim") and not wanted:
-                continue
-            old, new = self._turned(before, heading), self._turned(after, heading)
-            found.append((mass * (new[0] - old[0]), mass * (new[1] - old[1])))
-        if len(found) == 1:
-            return found[0]
-        return where(smaller, found[0][0], found[1][0]), where(smaller, found[0][1], found[1][1])
-
-
-def _delta_v(
-    exchange: Exchange, impulse: Pair, sign: float, term: Term, nose: float, axes: Axes, zero: PdofZero
-) -> DeltaV:
-    """ΔV of one vehicle from the impulse, in the scene's axes and its own."""
-    change = sign / term.mass
-    along, across = exchange.components(nose)
-    facing = along, across
-    if zero != "heading":
-        facing = exchange.components(term.heading if zero == "travel" else 0.0)
-    angle = _pdof(sign * facing[0], sign * facing[1], axes)
-    hours = angle if zero == "heading" else _pdof(sign * along, sign * across, axes)
-    x, y = change * impulse[0], change * impulse[1]
-    return DeltaV((x, y), hypot(x, y), change * along, change * across, angle, clock(hours))
-
-
-def _pdof(along: float, across: float, axes: Axes) -> float:
-    """PDOF of an impulse with parts along and across the zero."""
-    return pdof((along, across), (1.0, 0.0), axes)
-
-
 def _answer(
     terms: list[Term],
     vehicles: tuple[Vehicle, Vehicle],
@@ -494,7 +271,7 @@ def _answer(
         bodies.append(
             Reconstructed(
                 *(term.speed, term.heading, after.speed, after.heading),  # type: ignore[arg-type]
-                delta_v=_delta_v(exchange, impulse, sign, term, nose, axes, zero),  # type: ignore[arg-type]
+                delta_v=change_of_velocity(exchange, impulse, sign, term, nose, axes, zero),  # type: ignore[arg-type]
                 energy_change=gained,
             )
         )

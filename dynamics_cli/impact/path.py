@@ -1,6 +1,6 @@
 """The closed-form path of a planar impact with friction (Routh, Keller): slip, then stick or reversed slip, to its end.
 
-All is in the contact's own frame: u = (u_t, u_n) is the velocity of body 1 relative to body 2 at the contact, the normal
+All is in the contact's own frame: u = (u_t, u_n) is the velocity of body 1 relative to body 2 there, the normal
 points at body 1, so u_n < 0 approaches; p = (p_t, p_n) acts on body 1 and u grows by K p, K = [[k_t, k_x], [k_x, k_n]].
 Every function takes single numbers, arrays and tracked numbers.
 """

@@ -1,7 +1,7 @@
 """A scene of two bodies and one contact, answered by the smallest model that it calls for.
 
-All models see the scene through one matrix K in the frame of its contact; each leaves out what this scene does not have:
-`spatial` nothing, `planar` the turning of the slip, `oblique` all friction and spin, `central` all motion across the line.
+All models see the scene through one matrix K in the frame of its contact; each leaves out what a scene does not have:
+`spatial` nothing, `planar` the turning of the slip, `oblique` friction and spin, `central` all motion across the line.
 """
 
 from dynamics_cli.errors import require

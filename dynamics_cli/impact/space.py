@@ -74,14 +74,17 @@ def combine(frame: Matrix, parts: Vector) -> Vector:
 
 
 def add(a: Vector, b: Vector) -> Vector:
+    """Sum."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
+    """Difference."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def determinant(matrix: Matrix) -> float:
+    """Determinant, by the triple product."""
     return dot(matrix[0], cross(matrix[1], matrix[2]))
 
 
@@ -93,6 +96,7 @@ def inverse(matrix: Matrix) -> Matrix:
 
 
 def scaled(a: Vector, factor: float) -> Vector:
+    """Multiple."""
     return a[0] * factor, a[1] * factor, a[2] * factor
 
 

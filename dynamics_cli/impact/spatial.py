@@ -256,6 +256,7 @@ def certified(
 
 
 def solid(body: BodyInSpace | TargetInSpace, contact: Vector | None, gravity: float, name: str) -> SolidInSpace:
+    """Read a body; refuses one without mass, inertia or lever that needs them."""
     nose = nose_in_plane(body.nose, body.velocity)
     if isinstance(body.bulk, Fixed):
         require(body.bulk.fixed, name + " has neither mass nor weight and is not fixed", code="no-mass")
@@ -270,6 +271,7 @@ def solid(body: BodyInSpace | TargetInSpace, contact: Vector | None, gravity: fl
 
 
 def lever_of(arm: LeverInSpace | PlacedInSpace, contact: Vector | None, name: str) -> Vector:
+    """From the mass centre to the contact."""
     if isinstance(arm, LeverInSpace):
         return arm.lever
     require(

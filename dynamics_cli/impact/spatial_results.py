@@ -220,6 +220,9 @@ def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
     )
 
 
+State = tuple[SolidInSpace, AfterSpatial]
+
+
 def certificate(
     answer: SpatialImpact,
     end: End,
@@ -233,30 +236,10 @@ def certificate(
     """Momentum, angular momentum, velocities at the contact, energy, friction, no tension, the law's own definition."""
     size = answer.impulse_magnitude
     states = (bodies[0], answer.first), (bodies[1], answer.second)
-    checks: tuple[Check, ...] = ()
-    if all(body.mass is not None for body, _ in states):
-        for axis, letter in enumerate("xyz"):
-            held = sum(body.mass * body.velocity[axis] for body, _ in states)  # type: ignore[operator]
-            left = sum(body.mass * end_.velocity[axis] for body, end_ in states)  # type: ignore[operator]
-            scale = size + sum(abs(body.mass * body.velocity[axis]) for body, _ in states)  # type: ignore[operator]
-            checks += balance(f"momentum along {letter}", held, left, scale)
-    for (body, after), name in zip(states, ("first", "second"), strict=True):
-        if body.mass is None or body.inertia is None:
-            continue
-        reach = sqrt(dot(body.lever, body.lever))
-        worst = scale = 0.0
-        held = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
-        left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
-        apart = subtract(held, left)
-        worst = sqrt(dot(apart, apart))
-        scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
-        checks += balance(f"angular momentum of the {name} about the contact", worst, 0.0, scale)
-    moved = [add(after.velocity, cross(after.spin, body.lever)) for body, after in states]
-    relative = subtract(moved[0], moved[1])
-    speeds = sum(sqrt(dot(v, v)) for v in moved) + abs(before[2]) + hypot(before[0], before[1])
-    speeds += sum(sqrt(dot(b.spin, b.spin)) * sqrt(dot(b.lever, b.lever)) for b in bodies)
-    for axis, value, name in zip(frame, end.velocity, ("slip 1", "slip 2", "separation"), strict=True):
-        checks += balance(f"{name} at the contact", dot(relative, axis), value, speeds)
+    checks = _momentum(states, size)
+    for state, name in zip(states, ("first", "second"), strict=True):
+        checks += _turning(*state, name, size)
+    checks += _contact(states, end, frame, before)
     work = end.work + end.heat + abs(answer.first.energy_change) + abs(answer.second.energy_change)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
@@ -267,8 +250,49 @@ def certificate(
     checks += not_above("friction at most μ times the normal impulse", answer.tangential_impulse, limit, size)
     name = f"restitution as {law} defines it"
     if law == "newton":
-        return checks + balance(name, answer.separation_speed, restitution * answer.closing_speed, speeds)
+        return checks + balance(name, end.velocity[2], -restitution * before[2], abs(before[2]))
     if law == "poisson":
-        back = answer.normal_impulse - answer.compression_impulse
-        return checks + balance(name, back, restitution * answer.compression_impulse, answer.normal_impulse)
+        back = end.impulse[2] - end.compression
+        return checks + balance(name, back, restitution * end.compression, end.impulse[2])
     return checks + balance(name, end.work_back, restitution * restitution * end.work, end.work)
+
+
+def _momentum(states: tuple[State, State], size: float) -> tuple[Check, ...]:
+    """Linear momentum of both bodies, or none where one is fixed."""
+    checks: tuple[Check, ...] = ()
+    (one, first), (two, second) = states
+    if one.mass is None or two.mass is None:
+        return checks
+    for axis, letter in enumerate("xyz"):
+        parts = one.mass * one.velocity[axis], two.mass * two.velocity[axis]
+        left = one.mass * first.velocity[axis] + two.mass * second.velocity[axis]
+        checks += balance(f"momentum along {letter}", sum(parts), left, size + abs(parts[0]) + abs(parts[1]))
+    return checks
+
+
+def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) -> tuple[Check, ...]:
+    """Angular momentum of a body about the contact, where the impulse has no moment."""
+    if body.mass is None or body.inertia is None:
+        return ()
+    held = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
+    left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
+    reach = sqrt(dot(body.lever, body.lever))
+    scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
+    apart = subtract(held, left)
+    return balance(f"angular momentum of the {name} about the contact", sqrt(dot(apart, apart)), 0.0, scale)
+
+
+def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector) -> tuple[Check, ...]:
+    """Velocities after, taken to the contact, give the relative velocity that the path ended with."""
+    moved = [add(after.velocity, cross(after.spin, body.lever)) for body, after in states]
+    relative = subtract(moved[0], moved[1])
+    speeds = abs(before[2]) + hypot(before[0], before[1])
+    for (body, after), velocity in zip(states, moved, strict=True):
+        reach = sqrt(dot(body.lever, body.lever))
+        speeds += sqrt(dot(velocity, velocity)) + reach * (
+            sqrt(dot(body.spin, body.spin)) + sqrt(dot(after.spin, after.spin))
+        )
+    checks: tuple[Check, ...] = ()
+    for axis, value, name in zip(frame, end.velocity, ("slip 1", "slip 2", "separation"), strict=True):
+        checks += balance(f"{name} at the contact", dot(relative, axis), value, speeds)
+    return checks

@@ -67,7 +67,7 @@ def contact_history(
     columns = np.broadcast_arrays(*numbers)
     rows = [_history(hertz, *row) for row in zip(*(column.tolist() for column in columns), strict=True)]
     table = np.array(rows)
-    return table[:, 0], table[:, 1]
+    return table[:, 0], table[:, 1]  # type: ignore[return-value]
 
 
 def _stiffness(force: Spring | Hertz) -> float:

@@ -25,11 +25,13 @@ from dynamics_cli.impact.conventions import (
     direction_of,
 )
 from dynamics_cli.impact.drop import FlightTimes, ReboundHeight, RestTime, drop
+from dynamics_cli.impact.hunt_crossley import HuntCrossley
 from dynamics_cli.impact.oblique import Met, Moving, Normal, Offset, oblique
 from dynamics_cli.impact.pendulum import Block, Hinged, Rise, Swing, pendulum
 from dynamics_cli.impact.seize import AnyBody, seize
 from dynamics_cli.impact.springs import Hertz, Spring
 from dynamics_cli.impact.step import Factor, step
+from dynamics_cli.numerics.tracked import Tracked
 
 MASS = st.floats(0.01, 1e4)
 
@@ -309,3 +311,48 @@ def test_two_bodies_need_no_law() -> None:
         found = row(*bodies, law=law, e=0.5)
         assert found == pytest.approx([expected.first.velocity, expected.second.velocity], rel=1e-15)
     assert chain(bodies=bodies, restitution=0.5).advice == ()
+
+
+@pytest.mark.parametrize("e", [0.3, 0.5, 0.8, 0.97])
+def test_hunt_crossley_by_marching_the_contact(e: float) -> None:
+    from scipy.integrate import solve_ivp
+
+    from dynamics_cli.impact.hunt_crossley import loss, shape
+
+    x = loss(e)
+
+    def slope(_: float, state: Any) -> list[float]:
+        return [state[1], -(max(state[0], 0.0) ** 1.5) * (1.0 + x * state[1])]
+
+    def released(t: float, state: Any) -> float:
+        return float(state[0]) if t > 0.1 else 1.0
+
+    released.terminal = True  # type: ignore[attr-defined]
+    way = solve_ivp(
+        slope, (0.0, 50.0), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=1e-14, events=released, max_step=0.02
+    )
+    forces = [max(d, 0.0) ** 1.5 * (1.0 + x * v) for d, v in way.y.T]
+    time, peak, depth = shape(e)
+    assert way.y[1][-1] == pytest.approx(-e, rel=1e-9)
+    assert time == pytest.approx(way.t[-1], rel=1e-9)
+    assert peak == pytest.approx(max(forces), rel=1e-3)
+    assert peak >= max(forces) * (1.0 - 1e-9)
+    assert depth == pytest.approx(max(way.y[0]), rel=1e-3)
+
+
+def test_hunt_crossley_without_loss_is_hertz_and_knows_its_slope() -> None:
+    ball = Collinear(ByMass(0.2), 3.0)
+
+    def push(force: Any, e: Any) -> Any:
+        return central(first=ball, second=Struck(Fixed(True)), contact=Restituted(e), force=force).push
+
+    loss, plain = HuntCrossley(0.02, 2e9, True), Hertz(0.02, 2e9)
+    for name in ("duration", "peak_force", "compression"):
+        assert getattr(push(loss, 1.0), name) == pytest.approx(getattr(push(plain, 1.0), name), rel=1e-13)
+        own = getattr(push(loss, Tracked(0.6, 0.0, (1.0,))), name)
+        ends = [getattr(push(loss, 0.6 + side), name) for side in (-1e-5, 1e-5)]
+        assert own.value == getattr(push(loss, 0.6), name)
+        assert own.slopes[0] == pytest.approx((ends[1] - ends[0]) / 2e-5, rel=1e-5)
+    for refused in (0.0, 0.0999):
+        with pytest.raises(InadmissibleError, match=r"restitutions from 0\.1"):
+            push(loss, refused)

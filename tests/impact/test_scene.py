@@ -93,7 +93,9 @@ class TestAgreement:
         ]  # fmt: skip
         other = answer("impact", "planar", *words)["results"]
         assert document["normal_impulse"]["value"] == pytest.approx(other["normal_impulse"]["value"], rel=1e-13)
-        assert document["first"]["pdof"]["value"] == pytest.approx(other["first"]["delta_v"]["pdof"]["value"], rel=1e-12)
+        assert document["first"]["pdof"]["value"] == pytest.approx(
+            other["first"]["delta_v"]["pdof"]["value"], rel=1e-12
+        )
 
     def test_a_model_too_small_says_what_it_leaves_out(self) -> None:
         document = solved({**SOLID, "lever": "1, 0.3, 0 m"}, {"fixed": True}, {"friction": 0.3}, "--model", "central")
@@ -119,9 +121,7 @@ class TestRefusals:
             (BALL, OTHER, {"restitution": 1.2}, 2, None),
         ],
     )
-    def test_scenes_that_do_not_fit(
-        self, first: Any, second: Any, contact: Any, status: int, code: str | None
-    ) -> None:
+    def test_scenes_that_do_not_fit(self, first: Any, second: Any, contact: Any, status: int, code: str | None) -> None:
         scene = {"first": first, "second": second, "contact": {"normal": "1, 0, 0", "restitution": 0.5, **contact}}
         outcome = run("impact", "solve", "--input", "-", "--json", stdin=json.dumps(scene))
         assert outcome.status == status, outcome.err
@@ -154,7 +154,8 @@ class TestEnvelope:
         found = envelope(**crash(), law=Law(law), restitution_points=20, friction_points=20, map_points=4,
                          greatest_restitution=0.9)  # fmt: skip
         for e, mu, one, lost in zip(
-            *(found.map.arrays[name] for name in ("restitution", "friction", "first_delta_v", "energy_lost")), strict=True
+            *(found.map.arrays[name] for name in ("restitution", "friction", "first_delta_v", "energy_lost")),
+            strict=True,
         ):
             hit = planar(**crash(), friction=float(mu), contact=Restituted(float(e)), law=Law(law))
             assert one == pytest.approx(hit.first.delta_v.magnitude, rel=1e-13)

@@ -25,6 +25,8 @@ CENTRAL = Task(
         '--second-velocity "-25 mph" --restitution 0.15 --units us',
         'dynamics impact central --first-mass "0.058 kg" --first-velocity "20 m/s" --second-fixed --restitution 0.73 '
         '--contact-stiffness "60 kN/m"',
+        'dynamics impact central --first-mass "0.2 kg" --first-velocity "3 m/s" --second-fixed --restitution 0.6 '
+        '--contact-radius "20 mm" --contact-modulus "2 GPa" --hunt-crossley',
     ),
     plot=PICTURES + "central",
 )

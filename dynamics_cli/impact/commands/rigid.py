@@ -4,6 +4,7 @@ from dynamics_cli.core.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
 HERE = "dynamics_cli.impact."
+PICTURES = HERE + "rigid_pictures:"
 SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
 POINT = "the bodies are rigid and touch at one point with Coulomb friction"
 KELLER = "J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000)"
@@ -20,6 +21,7 @@ PLANAR = Task(
         assumptions=(SHORT, POINT),
         method="closed-form Routh–Keller path",
     ),
+    plot=PICTURES + "planar",
     examples=(
         'dynamics impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
         '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
@@ -44,6 +46,7 @@ ENVELOPE = Task(
         assumptions=(SHORT, POINT),
         method="closed-form Routh–Keller path on a grid",
     ),
+    plot=PICTURES + "envelope",
     examples=(
         'dynamics impact envelope --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
         '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
@@ -67,6 +70,7 @@ SPATIAL = Task(
         assumptions=(SHORT, POINT),
         method="Taylor series of order 24",
     ),
+    plot=PICTURES + "spatial",
     examples=(
         'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02, 0, 0], [0, 0.03, 0.004], [0, 0.004, '
         '0.04]] kg*m^2" --first-lever "0.1, 0.05, -0.2 m" --first-velocity "3, 1, -4 m/s" --first-spin "0, 5, 2 rad/s" '
@@ -116,7 +120,11 @@ SOLVE = Task(
         assumptions=(SHORT, POINT),
         method="Taylor series of order 24",
     ),
-    examples=("dynamics impact solve corner_strike.toml", "dynamics impact solve thrown_block.toml --explain"),
+    plot=PICTURES + "scene",
+    examples=(
+        "dynamics impact solve examples/corner_strike.toml",
+        "dynamics impact solve examples/thrown_block.toml --explain",
+    ),
     arrays=False,
     tracked=False,
 )

@@ -1,0 +1,257 @@
+"""Impacts in space: references in many digits, a tight integration, the planar limit, invariants, refusals."""
+
+import math
+import random
+from typing import Any
+
+import numpy as np
+import pytest
+from harness import answer, run
+from mpmath import mp, mpf
+from references.comparison import cases
+from references.generate_impact_spatial_references import answered, scenes
+
+from dynamics_cli.impact import path
+from dynamics_cli.impact.conventions import ByMass, Fixed, Restituted
+from dynamics_cli.impact.hodograph import stick_ratio, travel, way_out
+from dynamics_cli.impact.spatial import (
+    TOLERANCE,
+    BodyInSpace,
+    LeverInSpace,
+    SpatialLaw,
+    TargetInSpace,
+    spatial,
+)
+from dynamics_cli.impact.spatial_results import SpatialImpact
+
+FILE = "impact_spatial.json"
+LAWS = ("stronge", "newton", "poisson")
+EVERY = cases(FILE, "spatial")
+
+
+def kernel(case: dict[str, Any]) -> Any:
+    inputs = case["inputs"]
+    k = tuple(tuple(float(x) for x in row) for row in inputs["mobility"])
+    u = tuple(float(x) for x in inputs["velocity"])
+    return travel(k, u, float(inputs["friction"]), float(inputs["restitution"]), inputs["law"])
+
+
+@pytest.mark.parametrize("case", EVERY, ids=[case["name"] for case in EVERY])
+def test_impulses_are_right_within_the_stated_tolerance(case: dict[str, Any]) -> None:
+    mp.dps = 40
+    found = kernel(case)
+    exact = [mpf(case["results"][f"impulse[{i}]"]) for i in range(3)]
+    size = mp.sqrt(sum(x * x for x in exact))
+    # what the references show is far within what is stated
+    assert max(abs(mpf(a) - b) for a, b in zip(found.impulse, exact, strict=True)) <= 0.01 * TOLERANCE * size
+    assert abs(mpf(found.compression) - mpf(case["results"]["compression"])) <= 0.01 * TOLERANCE * size
+
+
+def test_the_references_are_hard_enough() -> None:
+    hard = [case for case in EVERY if case["kind"] == "hard"]
+    assert len(hard) >= 20
+    assert {kernel(case).history for case in EVERY} >= {
+        "slip",
+        "slip, stick",
+        "slip, slip anew",
+        "stick",
+        "slip from rest",
+    }
+
+
+def test_a_reference_made_again_is_the_same() -> None:
+    for scene in scenes()[:1] + scenes()[4:5]:
+        assert answered(scene) == next(case for case in EVERY if case["name"] == scene[0])
+
+
+def matrix(r: Any, floor: float = 0.05) -> tuple[tuple[float, ...], ...]:
+    rows = r.normal(size=(3, 3))
+    full = rows @ rows.T + floor * np.eye(3)
+    return tuple(tuple(float(full[min(i, j)][max(i, j)]) for j in range(3)) for i in range(3))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_velocities_and_energy_follow_from_the_impulse(law: str) -> None:
+    r = np.random.default_rng(5)
+    histories = set()
+    for _ in range(300):
+        k, mu, e = matrix(r), float(r.uniform(0.0, 1.5)), float(r.uniform(0.0, 1.0))
+        u = float(r.normal(0.0, 2.0)), float(r.normal(0.0, 2.0)), -float(r.uniform(0.1, 3.0))
+        end = travel(k, u, mu, e, law)
+        histories.add(end.history)
+        p, full = np.array(end.impulse), np.array(k)
+        size = np.abs(u).max() + np.abs(full @ p).max()
+        assert np.abs(np.array(u) + full @ p - end.velocity).max() <= 1e-13 * size
+        work = p @ u + 0.5 * p @ full @ p
+        assert abs(work - (end.work_back - end.work - end.heat)) <= 1e-12 * (end.work + end.heat)
+        assert math.hypot(p[0], p[1]) <= mu * p[2] * (1.0 + 1e-13)
+    assert histories >= {"slip", "slip, stick"}
+
+
+def test_a_tight_integration_by_impulse_agrees() -> None:
+    from scipy.integrate import solve_ivp
+
+    r = np.random.default_rng(3)
+    compared = 0
+    for _ in range(25):
+        k, mu, e = matrix(r, 0.1), float(r.uniform(0.0, 0.6)), float(r.uniform(0.0, 1.0))
+        u = float(r.normal(0.0, 3.0)), float(r.normal(0.0, 3.0)), -float(r.uniform(0.1, 1.0))
+        end = travel(k, u, mu, e, "stronge")
+        if end.history != "slip":
+            continue
+        full = np.array(k)
+
+        def rates(_: float, y: Any, mu: float = mu, full: Any = full) -> Any:
+            size = math.hypot(y[0], y[1])
+            c = np.array([-mu * y[0] / size, -mu * y[1] / size, 1.0])
+            return [*(full @ c), y[2], c[0], c[1]]
+
+        found = solve_ivp(rates, [0.0, end.impulse[2]], [*u, 0.0, 0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-15)
+        y = found.y[:, -1]
+        size = np.linalg.norm(end.impulse)
+        assert abs(y[4] - end.impulse[0]) + abs(y[5] - end.impulse[1]) <= 1e-11 * size
+        assert np.abs(y[:3] - end.velocity).max() <= 1e-11 * (np.abs(u).max() + size * np.abs(full).max())
+        # the law's end is where it says: the work given back is e² of that done
+        assert y[3] == pytest.approx(-(1.0 - e * e) * end.work, rel=1e-9, abs=1e-11 * end.work)
+        compared += 1
+    assert compared >= 15
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_in_a_plane_it_is_the_closed_form(law: str) -> None:
+    r = random.Random(2)
+    for _ in range(100):
+        kt, kn = r.uniform(1.0, 4.0), r.uniform(1.0, 4.0)
+        kx = r.uniform(-0.9, 0.9) * math.sqrt(kt * kn)
+        mu, e = r.uniform(0.0, 1.2), r.uniform(0.0, 1.0)
+        ut, un = r.uniform(-3.0, 3.0), -r.uniform(0.1, 2.0)
+        flat = path.travel(path.Mobility(kt, kx, kn, path.determinant(kt, kx, kn)), ut, un, mu, e, law)
+        end = travel(((kt, 0.0, kx), (0.0, 2.0, 0.0), (kx, 0.0, kn)), (ut, 0.0, un), mu, e, law)
+        size = math.hypot(flat.normal, flat.tangential)
+        assert end.impulse[2] == pytest.approx(flat.normal, abs=1e-14 * size)
+        assert end.impulse[0] == pytest.approx(flat.tangential, abs=1e-14 * size)
+        assert end.impulse[1] == 0.0
+        assert end.heat == pytest.approx(flat.friction_work, abs=1e-13 * (flat.friction_work + flat.compression_work))
+
+
+def test_the_way_out_keeps_its_direction_and_grows() -> None:
+    r = np.random.default_rng(8)
+    found = 0
+    while found < 50:
+        k = matrix(r)
+        held = math.hypot(*stick_ratio(k))
+        mu = held * float(r.uniform(0.0, 1.0))
+        if mu == 0.0:
+            continue
+        x, y = way_out(k, mu)
+        rate = [k[i][2] - mu * (k[i][0] * x + k[i][1] * y) for i in (0, 1)]
+        assert abs(rate[0] * y - rate[1] * x) <= 1e-12 * (abs(k[0][2]) + abs(k[1][2]) + mu * k[0][0])
+        assert rate[0] * x + rate[1] * y > 0.0
+        found += 1
+
+
+BLOCK = ((0.02, 0.0, 0.0), (0.0, 0.03, 0.004), (0.0, 0.004, 0.04))
+
+
+def thrown(law: str = "stronge", friction: float = 0.4, restitution: float = 0.6, **change: Any) -> SpatialImpact:
+    body = {
+        "bulk": ByMass(2.0), "inertia": BLOCK, "arm": LeverInSpace((0.1, 0.05, -0.2)), "velocity": (3.0, 1.0, -4.0),
+        "spin": (0.0, 5.0, 2.0),
+    }  # fmt: skip
+    return spatial(
+        first=BodyInSpace(**{**body, **change}),
+        second=TargetInSpace(Fixed(True)),
+        normal=(0.0, 0.0, -1.0),
+        friction=friction,
+        contact=Restituted(restitution),
+        law=SpatialLaw(law),
+    )
+
+
+def rotation(seed: int) -> Any:
+    q, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    return q * np.sign(np.linalg.det(q))
+
+
+def test_turning_the_axes_turns_the_answer() -> None:
+    base = thrown()
+    for seed in range(5):
+        q = rotation(seed)
+        inertia = q @ np.array(BLOCK) @ q.T
+        symmetric = tuple(tuple(float(inertia[min(i, j)][max(i, j)]) for j in range(3)) for i in range(3))
+
+        def turn(v: tuple[float, ...], q: Any = q) -> tuple[float, ...]:
+            return tuple(float(x) for x in q @ np.array(v))
+
+        found = spatial(
+            first=BodyInSpace(ByMass(2.0), symmetric, LeverInSpace(turn((0.1, 0.05, -0.2))), turn((3.0, 1.0, -4.0)),
+                              turn((0.0, 5.0, 2.0))),
+            second=TargetInSpace(Fixed(True)),
+            normal=turn((0.0, 0.0, -3.0)),
+            friction=0.4,
+            contact=Restituted(0.6),
+        )  # fmt: skip
+        assert found.normal_impulse == pytest.approx(base.normal_impulse, rel=1e-12)
+        assert found.first.velocity == pytest.approx(turn(base.first.velocity), rel=1e-11)
+        assert found.first.spin == pytest.approx(turn(base.first.spin), rel=1e-11)
+        assert found.energy_lost == pytest.approx(base.energy_lost, rel=1e-11)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_the_certificate_holds(law: str) -> None:
+    found = thrown(law)
+    assert len(found.checks) >= 8
+    assert all(check.passed for check in found.checks)
+    smooth = thrown(law, friction=0.0)
+    assert smooth.slip_history == "slip without friction"
+    assert smooth.tangential_impulse == 0.0
+    assert smooth.energy_lost_tangential == 0.0
+
+
+def test_exchanging_the_bodies() -> None:
+    one = BodyInSpace(ByMass(2.0), BLOCK, LeverInSpace((0.1, 0.05, -0.2)), (3.0, 1.0, -4.0), (0.0, 5.0, 2.0))
+    two = BodyInSpace(
+        ByMass(3.0), ((0.05, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.05)), LeverInSpace((0.0, 0.1, 0.2))
+    )
+
+    def target(body: BodyInSpace) -> TargetInSpace:
+        return TargetInSpace(body.bulk, body.inertia, body.arm, body.velocity, body.spin)
+
+    a = spatial(first=one, second=target(two), normal=(0.0, 0.0, -1.0), friction=0.3, contact=Restituted(0.5))
+    b = spatial(first=two, second=target(one), normal=(0.0, 0.0, 1.0), friction=0.3, contact=Restituted(0.5))
+    assert b.second.velocity == pytest.approx(a.first.velocity, rel=1e-12)
+    assert b.first.spin == pytest.approx(a.second.spin, rel=1e-11)
+
+
+CALL = (
+    "impact", "spatial", "--first-mass", "2 kg", "--first-inertia", "[[0.02, 0, 0], [0, 0.03, 0], [0, 0, 0.04]] kg*m^2",
+    "--first-lever", "0.1, 0.05, -0.2 m", "--first-velocity", "3, 1, -4 m/s", "--second-fixed", "--normal", "0, 0, -1",
+    "--friction", "0.4", "--restitution", "0.6",
+)  # fmt: skip
+
+
+class TestRefusals:
+    @pytest.mark.parametrize(
+        ("option", "value", "status", "code"),
+        [
+            ("--first-velocity", "3, 1, 4 m/s", 3, "no-impact"),
+            ("--normal", "0, 0, 0", 3, "no-normal"),
+            ("--first-inertia", "[[0, 0, 0], [0, 0, 0], [0, 0, 0]] kg*m^2", 3, "no-inertia"),
+            ("--first-inertia", "[[1, 0, 0], [0, 1, 0], [0, 0, 3]] kg*m^2", 3, "no-inertia"),
+            ("--first-mass", "0 kg", 3, "no-mass"),
+            ("--friction", "-1", 2, None),
+            ("--restitution", "2", 2, None),
+            ("--first-lever", "1, 2 m", 2, None),
+        ],
+    )
+    def test_bad_values(self, option: str, value: str, status: int, code: str | None) -> None:
+        words = list(CALL)
+        words[words.index(option) + 1] = value
+        outcome = run(*words, "--json")
+        assert outcome.status == status, outcome.err
+        if code:
+            assert outcome.error["code"] == code
+
+    def test_bounds_are_stated(self) -> None:
+        bounds = answer(*CALL)["numerics"]["error_bound"]
+        assert bounds["impulse_magnitude"]["relative"] <= 2e-12
