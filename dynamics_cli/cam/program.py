@@ -184,7 +184,9 @@ def exact_degrees(angle: float) -> "Exact":
     for parts in (1, 60, 3600):
         for digits in (6, 10, 15):
             top, bottom = _decimal(f"{degrees * parts:.{digits}g}")
-            if radians((top, bottom * parts))[0] == angle:
+            off = abs(radians((top, bottom * parts))[0] - angle)
+            # Up to ten digits, one rounding of whoever converted them is forgiven.
+            if off == 0.0 or (digits <= 10 and off <= 2.0**-52 * abs(angle)):
                 return top, bottom * parts
     top, bottom = angle.as_integer_ratio()
     return from_radians((top, bottom))
