@@ -71,7 +71,7 @@ class Duration:
     Parameters
     ----------
     lift : Coordinate
-        The lift [m].
+        The lift, above the lowest of the turn [m].
     opens : Angle
         Cam angle at which it is passed upwards [rad].
     closes : Angle
@@ -270,7 +270,7 @@ def force(
     contact : Contact
         Base radius, width and roller for the Hertz stress.
     at_lifts : tuple of Size
-        Lifts at which durations are wanted; 0.050 in and 1 mm when not given [m].
+        Lifts above the lowest at which durations are wanted; 0.050 in and 1 mm when not given [m].
     lash : Size
         Lash of a valve gear; ramps are counted from it [m].
     count : Count
@@ -442,8 +442,9 @@ def _durations(
 ) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
     found = []
     missed = []
+    least = motion.stroke[0]
     for lift in lifts:
-        ways = crossings(motion, lift)
+        ways = crossings(motion, least + lift)
         ups = [angle for angle, up in ways if up]
         downs = [angle for angle, up in ways if not up]
         if not ups:
@@ -465,7 +466,8 @@ def _ramps(motion: Motion, lash: float | None, lifts: "tuple[float, ...]", omega
     require(
         lash < top, "the lash {0:.6g} m is not below the lift {1:.6g} m of the durations", lash, top, code="lash"
     )
-    low, high = crossings(motion, lash), crossings(motion, top)
+    least = motion.stroke[0]
+    low, high = crossings(motion, least + lash), crossings(motion, least + top)
     found = []
     for angle, up in high:
         side = [other for other, way in low if way == up]

@@ -131,8 +131,8 @@ def crossings(motion: "Motion", level: float) -> list[tuple[float, bool]]:
         start, end = motion.joints[index], motion.joints[index + 1]
         places = sorted({x for x, _ in extremes(span.law, 0)})
         angles = [start, *(start + x * (end - start) for x in places if 0.0 < x < 1.0), end]
-        for low, high in zip(angles, angles[1:], strict=False):
-            before, after = motion.at(low, 0)[0] - level, motion.at(high, 0, -1)[0] - level
+        values = [motion.at(angle, 0, 1 if angle < end else -1)[0] - level for angle in angles]
+        for low, high, before, after in zip(angles, angles[1:], values, values[1:], strict=False):
             if (before < 0.0) != (after < 0.0):
                 found.append((_bisected(motion, level, low, high), after >= 0.0))
     return found
