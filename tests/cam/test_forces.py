@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.cam.forces import Contact, force
+from dynamics_cli.cam.force_records import Contact
+from dynamics_cli.cam.forces import force
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.cam.searching import crossings, least_and_greatest
 from dynamics_cli.errors import InadmissibleError
@@ -53,6 +54,13 @@ def test_forces_are_those_of_the_table(speed: float) -> None:
     assert torque.max() <= found.greatest_torque + 1e-12 * abs(torque).max()
     assert torque.min() >= found.least_torque - 1e-12 * abs(torque).max()
     assert found.greatest_power == pytest.approx(speed * max(found.greatest_torque, -found.least_torque))
+
+
+def test_a_dip_narrower_than_the_samples_is_found() -> None:
+    # at the start the force is lower than at every sample of the dip to zero at the end of the rise
+    given_ = {"mass": 1.0, "spring_rate": 34238.0, "preload": 0.125}
+    found = at(**given_, shaft_speed=at(**given_).jump_speed)
+    assert abs(found.least_force) <= 1e-9
 
 
 def test_the_preload_that_is_needed_is_enough() -> None:

@@ -39,7 +39,9 @@ class TestAnyMotion:
         found = of(line)
         last = len(found.zones) - 1
         assert found.in_zone(last, 1.0)[0] == found.in_zone(0, 0.0)[0]
-        assert found.joints[-1] == found.at(found.joints[0]) or found.joints[-1] - found.joints[0] == pytest.approx(2 * pi)
+        assert found.joints[-1] == found.at(found.joints[0]) or found.joints[-1] - found.joints[0] == pytest.approx(
+            2 * pi
+        )
         assert found.at(found.joints[0]) == found.at(found.joints[-1])
         assert found.at(found.joints[0], side=-1) == found.at(found.joints[-1], side=-1)
 
@@ -60,9 +62,15 @@ class TestAnyMotion:
     def test_arrays_in_any_order_are_the_floats(self, line: str) -> None:
         found = of(line)
         generator = np.random.default_rng(3)
-        theta = np.concatenate([np.linspace(-7.0, 14.0, 801), np.array(found.joints), [zone.start for zone in found.zones]])
+        theta = np.concatenate(
+            [np.linspace(-7.0, 14.0, 801), np.array(found.joints), [zone.start for zone in found.zones]]
+        )
         sizes = [max(abs(extreme(found, order).least), abs(extreme(found, order).greatest)) for order in range(4)]
-        for angles in (np.sort(theta), generator.permutation(theta), np.sort(theta[(theta >= found.start) & (theta <= found.joints[-1])])):
+        for angles in (
+            np.sort(theta),
+            generator.permutation(theta),
+            np.sort(theta[(theta >= found.start) & (theta <= found.joints[-1])]),
+        ):
             for side in (-1, 1):
                 many = found.at(angles, side=side)
                 for place, *values in zip(angles.tolist(), *many, strict=True):
@@ -75,7 +83,9 @@ class TestAnyMotion:
             t = np.linspace(0.0, 1.0, 33)
             inside = found.in_zone(index, t)
             for place, *values in zip(t.tolist(), *inside, strict=True):
-                assert [float(value) for value in values] == pytest.approx(found.in_zone(index, place), rel=1e-13, abs=1e-300)
+                assert [float(value) for value in values] == pytest.approx(
+                    found.in_zone(index, place), rel=1e-13, abs=1e-300
+                )
             if zone.end - zone.start > 0.01:
                 angles = zone.start + (zone.end - zone.start) * t[1:-1]
                 for own, other in zip(inside, found.at(angles), strict=True):
@@ -109,7 +119,9 @@ def test_a_file_and_a_line_are_one_motion() -> None:
     )
     one, other = motion_of(records), of(LINE)
     assert one.joints == other.joints
-    assert [(s.start, s.end, s.low, s.high) for s in one.segments] == [(s.start, s.end, s.low, s.high) for s in other.segments]
+    assert [(s.start, s.end, s.low, s.high) for s in one.segments] == [
+        (s.start, s.end, s.low, s.high) for s in other.segments
+    ]
 
 
 @settings(max_examples=300, deadline=None)
@@ -201,7 +213,9 @@ def test_the_book_s_indices_of_singularity_functions() -> None:
 
 
 def test_angles_of_lift_make_a_swing() -> None:
-    found = motion(Program(), program="rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg", count=7, shaft_speed=2.0)
+    found = motion(
+        Program(), program="rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg", count=7, shaft_speed=2.0
+    )
     assert found.lift is None
     assert found.swing.greatest == pytest.approx(radians(20.0), rel=1e-15)
     assert found.swing_in_time.speed == pytest.approx(2 * found.swing.greatest_velocity)
