@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dynamics_cli.cam.program import Step
+    from dynamics_cli.cam.segments import Step
 
 DEGREES = (3, 5, 7, 9)
 

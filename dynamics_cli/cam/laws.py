@@ -66,8 +66,8 @@ class LawName(Choice):
         "4567": "4-5-6-7", "polynomial-4-5-6-7": "4-5-6-7", "poly4567": "4-5-6-7", "poly7": "4-5-6-7",
         "polynom-7.-grades": "4-5-6-7", "56789": "5-6-7-8-9", "polynomial-5-6-7-8-9": "5-6-7-8-9", "poly9": "5-6-7-8-9",
         "gutman": "gutman-1-3", "freudenstein": "freudenstein-1-3", "mcv": "modified-constant-velocity",
-        "mcv50": "modified-constant-velocity", "half-cycloid": "half-cycloid-start", "half-cycloidal": "half-cycloid-start",
-        "half-harmonic": "half-harmonic-start", "poly": "polynomial",
+        "mcv50": "modified-constant-velocity", "half-cycloid": "half-cycloid-start",
+        "half-cycloidal": "half-cycloid-start", "half-harmonic": "half-harmonic-start", "poly": "polynomial",
     }  # fmt: skip
 
 
@@ -116,7 +116,7 @@ class Law:
         self.edges = [piece.high for piece in self.pieces[:-1]]
 
     def at(self, x: "Any", derivatives: int = 3, side: int = 1) -> "tuple[Any, ...]":
-        """f and its derivatives at x, a float or an array within 0 and 1; `side` chooses where one jumps."""
+        """F and its derivatives at x, a float or an array within 0 and 1; `side` chooses where one jumps."""
         if hasattr(x, "shape"):
             return self._over_array(x, derivatives, side)
         find = bisect_right if side > 0 else bisect_left
@@ -137,7 +137,7 @@ class Law:
         return tuple(found)
 
     def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
-        """f and its derivatives from one piece, t measured from the end that the piece is measured from."""
+        """F and its derivatives from one piece, t measured from the end that the piece is measured from."""
         found = piece.shape(t, derivatives)
         if piece.far:
             found = [self.total - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
@@ -145,7 +145,7 @@ class Law:
 
 
 def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool = True) -> Law:
-    """Make a law of f(x) = 1 − f(1 − x) from (upper edge, shape) pairs of its first half; `smooth` across the middle."""
+    """Make a law of f(x) = 1 − f(1 − x) from (upper edge, shape) pairs of its first half, `smooth` across."""
     pieces = []
     low = 0.0
     for high, shape in shapes:
@@ -302,9 +302,7 @@ CONSTANT_SHARE = 0.5
 _made: "dict[str, Law]" = {}
 
 
-def law_named(
-    name: str, shares: "tuple[float, ...] | None" = None, constant: float | None = None
-) -> Law:
+def law_named(name: str, shares: "tuple[float, ...] | None" = None, constant: float | None = None) -> Law:
     """Give the law of that name; `shares` (b, c, d) belong to scca, `constant` to modified constant velocity.
 
     Parameters
@@ -333,7 +331,11 @@ def law_named(
     """
     name = LawName(name)
     require(
-        shares is None or name == "scca", "the law {0} has no shares", name, code="shares", hint="leave them out, or take scca"
+        shares is None or name == "scca",
+        "the law {0} has no shares",
+        name,
+        code="shares",
+        hint="leave them out, or take scca",
     )
     require(
         constant is None or name in ("scca", "modified-constant-velocity"),

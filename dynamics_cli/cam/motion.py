@@ -11,7 +11,7 @@ and calls `motion = motion_of(scene, program)` (both from `dynamics_cli.cam.prog
   within a zone all derivatives exist; at its ends some may jump. Segment ends are always zone ends.
 - `motion.in_zone(index, t, derivatives=3)`: the same four at local coordinates 0 ≤ t ≤ 1 of that zone, with the
   one-sided values at its ends and full accuracy on the shortest spans.
-- `motion.joints`: angles of the segments' ends, `len(segments) + 1` of them; `motion.segments`: what they were built of.
+- `motion.joints`: angles of the segments' ends, `len(segments) + 1` of them; `motion.segments`: what they are.
 - `motion.swing`: whether the lift is an angle (an oscillating follower, lift in radians) or a length (metres).
 - `motion.stroke`: the least and the greatest level (extremes of s at stationary points and ends).
 """
@@ -19,7 +19,7 @@ and calls `motion = motion_of(scene, program)` (both from `dynamics_cli.cam.prog
 from bisect import bisect_left, bisect_right
 from math import floor, inf
 
-from dynamics_cli.cam.laws import Law
+from dynamics_cli.cam.laws import Law  # noqa: TC001 (annotations of a record)
 from dynamics_cli.cam.peaks import extremes
 from dynamics_cli.records import record
 
@@ -45,6 +45,11 @@ def radians(angle: "Exact") -> "tuple[float, float]":
     high = top / bottom
     a, b = high.as_integer_ratio()
     return high, (top * b - a * bottom) / (bottom * b)
+
+
+def from_radians(angle: "Exact") -> "Exact":
+    """Degrees of an exact number of radians, to 50 digits."""
+    return angle[0] * 180 * _PI_SCALE, angle[1] * _PI
 
 
 @record

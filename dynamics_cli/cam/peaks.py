@@ -4,6 +4,9 @@ from math import inf
 
 from dynamics_cli.cam.laws import Law, Piece
 
+DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
+PEAK_BOUND = 4e-15
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -36,7 +39,7 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
 
 def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
-    found = []
+    found: list[tuple[float, float]] = []
     turned: dict[tuple[int, float], list[float]] = {}
     for piece in law.pieces:
         # Measured from its own end, a piece and its mirror image turn at the same places.
@@ -44,8 +47,9 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
         key = (id(piece.shape), ends[0])
         if key not in turned:
             turned[key] = _turning(piece, order, *ends, 16 if law.monotone else 64)
-        for t in (ends[0], *turned[key], ends[1]):
-            found.append((1.0 - t if piece.far else t, law.upright(piece, t, order)[order]))
+        found.extend(
+            (1.0 - t if piece.far else t, law.upright(piece, t, order)[order]) for t in (ends[0], *turned[key], ends[1])
+        )
     return sorted(found)
 
 
@@ -113,7 +117,7 @@ def _at_end(law: Law, piece: Piece, order: int, which: int) -> float:
 
 
 def continuity(law: Law) -> "tuple[int, float | None]":
-    """The order of the highest derivative (to 4) that is continuous with all below it, and where the next first jumps."""
+    """Order of the highest derivative (to 4) continuous with all below it, and where the next first jumps."""
     for order in range(5):
         for x in (0.0, *law.breaks, 1.0):
             if jump(law, x, order):

@@ -1,5 +1,7 @@
 """Polynomial and spline laws made to measure: from conditions at chosen places, solved exactly, and through points."""
 
+import itertools
+
 from dynamics_cli.cam.laws import Law, Piece
 from dynamics_cli.cam.shapes import Mixed
 from dynamics_cli.errors import require
@@ -56,7 +58,9 @@ def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> L
         code="conditions",
     )
     places = [(x, order) for x, order, _ in conditions]
-    require(len(set(places)) == count, "a condition is given twice", code="conditions", hint="give each derivative once")
+    require(
+        len(set(places)) == count, "a condition is given twice", code="conditions", hint="give each derivative once"
+    )
     rows = [
         [_monomial(Fraction(x), i, order) for i in range(count)] + [Fraction(value)] for x, order, value in conditions
     ]
@@ -146,7 +150,7 @@ def spline(points: "Sequence[tuple[float, float]]", start_slope: float, end_slop
     """
     places = [x for x, _ in points]
     require(
-        all(a < b for a, b in zip(places, places[1:], strict=False)),
+        all(a < b for a, b in itertools.pairwise(places)),
         "the places of the points do not increase",
         code="points",
         hint="put the points in order, each once",
@@ -170,7 +174,7 @@ def _closed(pieces: "list[Piece]", slope: float, total: float) -> "list[Piece]":
     piece = pieces[-1]
     if piece.far:
         return pieces
-    value, rate, bend, twist = (piece.shape(piece.high, 3))
+    value, rate, bend, twist = piece.shape(piece.high, 3)
     del value, rate
     shape = Mixed((0.0, slope, -0.5 * bend, twist / 6.0))
     middle = 0.5 * (piece.low + 1.0)

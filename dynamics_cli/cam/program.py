@@ -6,11 +6,10 @@ Conventions: a task's first parameter is `scene: Program, /`, and `program: Text
 
 from math import pi
 
-from dynamics_cli.cam.laws import Law, LawName, law_named
-from dynamics_cli.cam.motion import Exact, Motion, Span, radians
+from dynamics_cli.cam.laws import Law, law_named
+from dynamics_cli.cam.motion import Exact, Motion, Span, from_radians, radians
+from dynamics_cli.cam.segments import Move, Point, Program, Segment, Step
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Angle, CamAcceleration, CamVelocity, Coordinate, Count, Fraction, Ratio
-from dynamics_cli.records import Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,112 +20,7 @@ FULL: Exact = (360, 1)
 CLOSED_WITHIN = 1e-9
 SHORTEST = 1e-9
 
-
-class Move(Choice):
-    """What the follower does."""
-
-    names = ("rise", "return", "dwell")
-    aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012
-
-
-@record
-class Point:
-    """A point a spline goes through.
-
-    Parameters
-    ----------
-    at : Angle
-        Cam angle from the start of the segment [rad].
-    lift : Coordinate
-        Lift above the level at the start of the segment [m].
-    """
-
-    at: Angle
-    lift: Coordinate
-
-
-@record
-class Segment:
-    """One segment of a program.
-
-    Parameters
-    ----------
-    move : Move
-        Rise, return or dwell.
-    span : Angle
-        Cam angle it takes; one segment may leave it out and takes what is left of the turn [rad].
-    lift : Coordinate
-        How far the follower rises or returns; a return without it goes back to the level of the start [m].
-    swing : Angle
-        In place of the lift, how far an arm swings [rad].
-    law : LawName
-        The law; 3-4-5 when not given.
-    shares : tuple of Ratio
-        Shares b, c, d of sine, constant and cosine acceleration of an scca law.
-    constant : Fraction
-        Share of the rise at constant velocity of a modified constant velocity.
-    degree : Count
-        Degree 3, 5, 7 or 9 of a polynomial between the states at its ends; 5 when not given.
-    start_velocity : CamVelocity
-        Velocity at the start of a polynomial or spline; that of the segment before when not given [m/rad].
-    end_velocity : CamVelocity
-        Velocity at its end; that of the segment after when not given [m/rad].
-    start_acceleration : CamAcceleration
-        Acceleration at the start of a polynomial; that of the segment before when not given [m/rad^2].
-    end_acceleration : CamAcceleration
-        Acceleration at its end; that of the segment after when not given [m/rad^2].
-    points : tuple of Point
-        Points a spline goes through between its ends.
-    """
-
-    move: Move
-    span: Angle | None = None
-    lift: Coordinate | None = None
-    swing: Angle | None = None
-    law: LawName | None = None
-    shares: tuple[Ratio, ...] = ()
-    constant: Fraction | None = None
-    degree: Count | None = None
-    start_velocity: CamVelocity | None = None
-    end_velocity: CamVelocity | None = None
-    start_acceleration: CamAcceleration | None = None
-    end_acceleration: CamAcceleration | None = None
-    points: tuple[Point, ...] = ()
-
-
-@record
-class Program:
-    """A revolution of cam motion, segment by segment.
-
-    Parameters
-    ----------
-    segments : tuple of Segment
-        The segments in order; together they make one turn.
-    start : Angle
-        Cam angle at which the first begins [rad].
-    """
-
-    segments: tuple[Segment, ...] = ()
-    start: Angle = 0.0
-
-
-@record
-class Step:
-    """A segment as both ways of writing it come to: spans exact, in degrees.
-
-    Parameters
-    ----------
-    segment : Segment
-        What was asked.
-    span : (int, int) | None
-        Its span in degrees, exactly.
-    level : float | None
-        Lift to go to, in place of how far.
-    """
-
-    segment: Segment
-    span: "Exact | None"
-    level: float | None = None
+__all__ = ["Move", "Point", "Program", "Segment", "exact_degrees", "motion_of", "program_of"]
 
 
 def motion_of(scene: Program, program: str = "") -> Motion:
@@ -178,13 +72,53 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     return _joined(steps, start)
 
 
+def program_of(line: str) -> Program:
+    """Give the records of a program written in one line.
+
+    Parameters
+    ----------
+    line : str
+        The line.
+
+    Returns
+    -------
+    Program
+        Its segments, with spans in radians.
+
+    Raises
+    ------
+    UsageError
+        Where a clause is not understood.
+
+    Examples
+    --------
+    >>> len(program_of("rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell").segments)
+    4
+    """
+    from dynamics_cli.cam.wording import read_program
+
+    steps, start = read_program(line)
+    swing = _swings(steps)
+    levels = _levels(steps, swing)
+    segments = []
+    for i, step in enumerate(steps):
+        fields = {name: getattr(step.segment, name) for name in Segment.fields}  # type: ignore[attr-defined]
+        fields["span"] = None if step.span is None else radians(step.span)[0]
+        if step.level is not None:
+            fields["swing" if swing else "lift"] = abs(levels[i + 1] - levels[i])
+        segments.append(Segment(**fields))
+    return Program(tuple(segments), 0.0 if start is None else radians(start)[0])
+
+
 def exact_degrees(angle: float) -> "Exact":
-    """Degrees that a user wrote for this double of radians: the shortest decimal, of degrees or seconds, that gives it."""
+    """Degrees that a user wrote for this double of radians: the shortest decimal that gives it."""
     degrees = angle * (180.0 / pi)
     for parts in (1, 60, 3600):
         for digits in (6, 10, 15):
             top, bottom = _decimal(f"{degrees * parts:.{digits}g}")
-            if radians((top, bottom * parts))[0] == angle:
+            off = abs(radians((top, bottom * parts))[0] - angle)
+            # Up to ten digits, one rounding of whoever converted them is forgiven.
+            if off == 0.0 or (digits <= 10 and off <= 2.0**-52 * abs(angle)):
                 return top, bottom * parts
     top, bottom = angle.as_integer_ratio()
     return from_radians((top, bottom))
@@ -196,13 +130,6 @@ def _decimal(text: str) -> "Exact":
     power = int(exponent or 0) - len(tail)
     top = int(whole + tail)
     return (top * 10**power, 1) if power >= 0 else (top, 10**-power)
-
-
-def from_radians(angle: "Exact") -> "Exact":
-    """Degrees of an exact number of radians, to 50 digits."""
-    from dynamics_cli.cam.motion import _PI, _PI_SCALE
-
-    return angle[0] * 180 * _PI_SCALE, angle[1] * _PI
 
 
 def _plus(a: "Exact", b: "Exact", sign: int = 1) -> "Exact":
@@ -245,7 +172,9 @@ def _spans(steps: "Sequence[Step]") -> "list[Exact]":
             360.0 - rest,
             open_[0] + 1,
             code="turn",
-            hint="leave it out" if abs(rest) <= CLOSED_WITHIN else f"take {SHORTEST * 360.0 - rest:.6g} deg off the others",
+            hint="leave it out"
+            if abs(rest) <= CLOSED_WITHIN
+            else f"take {SHORTEST * 360.0 - rest:.6g} deg off the others",
         )
         return spans
     require(
@@ -380,9 +309,17 @@ def _law(segment: Segment, number: int) -> "Law | None":
         hint="take the law polynomial",
     )
     require(
-        name == "spline" or not segment.points, "segment {0}: the law {1} goes through no points", number, name, code="law"
+        name == "spline" or not segment.points,
+        "segment {0}: the law {1} goes through no points",
+        number,
+        name,
+        code="law",
     )
     require(
-        name == "polynomial" or segment.degree is None, "segment {0}: the law {1} has no degree", number, name, code="law"
+        name == "polynomial" or segment.degree is None,
+        "segment {0}: the law {1} has no degree",
+        number,
+        name,
+        code="law",
     )
     return None if fits else law_named(name, segment.shares or None, segment.constant)

@@ -20,6 +20,7 @@ SHARE = 0.02
 MOST_CELLS = 4_000_000
 BLOCK = 65_536
 FINER = 4
+COARSE = 64
 # Rounding of coordinates and distances, and joints taken a hair inside their pieces, by the largest coordinate.
 ROUNDING = 4096.0 * 2.0**-53
 
@@ -60,12 +61,13 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     the other, which is checked on every cell; on a cubic the parameters reached are checked for gaps.
     """
     width = np.diff(places)
-    # one pass of single cells tells how steep the curve is
-    middle = places[:-1] + 0.5 * width
-    steep, _ = path.acceleration(middle, 0.5 * width, np.full(width.size, piece))
-    steep = np.where(np.isfinite(steep), steep, 1e3)
-    factor = 2.0
-    cells = np.maximum(np.ceil(width * np.sqrt(factor * steep / (8.0 * SHARE * tolerance))), 4.0)
+    # one pass of coarse cells tells how steep the curve is
+    shares = (np.arange(COARSE) + 0.5) / COARSE
+    middle = places[:-1, None] + width[:, None] * shares
+    half = np.repeat(0.5 * width / COARSE, COARSE)
+    steep, _ = path.acceleration(middle.ravel(), half, np.full(middle.size, piece))
+    steep = np.where(np.isfinite(steep), steep, 1e3).reshape(middle.shape).max(axis=1)
+    cells = np.maximum(np.ceil(width * np.sqrt(2.0 * steep / (8.0 * SHARE * tolerance))), 4.0)
     bounds = np.full(width.size, np.inf)
     left = np.arange(width.size)
     for _ in range(FINER):

@@ -51,7 +51,7 @@ def least_and_greatest(motion: "Motion", function: "Law") -> tuple[Found, Found]
 
     Notes
     -----
-    64 steps on each zone, then the best interval is cut in 16 again and again until rounding ends it.
+    64 steps on each zone, then the interval about every hump is cut in 16 again and again until rounding ends it.
     """
     import numpy as np
 
@@ -72,15 +72,32 @@ def least_and_greatest(motion: "Motion", function: "Law") -> tuple[Found, Found]
     return best[0], best[1]
 
 
-def _refined(motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", sign: float) -> tuple[float, float]:
+def _refined(
+    motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", sign: float
+) -> tuple[float, float]:
     import numpy as np
 
-    top = int(np.argmax(values))
+    place, value = 0.0, float(values[0])
+    flat = float(values.max()) == float(values.min())
+    inner = np.concatenate(([-np.inf], values, [-np.inf]))
+    # Every hump is refined: between two samples a lower one may rise above the highest sample.
+    tops = np.flatnonzero((inner[1:-1] >= inner[:-2]) & (inner[1:-1] >= inner[2:]))
+    for top in [0] if flat else tops.tolist():
+        found = _climbed(motion, function, index, t, values, top, sign, flat)
+        if found[1] > value:
+            place, value = found
+    return place, value
+
+
+def _climbed(
+    motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", top: int, sign: float, flat: bool
+) -> tuple[float, float]:
+    """The top of one hump, by cutting the interval about the highest sample in 16 again and again."""
+    import numpy as np
+
     place, value = float(t[top]), float(values[top])
     low, high = float(t[max(top - 1, 0)]), float(t[min(top + 1, t.size - 1)])
-    if values.max() == values.min():
-        return place, value
-    for _ in range(ROUNDS):
+    for _ in range(0 if flat else ROUNDS):
         grid = np.linspace(low, high, 17)
         tried = sign * np.asarray(function(*motion.in_zone(index, grid, 2)), dtype=float)
         top = int(np.argmax(tried))
@@ -131,8 +148,8 @@ def crossings(motion: "Motion", level: float) -> list[tuple[float, bool]]:
         start, end = motion.joints[index], motion.joints[index + 1]
         places = sorted({x for x, _ in extremes(span.law, 0)})
         angles = [start, *(start + x * (end - start) for x in places if 0.0 < x < 1.0), end]
-        for low, high in zip(angles, angles[1:], strict=False):
-            before, after = motion.at(low, 0)[0] - level, motion.at(high, 0, -1)[0] - level
+        values = [motion.at(angle, 0, 1 if angle < end else -1)[0] - level for angle in angles]
+        for low, high, before, after in zip(angles, angles[1:], values, values[1:], strict=False):
             if (before < 0.0) != (after < 0.0):
                 found.append((_bisected(motion, level, low, high), after >= 0.0))
     return found

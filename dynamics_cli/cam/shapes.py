@@ -25,7 +25,7 @@ def _series(u: "Any") -> "Any":
 
 
 def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
-    """u − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
+    """U − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
     if type(u) is float:
         return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
     import numpy as np

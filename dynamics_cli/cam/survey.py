@@ -2,8 +2,8 @@
 
 from math import inf, sqrt
 
+from dynamics_cli.cam.choosing import GAUSS
 from dynamics_cli.cam.peaks import extremes
-from dynamics_cli.cam.rises import GAUSS
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False

@@ -1,13 +1,14 @@
 """A motion program in one line: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`.
 
-    program   = clause { ";" clause }
-    clause    = "start" angle | move [ ["to"] amount ] [ ("in" | "over" | "for") angle ] [ law ]
-    move      = "rise" | "return" | "dwell"                     amount = length or angle
-    law       = name { number | key "=" value }                 numbers: shares, degree or share at constant velocity
+program   = clause { ";" clause }
+clause    = "start" angle | move [ ["to"] amount ] [ ("in" | "over" | "for") angle ] [ law ]
+move      = "rise" | "return" | "dwell"                     amount = length or angle
+law       = name { number | key "=" value }                 numbers: shares, degree or share at constant velocity
 """
 
 from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.program import Exact, Move, Segment, Step, from_radians
+from dynamics_cli.cam.motion import Exact, from_radians
+from dynamics_cli.cam.segments import Move, Segment, Step
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False

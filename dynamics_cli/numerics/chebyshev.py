@@ -23,7 +23,7 @@ GRID = 96
 LEVELS = 12
 SPLIT = 8
 END = 1e-4
-NOISE = 4e-16
+NOISE = 1.5e-15
 
 
 @record
@@ -87,8 +87,10 @@ class Extremes:
 @lru_cache(maxsize=4)
 def _transform(count: int) -> "tuple[Any, Any]":
     """The nodes cos t in increasing order, and the matrix that turns values there into coefficients."""
-    t = np.pi * (count - 0.5 - np.arange(count)) / count
-    matrix = 2.0 / count * np.cos(np.outer(t, np.arange(count)))
+    # angles reduced as whole numbers of quarter steps, folded into the first turn's half
+    steps = np.outer(2 * np.arange(count)[::-1] + 1, np.arange(count)) % (4 * count)
+    steps = np.minimum(steps, 4 * count - steps)
+    matrix = 2.0 / count * np.sin(0.5 * np.pi * (count - steps) / count)
     matrix[:, 0] *= 0.5
     nodes = np.sin(0.5 * np.pi * (2.0 * np.arange(count) + 1.0 - count) / count)
     return nodes, matrix
@@ -302,18 +304,12 @@ def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
 
 
 def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "Any":
-    """Newton kept inside its bracket."""
+    """Newton kept within a hair of its cell, where the derivative is monotone; its root may be at the cell's end."""
     if not rows.size:
         return np.zeros(0)
-    own = c[rows]
-    low, high = low.copy(), high.copy()
-    _, start, _ = _derivatives(own, high)
+    own, hair = c[rows], 0.01 * (high - low)
     place = 0.5 * (low + high)
     for _ in range(6):
         _, d1, d2 = _derivatives(own, place)
-        same = (d1 > 0.0) == (start > 0.0)
-        high, low = np.where(same, place, high), np.where(same, low, place)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            new = place - d1 / d2
-        place = np.where((new >= low) & (new <= high), new, 0.5 * (low + high))
+        place = np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
     return place

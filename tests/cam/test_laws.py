@@ -1,21 +1,30 @@
 """Rise laws: ends, monotony, symmetry, derivatives, peak factors, continuity, and what is refused."""
 
-from math import inf, pi
+from math import pi
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from dynamics_cli.cam.choosing import Condition, SplinePoint
+from dynamics_cli.cam.law_table import laws
 from dynamics_cli.cam.laws import LawName, law_named, scca
 from dynamics_cli.cam.peaks import continuity, extremes, peak
 from dynamics_cli.cam.polynomials import polynomial, spline
-from dynamics_cli.cam.rises import Condition, SplinePoint, laws, rise
+from dynamics_cli.cam.rises import rise
 from dynamics_cli.cam.shapes import u_minus_sine
 from dynamics_cli.errors import InadmissibleError
 
 NAMED = [name for name in LawName.names if name not in ("scca", "polynomial", "spline")]
-SHARES = [(0.25, 0.5, 0.25), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.5, 0.5, 0.0), (0.1, 0.2, 0.7), (1e-9, 1.0 - 2e-9, 1e-9)]
+SHARES = [
+    (0.25, 0.5, 0.25),
+    (0.0, 1.0, 0.0),
+    (0.0, 0.0, 1.0),
+    (0.5, 0.5, 0.0),
+    (0.1, 0.2, 0.7),
+    (1e-9, 1.0 - 2e-9, 1e-9),
+]
 ALL = [law_named(name) for name in NAMED] + [scca(*shares) for shares in SHARES]
 IDS = [*NAMED, *map(str, SHARES)]
 PUBLISHED = {
@@ -47,7 +56,9 @@ class TestEveryLaw:
 
     def test_it_never_turns_back_or_overshoots(self, law) -> None:
         # steps of 2⁻⁵⁰ about the joints: a rise over less is smaller than the spacing of doubles near one
-        near = np.concatenate([np.linspace(0.0, 1.0, 20001), *(edge + np.arange(-40, 41) * 2.0**-50 for edge in law.edges)])
+        near = np.concatenate(
+            [np.linspace(0.0, 1.0, 20001), *(edge + np.arange(-40, 41) * 2.0**-50 for edge in law.edges)]
+        )
         values = law.at(np.sort(near), 0)[0]
         assert (np.diff(values) >= 0.0).all()
         assert values[0] == 0.0
@@ -98,7 +109,12 @@ def test_the_modified_trapezoid_constant() -> None:
 
 @pytest.mark.parametrize(
     ("shares", "name"),
-    [((0.25, 0.5, 0.25), "mt"), ((0.25, 0.0, 0.75), "ms"), ((0.5, 0.0, 0.5), "cycloidal"), ((0.0, 1.0, 0.0), "parabolic")],
+    [
+        ((0.25, 0.5, 0.25), "mt"),
+        ((0.25, 0.0, 0.75), "ms"),
+        ((0.5, 0.0, 0.5), "cycloidal"),
+        ((0.0, 1.0, 0.0), "parabolic"),
+    ],
 )
 def test_scca_contains_its_family(shares, name: str) -> None:
     x = np.linspace(0.0, 1.0, 101)
@@ -148,7 +164,15 @@ def test_u_minus_sine_on_both_sides_of_its_switch(u: float) -> None:
 
 
 def test_a_polynomial_meets_its_conditions() -> None:
-    conditions = [(0.0, 0, 0.0), (0.0, 1, 0.5), (0.3, 0, 0.4), (0.5, 2, -1.0), (1.0, 0, 1.0), (1.0, 1, 0.0), (1.0, 3, 2.0)]
+    conditions = [
+        (0.0, 0, 0.0),
+        (0.0, 1, 0.5),
+        (0.3, 0, 0.4),
+        (0.5, 2, -1.0),
+        (1.0, 0, 1.0),
+        (1.0, 1, 0.0),
+        (1.0, 3, 2.0),
+    ]
     law = polynomial(conditions)
     for x, order, value in conditions:
         assert law.at(x)[order] == pytest.approx(value, abs=2e-14)
@@ -206,7 +230,10 @@ def test_values_in_time_scale_with_the_speed() -> None:
         ({"constant": 0.5}, "constant"),
         ({"law": LawName("mcv"), "constant": 1.0}, "constant"),
         ({"law": LawName("polynomial")}, "conditions"),
-        ({"law": LawName("polynomial"), "conditions": (Condition(0.0, None, 0.0), Condition(1.0, None, 0.0))}, "conditions"),
+        (
+            {"law": LawName("polynomial"), "conditions": (Condition(0.0, None, 0.0), Condition(1.0, None, 0.0))},
+            "conditions",
+        ),
         ({"law": LawName("polynomial"), "conditions": (Condition(0.0, 0.0), Condition(0.0, 0.0))}, "conditions"),
         ({"conditions": (Condition(0.0, 0.0),)}, "law"),
         ({"law": LawName("spline"), "points": (SplinePoint(0.5, 0.5), SplinePoint(0.4, 0.5))}, "points"),

@@ -182,13 +182,21 @@ def rises(generator: random.Random) -> list[dict[str, Any]]:
     hard: list[tuple[str, str, Law, dict[str, Any]]] = []
     for at in (1e-15, 2.5e-7, 5e-7, 9.99999e-7):
         inputs = {"law": "cycloidal", "lift": 0.02, "span": 1e-6, "at": at}
-        hard.append((f"span of 1e-6 rad at {at}", "jerk of 1e17 m/rad³ on a millionth of a radian", LAWS["cycloidal"], inputs))
+        hard.append(
+            (f"span of 1e-6 rad at {at}", "jerk of 1e17 m/rad³ on a millionth of a radian", LAWS["cycloidal"], inputs)
+        )
     for b in (1e-6, 1e-12):
         shares = [b, 0.5, 0.5 - b]
         inputs = {"law": "scca", "shares": [repr(x) for x in shares], "lift": 0.02, "span": 1.0, "at": 0.3}
         hard.append((f"scca with b = {b}", "a sine of almost no length", scca(*shares), inputs))
     for constant in (0.999, 1e-9):
-        inputs = {"law": "modified-constant-velocity", "constant": repr(constant), "lift": 0.02, "span": 1.0, "at": 0.0004}
+        inputs = {
+            "law": "modified-constant-velocity",
+            "constant": repr(constant),
+            "lift": 0.02,
+            "span": 1.0,
+            "at": 0.0004,
+        }
         hard.append(
             (f"constant velocity for {constant}", "nearly all, or nearly nothing, at constant velocity",
              scca(mpf(1) / 4, 0, mpf(3) / 4, mpf(constant)), inputs)
@@ -281,7 +289,12 @@ def main() -> None:
     cases = rises(generator) + free_polynomials(generator) + motions(generator)
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "cam_motion.json"
     rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    target.write_text('{"about": "Written by generate_cam_motion_references.py: SI inputs as doubles, results to 40 digits.",\n"cases": [\n' + rows + "\n]}\n", encoding="utf-8")
+    target.write_text(
+        '{"about": "Written by generate_cam_motion_references.py: SI inputs as doubles, results to 40 digits.",\n"cases": [\n'
+        + rows
+        + "\n]}\n",
+        encoding="utf-8",
+    )
 
 
 if __name__ == "__main__":

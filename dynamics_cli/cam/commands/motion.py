@@ -10,7 +10,7 @@ LAWS = Task(
     "Rise laws, their peak factors and where they occur, and how smooth they are.",
     Model(
         "normalised rise laws",
-        HERE + "rises:laws",
+        HERE + "law_table:laws",
         source=BOOK + ", sections 16.9 and 16.11 to 16.14; laws and names of VDI 2143 as commonly published",
         formula="v = C_v·h/β, a = C_a·h/β², j = C_j·h/β³",
         assumptions=("the rise goes from rest to rest, half rises from rest to full speed",),
@@ -64,7 +64,7 @@ MOTION = Task(
         "dynamics cam motion examples/cam.toml --shaft-speed '1000 rpm' --count 13",
         'dynamics cam motion --program "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell" '
         "--singularity --units us",
-        'dynamics cam motion --program "rise 20 deg in 120 deg modified sine; dwell 60 deg; return in 180 deg" --count 7',
+        'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
     ),
     table="table",
     arrays=False,
