@@ -14,3 +14,14 @@ def run(command: str, /, **parameters: object) -> dict[str, object]:
     from dynamics_cli.cli import answer
 
     return answer(command, parameters)
+
+
+def run_rows(command: str, rows: bytes, /, *words: str) -> bytes:
+    """Answer a stream of cases, CSV or NDJSON as bytes, as `--rows` does: one row out for each row in.
+
+    `command` is the family and task as typed, `words` what may stand after it (`"--units", "us"`). A row that is wrong
+    carries its own error; raises `dynamics_cli.errors.DynamicsError` when the call itself is wrong.
+    """
+    from dynamics_cli.cli import answer_rows
+
+    return answer_rows(command, rows, words)

@@ -19,6 +19,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "coords": ("dynamics_cli.convert.commands", "Cartesian, cylindrical and spherical coordinates."),
     "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
     "gear": ("dynamics_cli.gear.commands", "Gear geometry, measurement, pairs, trains and ratios."),
+    "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
 }
 # Forces every call through typer, so that tests can compare the two routes.
 ROUTE_VARIABLE = "DYNAMICS_ROUTE"
@@ -60,8 +61,9 @@ def program(argv: "list[str]", terminal: Terminal) -> int:
 
                 return execute(task, call, terminal)
     from dynamics_cli.core.tree import run_tree
+    from dynamics_cli.report import REPORT
 
-    return run_tree(argv, FAMILIES, family, terminal)
+    return run_tree(argv, FAMILIES, family, (REPORT,), terminal)
 
 
 def run_argv(argv: "list[str]", terminal: Terminal) -> int:
@@ -138,3 +140,12 @@ def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
         if UNIVERSAL_OPTIONS[name][0] == "many" and isinstance(value, str):
             asked[name] = [value]
     return document_of(found[0], Gathered(raw, Reader(terminal.environ)), Settings(asked, terminal.environ))
+
+
+def answer_rows(command: str, rows: bytes, words: "tuple[str, ...]") -> bytes:
+    """The rows that a stream of cases becomes, for Python callers."""
+    from io import BytesIO
+
+    sink = BytesIO()
+    program([*command.split(), *words, "--rows", "-"], Terminal(BytesIO(rows), sink))
+    return sink.getvalue()

@@ -122,6 +122,7 @@ if TYPE_CHECKING:
     SecondMoment = float
     # time and motion
     Time = float
+    EvaluationTime = float
     Speed = float
     RoadSpeed = float
     Acceleration = float
@@ -213,6 +214,7 @@ else:
     )
     # time and motion
     Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
+    EvaluationTime = Kind("time", "s", si="us", us="us", low=0.0, example="3 us", about="the time of a calculation")
     Speed = Kind("speed", "m/s", si="m/s", us="ft/s", example="12 m/s", about="a speed or velocity component")
     RoadSpeed = Kind("road speed", "m/s", si="km/h", us="mph", low=0.0, example="50 mph", about="a speed on a road")
     Acceleration = Kind("acceleration", "m/s^2", si="m/s^2", us="ft/s^2", example="9.81 m/s^2", about="an acceleration")

@@ -16,6 +16,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "digits": ("value", "N", "Significant digits in tables (6)."),
     "input": ("value", "FILE", "Parameters from JSON or TOML (- for standard input); options win."),
     "rows": ("value", "FILE", "A stream of cases, NDJSON or CSV (- for standard input); one row out per row in."),
+    "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
     "samples": ("value", "N", "At most so many evaluations for uncertainty; the sample of Monte Carlo."),
@@ -24,10 +25,12 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
     "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
     "drawing": ("value", "FILE", "The shape itself as DXF, SVG or CSV, where the task has one."),
+    "plot": ("value", "FILE", "A picture as SVG, PNG or PDF; - draws a small one in the terminal."),
     "model": ("value", "NAME", "Overrule the choice of model, where there are several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
 }
+METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 FORMATS = ("table", "json", "ndjson", "csv", "markdown")
 SYSTEMS = ("si", "us", "base")
 
@@ -56,6 +59,7 @@ class Settings:
         self.digits = self._digits(given)
         self.input = self._text(given, "input")
         self.rows = self._text(given, "rows")
+        self.jobs = self._jobs(given)
         self.sweep = _pairs("sweep", given)
         self.limit = self._limits(given)
         self.method = self._text(given, "method")
@@ -64,6 +68,7 @@ class Settings:
         self.coverage = self._text(given, "coverage")
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.drawing = self._text(given, "drawing")
+        self.plot = self._text(given, "plot")
         self.model = self._text(given, "model")
         self.explain = bool(given.get("explain"))
         self.timing = bool(given.get("timing"))
@@ -74,6 +79,8 @@ class Settings:
         if self.drawing and (self.rows or self.sweep):
             many = "rows" if self.rows else "sweep"
             raise UsageError(f"--drawing is for one case and --{many} for many", parameter="drawing", code="exclusive")
+        if self.plot and self.rows:
+            raise UsageError("--plot is for one case and --rows for many", parameter="plot", code="exclusive")
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 
@@ -94,6 +101,17 @@ class Settings:
         if name not in FORMATS:
             raise _unknown("format", name, FORMATS)
         return name
+
+    def _jobs(self, given: "Mapping[str, str | bool | list[str]]") -> int:
+        text = self._text(given, "jobs")
+        if not text:
+            return 1
+        if not (self.rows or "sweep" in given):
+            message = "--jobs spreads a stream or a sweep, and this is one case"
+            raise UsageError(message, parameter="jobs", code="exclusive", hint="give --rows or --sweep with it")
+        from dynamics_cli.core.jobs import read_jobs
+
+        return read_jobs(text)
 
     def _digits(self, given: "Mapping[str, str | bool | list[str]]") -> int:
         text = self._text(given, "digits")

@@ -52,7 +52,12 @@ def _over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal
     reader = Reader(terminal.environ, folder=folder, units=units)
     if file != "-":
         reader.files.append(entry_of(file, data))
-    return Gathered(merge(task, parameters_of(loaded, known), raw), reader)
+    below = parameters_of(loaded, known)
+    covariance = loaded.get("covariance") if "covariance" not in known else None
+    if isinstance(covariance, dict):
+        results = [name for name in covariance.get("results", ()) if name in below and name not in raw]
+        reader.origins.update((name, (file, name, covariance)) for name in results)
+    return Gathered(merge(task, below, raw), reader)
 
 
 def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":

@@ -3,6 +3,10 @@
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from typing import Any
+
+# A file of so many bytes is hashed in a thread of its own.
+LARGE = 1 << 24
 
 
 def entry_of(name: str, data: bytes) -> "dict[str, str]":
@@ -12,12 +16,28 @@ def entry_of(name: str, data: bytes) -> "dict[str, str]":
     return {"name": printable(name), "sha256": hashlib.sha256(data).hexdigest()}
 
 
-def entry_of_file(name: str) -> "dict[str, str]":
-    """A file's entry in the document, read here in blocks: for files that a family reads itself."""
+def entry_of_file(name: str) -> "dict[str, Any]":
+    """A file's entry in the document, read here in blocks: for files that a family reads itself.
+
+    A large file is read beside the calculation, which reads it too: `once` waits for its hash.
+    """
+    import os
+
+    if os.path.getsize(name) < LARGE:
+        return {"name": printable(name), "sha256": _digest(name)}
+    from concurrent.futures import ThreadPoolExecutor
+
+    with_one = ThreadPoolExecutor(1)
+    made = with_one.submit(_digest, name)
+    with_one.shutdown(wait=False)
+    return {"name": printable(name), "sha256": made}
+
+
+def _digest(name: str) -> str:
     import hashlib
 
     with open(name, "rb") as file:
-        return {"name": printable(name), "sha256": hashlib.file_digest(file, "sha256").hexdigest()}
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def printable(name: str) -> str:
@@ -25,6 +45,7 @@ def printable(name: str) -> str:
     return name.encode(errors="surrogateescape").decode(errors="backslashreplace")
 
 
-def once(entries: "Iterable[dict[str, str]]") -> "list[dict[str, str]]":
-    """Each file once, in the order first read."""
-    return [dict(pairs) for pairs in dict.fromkeys(tuple(entry.items()) for entry in entries)]
+def once(entries: "Iterable[dict[str, Any]]") -> "list[dict[str, str]]":
+    """Each file once, in the order first read, its hash known."""
+    known = [{key: value if isinstance(value, str) else value.result() for key, value in e.items()} for e in entries]
+    return [dict(pairs) for pairs in dict.fromkeys(tuple(entry.items()) for entry in known)]

@@ -73,7 +73,10 @@ def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
     made: dict[tuple[str, ...], str] = {}
     own = described(task.models[0].call().__doc__)
     for field in task.specification.fields:
-        _describe(field.node, (), made, own, field.key, set())
+        if field.place and isinstance(field.node, Record):
+            _describe_fields(field.node, (), made, set())
+        else:
+            _describe(field.node, (), made, own, field.key, set())
     return made
 
 
@@ -95,9 +98,15 @@ def _describe(
     for record in [item] if isinstance(item, Record) else records:
         if record.cls not in seen:
             inner = prefix if item is not node or not isinstance(item, Record) else (*prefix, key)
-            own = described(record.cls.__doc__)
-            for field in record.fields:
-                _describe(field.node, inner, made, own, field.key, seen | {record.cls})
+            _describe_fields(record, inner, made, seen)
+
+
+def _describe_fields(
+    record: Record, prefix: "tuple[str, ...]", made: "dict[tuple[str, ...], str]", seen: "set[type]"
+) -> None:
+    own = described(record.cls.__doc__)
+    for field in record.fields:
+        _describe(field.node, prefix, made, own, field.key, seen | {record.cls})
 
 
 def command_help(task: Task) -> str:

@@ -35,7 +35,7 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, reader: "Reader") -> Bound
     if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
         from dynamics_cli.core.references import resolve
 
-        raw = resolve(raw, reader)
+        raw = resolve(raw, reader, address)
     if leaf.choice is not None:
         return _choice(leaf, raw)
     read = _FORMS.get(leaf.kind.form, _scalar)
@@ -87,7 +87,8 @@ def _text_of(kind: Kind, raw: "Any") -> str:
                 )
             parts = zip(raw["value"], units, strict=True)
             return " ".join(f"{number} {unit}" for number, unit in parts)
-        if isinstance(raw["value"], dict) or any(character.isdigit() for character in str(raw.get("unit") or "")[:1]):
+        unit = str(raw.get("unit") or "")
+        if isinstance(raw["value"], dict) or (unit[:1].isdigit() and not unit.startswith("1/")):
             raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
         return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
     if isinstance(raw, int | float):

@@ -27,22 +27,23 @@ def lookup_in_pint(name: str) -> Unit | None:
         return None
     # pint raises a dozen kinds of error on odd names, tokenizer errors and assertions among them.
     try:
-        known = _registry().parse_unit_name(name)
+        known = registry().parse_unit_name(name)
     except Exception:
         return None
     if not known:
         return None
     prefix, unit, _ = known[0]
     try:
-        factor, root = _registry().get_root_units(_registry().UnitsContainer({prefix + unit: 1}))
-        converter = _registry()._units[unit].converter
+        factor, root = registry().get_root_units(registry().UnitsContainer({prefix + unit: 1}))
+        converter = registry()._units[unit].converter
     except Exception:
         return None
     return _translated(name, prefix, unit, factor, dict(root._units), converter)
 
 
 @functools.cache
-def _registry() -> "Any":
+def registry() -> "Any":
+    """Pint's registry, made once."""
     import pint
 
     return pint.UnitRegistry(non_int_type=Fraction)

@@ -32,9 +32,11 @@ class Reader:
         self.units = units or {}
         self.errors: list[DynamicsError] = []
         self.notes: list[str] = []
-        self.files: list[dict[str, str]] = []
+        self.files: list[dict[str, Any]] = []
         # Distributions by address; None where only certain values are taken.
         self.uncertain: dict[str, Distribution] | None = None
+        # Which inputs are results of earlier documents: file, address there, and its covariance.
+        self.origins: dict[str, tuple[str, str, Any]] = {}
         self._defaults: dict[str, str] = {}
         if units:
             from dynamics_cli.core.defaults import default_units

@@ -27,8 +27,8 @@ def split_address(address: str) -> "list[str | int]":
     return steps
 
 
-def resolve(text: str, reader: "Reader") -> "Any":
-    """The raw value a reference stands for; the file's name is kept for the document."""
+def resolve(text: str, reader: "Reader", own: str) -> "Any":
+    """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
     name, colon, address = text[1:].rpartition(":")
     if not colon or not name or not address:
         raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
@@ -44,4 +44,5 @@ def resolve(text: str, reader: "Reader") -> "Any":
             value = value[step]  # type: ignore[index]
         except (KeyError, IndexError, TypeError):
             raise UsageError(f"{name!r} has no result {address!r}", code="no-value") from None
+    reader.origins[own] = (path, address, raw.get("covariance"))
     return value

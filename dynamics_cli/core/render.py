@@ -170,7 +170,7 @@ def to_table(document: "Document", digits: int) -> str:
     if inputs or tables:
         lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
     bounds = document["numerics"].get("error_bound", {})
-    tails = {name: f"(error ≤ {_bound(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
+    tails = {name: f"(error ≤ {bound_text(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     uncertain = "uncertainty" in document["numerics"]
     if uncertain:
         from dynamics_cli.core.uncertain.render import driver_lines, spread_tails
@@ -181,7 +181,7 @@ def to_table(document: "Document", digits: int) -> str:
     lines += driver_lines(document, digits) if uncertain else []
     lines.append("")
     lines += [f"  limit: {item['message']}" for item in document.get("limits", ())]
-    lines += [f"  check: {_check_line(check)}" for check in document["checks"]]
+    lines += [f"  check: {check_line(check)}" for check in document["checks"]]
     for item in document["warnings"]:
         mend = f" ({item['mend']})" if item.get("mend") else ""
         lines.append(f"  {item['severity']}: {item['message']}{mend}")
@@ -209,7 +209,8 @@ def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
     return lines
 
 
-def _bound(entry: "dict[str, Any] | None") -> str:
+def bound_text(entry: "dict[str, Any] | None") -> str:
+    """A bound in words: `1.2e-16 relative`, `3e-12 mm`, `exact` or `unknown`."""
     if entry is None:
         return "unknown"
     if entry.get("relative", entry.get("absolute")) == 0.0:
@@ -219,7 +220,8 @@ def _bound(entry: "dict[str, Any] | None") -> str:
     return f"{entry['absolute']:.1e} {entry.get('unit', '')}".rstrip()
 
 
-def _check_line(check: "dict[str, Any]") -> str:
+def check_line(check: "dict[str, Any]") -> str:
+    """A check in one line."""
     value = f" ({check['value']:.2g})" if check.get("value") is not None else ""
     return f"{check['name']}: {'passed' if check['passed'] else 'FAILED'}{value}"
 
@@ -291,7 +293,7 @@ def to_markdown(document: "Document", digits: int) -> str:
             tail = " | error at most" if title == "result" else ""
             lines += [f"| {title} | value{tail} |", "|---|---:" + ("|---|" if tail else "|")]
             for name, value, unit in entries:
-                bound = f" | {_bound(bounds[name]) if name in bounds else ''}" if tail else ""
+                bound = f" | {bound_text(bounds[name]) if name in bounds else ''}" if tail else ""
                 lines.append(f"| {name} | {_cell(quantity(value, unit, shown))}{bound} |")
             lines.append("")
         for name, table in ((name, item) for name, item in node.items() if is_table(item)):
@@ -304,7 +306,7 @@ def to_markdown(document: "Document", digits: int) -> str:
             ]
             lines.append("")
     lines += [f"- limit: {item['message']}" for item in document.get("limits", ())]
-    lines += [f"- check: {_check_line(check)}" for check in document["checks"]]
+    lines += [f"- check: {check_line(check)}" for check in document["checks"]]
     lines += [f"- {item['severity']}: {item['message']}" for item in document["warnings"]]
     lines.append(f"- model: {document['model']['name']}; source: {document['model']['source']}")
     if "explanation" in document:

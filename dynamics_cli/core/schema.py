@@ -106,8 +106,12 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
         return {"enum": [*leaf.choice.names, *leaf.choice.aliases]}
     if kind is FLAG:
         return {"type": "boolean"}
-    if kind.form in ("text", "file", "unit", "fraction", "range"):
-        return {"type": "string", **({"examples": [kind.example]} if kind.example else {})}
+    examples = {"examples": [kind.example]} if kind.example else {}
+    if kind.form in ("text", "file", "unit", "range"):
+        return {"type": "string", **examples}
+    if kind.form == "fraction":
+        written = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}
+        return {"anyOf": [{"type": "string"}, written], **examples}
     value: dict[str, Any] = {"type": "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":
         value = {"type": "array"}
@@ -144,6 +148,8 @@ def _result(node: object) -> "dict[str, Any]":
     if isinstance(node, Many):
         if node.columns and isinstance(node.item, Record):
             return {"type": "object", "properties": {name: _listed(s) for name, s in _result_fields(node.item).items()}}
+        if isinstance(node.item, Leaf) and node.item.kind.form == "scalar" and not node.single:
+            return _listed(_result(node.item))
         several = {"type": "array", "items": _result(node.item)}
         return {"anyOf": [_result(node.item), several]} if node.single else several
     assert isinstance(node, Leaf)

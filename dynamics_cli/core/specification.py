@@ -299,6 +299,9 @@ def options(fields: "tuple[Field, ...]") -> "dict[str, Option]":
     for field in fields:
         if not field.place:
             _spread_options(field, (), found, (), field.required)
+        elif isinstance(field.node, Record):
+            # A scene: what options say stands over what its file says.
+            _record_options(field.node, (), found, (), False)
         elif isinstance(field.node, Tagged):
             for member in field.node.members.values():
                 for inner in member.fields:

@@ -5,6 +5,7 @@ exact factors (`rows.exact`), which give the same bits; whatever these cannot ta
 """
 
 from dynamics_cli.core.call import Call, Settings
+from dynamics_cli.core.jobs import spread
 from dynamics_cli.core.rows.blocks import Source
 from dynamics_cli.core.rows.case import Case
 from dynamics_cli.core.rows.inputs import CsvInput, Input, JsonInput, TextInput, decode_line, split_csv, split_header
@@ -15,6 +16,7 @@ from dynamics_cli.errors import DynamicsError, ExitStatus, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
     from dynamics_cli.core.rows.group import Group, Groups
@@ -23,8 +25,12 @@ if TYPE_CHECKING:
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
 FIRST_ARRAY_ROWS = 1000
 ARRAY_ROWS = 64
-# Rows in which bare numbers are looked for.
+# Rows in which bare numbers and uncertain values are looked for.
 LOOKED_AT = 50
+# What uncertain values have in them: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
+UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
+# Blocks that another process answers at once.
+BLOCKS_A_PIECE = 4
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -42,23 +48,43 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
             from dynamics_cli.core.rows.progress import Progress
 
             with Progress(source, terminal) as progress:
-                for lines in source.blocks():
-                    if stream is None:
-                        lines = [line for line in lines if line is None or not line.isspace()]
-                        if not lines:
-                            continue
+                blocks = source.blocks()
+                for lines in blocks:
+                    lines = [line for line in lines if line is None or not line.isspace()]
+                    if lines:
                         stream, lines = _begin(case, lines, form, terminal)
                         sink.write(stream.output.head())
-                    sink.write(stream.block(lines))
+                        break
+                if stream is None:
+                    return ExitStatus.DONE
+                for block in spread(stream.block, _joined([lines], blocks, settings.jobs), settings.jobs):
+                    stream.take(block)
+                    sink.write(block.text)
                     if not settings.output:
                         terminal.stdout.flush()
                     progress.advance(stream.rows)
     finally:
         source.close()
-    if stream is None:
-        return ExitStatus.DONE
-    _tell_passing(stream.source, terminal)
+    _tell_passing(stream, terminal)
     return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
+
+
+def _joined(
+    first: "list[list[bytes | None]]", blocks: "Iterator[list[bytes | None]]", jobs: int
+) -> "Iterator[list[bytes | None]]":
+    """All blocks; for several processes a few at a time, as sending each costs something."""
+    import itertools
+
+    every = itertools.chain(first, blocks)
+    if jobs == 1:
+        yield from every
+        return
+    while several := list(itertools.islice(every, BLOCKS_A_PIECE)):
+        # A line too long to read is a block of its own.
+        if all(None not in block for block in several):
+            yield [line for block in several for line in block]
+        else:
+            yield from several
 
 
 def _format_asked(settings: Settings) -> str:
@@ -93,6 +119,7 @@ def _begin(
         source = _csv_input(case, first, terminal)
     _settle_unit(case, source, lines[:LOOKED_AT])
     case.check()
+    case.take_spread(_readable(source, lines[:LOOKED_AT]))
     return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
 
 
@@ -105,6 +132,16 @@ def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None
                 return
         except UsageError:
             continue  # what is wrong with this row is told in its place
+
+
+def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str, Any]]":
+    """Those of the lines that may hold an uncertain value, read; what is wrong with one is told in its place."""
+    for line in lines:
+        if line is not None and any(mark in line for mark in UNCERTAIN_MARKS):
+            try:
+                yield source.read(line)
+            except UsageError:
+                continue
 
 
 def _is_header(case: Case, line: bytes) -> bool:
@@ -133,9 +170,8 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
     return source
 
 
-def _tell_passing(source: Input, terminal: "Terminal") -> None:
-    if isinstance(source, JsonInput):
-        _warn(source.case, list(source.passing), terminal)
+def _tell_passing(stream: "_Stream", terminal: "Terminal") -> None:
+    _warn(stream.case, list(stream.passing), terminal)
 
 
 def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
@@ -150,6 +186,18 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
             )
 
 
+class _Block:
+    """The rows of one block, answered: the text, how many there were and failed, and names that pass through."""
+
+    __slots__ = ("failed", "passing", "rows", "text")
+
+    def __init__(self, text: bytes, rows: int, failed: int, passing: "list[str]") -> None:
+        self.text = text
+        self.rows = rows
+        self.failed = failed
+        self.passing = passing
+
+
 class _Stream:
     """A stream under way."""
 
@@ -159,16 +207,30 @@ class _Stream:
         self.output = output
         self.rows = 0
         self.failed = 0
+        self.passing: dict[str, None] = {}
+        self._failed = 0
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
-        self._by_arrays: bool | None = None if case.task.arrays or case.measure[0] else False
+        suited = (case.task.arrays and not case.layout.spread) or case.measure[0]
+        self._by_arrays: bool | None = None if suited else False
 
-    def block(self, lines: "list[bytes | None]") -> bytes:
+    def take(self, block: _Block) -> None:
+        """Count a block that has been answered, here or in another process."""
+        self.rows += block.rows
+        self.failed += block.failed
+        self.passing.update(dict.fromkeys(block.passing))
+
+    def block(self, lines: "list[bytes | None]") -> _Block:
         """The rows of one block, answered."""
-        self.rows += len(lines)
+        self._failed = 0
+        text = self._answered(lines)
+        passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
+        return _Block(text, len(lines), self._failed, passing)
+
+    def _answered(self, lines: "list[bytes | None]") -> bytes:
         if None in lines:
-            self.failed += len(lines)
+            self._failed += len(lines)
             return b"".join([self.output.bad(b"", TOO_LONG) for _ in lines])
         whole: list[bytes] = lines  # type: ignore[assignment]
         if self._wants_arrays(len(whole)):
@@ -200,7 +262,7 @@ class _Stream:
         try:
             values = self.case.values(self.source.read(line))
         except DynamicsError as error:
-            self.failed += 1
+            self._failed += 1
             return self.output.bad(line, error)
         return self.output.good(line, values)
 

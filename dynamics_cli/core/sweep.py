@@ -6,6 +6,7 @@ from dynamics_cli.core.bound import Bound, Fields, Several
 from dynamics_cli.core.call import Settings
 from dynamics_cli.core.gather import Gathered
 from dynamics_cli.core.grammar import read_amount, split_list, split_pairs
+from dynamics_cli.core.jobs import spread
 from dynamics_cli.core.rows.case import Case
 from dynamics_cli.core.rows.inputs import nest
 from dynamics_cli.core.rows.layout import Layout, Part
@@ -19,11 +20,16 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.task import Model
+
     Raw = dict[str, Any]
+    Single = tuple[int, list[Any] | None, DynamicsError | None, tuple[Model, str] | None]
 
 # Below this numpy's import costs more than it saves.
 ARRAY_POINTS = 1000
 MOST_POINTS = 1_000_000
+# Points that another process answers at once.
+POINTS_A_PIECE = 64
 # What may be wrong with some points of a range and right with others.
 OF_THE_POINT = ("bounds", "range", "whole")
 
@@ -34,11 +40,13 @@ class _Points(Case):
     def __init__(self, task: Task, gathered: Gathered, settings: Settings, axes: "list[Axis]") -> None:
         self.task = task
         self.asked = settings.model
+        self.settings = settings
         self.base = {}
         self.fixed = {}
         self.default_unit = ""
         self.measure = ("", "")
         self.reader = gathered.reader
+        self.origins = dict(self.reader.origins)
         self.layout = Layout(task.specification.result, Display(settings.units, settings.to))
         self.start = gathered.raw
         for axis in axes:
@@ -65,6 +73,19 @@ class _Points(Case):
         for axis, place in zip(self.axes, self.places(index), strict=True):
             nest(raw, axis.path, axis.text(place))
         return raw
+
+    def single(self, place: int) -> "Single":
+        """One point as a single call answers it: its values or its error, the model and why."""
+        try:
+            bound = self.bind(self.point(place), uncertain=True)
+            model, why = choose(self.task, bound, self.asked)
+            return place, self.shown(model, bound, call_model(self.task, model, bound)), None, (model, why)
+        except DynamicsError as error:
+            return place, None, error, None
+
+    def singles(self, places: "list[int]") -> "list[Single]":
+        """Several points."""
+        return [self.single(place) for place in places]
 
 
 class _Failures:
@@ -106,23 +127,34 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     template, index = _template(points)
     files += [file for file in gathered.reader.files if file not in files]
     notes = list(gathered.reader.notes)
+    points.take_spread((points.point(index),))
     failures = _Failures(points)
     rows: list[list[Any] | None] = [None] * points.count
     models: dict[str, tuple[Any, str]] = {}
     if template is not None:
         model, why = choose(task, template, settings.model)
         models[model.name] = (model, why)
-        if points.count >= ARRAY_POINTS and task.arrays:
+        if points.count >= ARRAY_POINTS and task.arrays and not points.layout.spread:
             _by_arrays(points, index, rows)
-    for place, row in enumerate(rows):
-        if row is None:
-            rows[place] = _single(points, place, models, failures)
+    left = [place for place, row in enumerate(rows) if row is None]
+    pieces = [left[start : start + POINTS_A_PIECE] for start in range(0, len(left), POINTS_A_PIECE)]
+    for piece in spread(points.singles, pieces, settings.jobs):
+        for place, values, error, chosen in piece:
+            rows[place] = values
+            if error is not None:
+                failures.add(place, error)
+            elif chosen is not None:
+                models.setdefault(chosen[0].name, chosen)
     document = _document(points, template, rows, models)
     document["warnings"] = failures.warnings() + _notes(notes, models)
     if files:
         from dynamics_cli.core.hashes import once
 
         document["files"] = once(files)
+    if points.layout.spread:
+        from dynamics_cli.core.uncertain.document import read_coverage
+
+        document["numerics"]["uncertainty"] = {"coverage": read_coverage(settings.coverage), "seed": settings.seed or 1}
     if settings.timing:
         document["timing"] = {"value": _clock() - start, "unit": "s"}
     return document, bool(failures)
@@ -141,7 +173,7 @@ def _template(points: _Points) -> "tuple[Fields | None, int]":
     tried = sorted({0, points.count - 1, points.count // 2, *range(0, points.count, points.count // 50 + 1)})
     for index in tried:
         try:
-            bound = points.bind(points.point(index))
+            bound = points.bind(points.point(index), uncertain=True)
         except DynamicsError as error:
             for one in error.all():
                 if one.parameter not in names or one.code not in OF_THE_POINT:
@@ -151,20 +183,6 @@ def _template(points: _Points) -> "tuple[Fields | None, int]":
             axis.check(bound)
         return bound, index
     return None, 0
-
-
-def _single(
-    points: _Points, place: int, models: "dict[str, tuple[Any, str]]", failures: _Failures
-) -> "list[Any] | None":
-    try:
-        bound = points.bind(points.point(place))
-        model, why = choose(points.task, bound, points.asked)
-        values = points.layout.values(call_model(points.task, model, bound))
-    except DynamicsError as error:
-        failures.add(place, error)
-        return None
-    models.setdefault(model.name, (model, why))
-    return values
 
 
 def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> None:
@@ -185,7 +203,7 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
     made = list(map(list, zip(*columns_out, strict=True)))
     # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
     for nth in {0, len(made) - 1} if made else ():
-        if _single(points, places[nth], {}, _Failures(points)) != made[nth]:
+        if points.single(places[nth])[1] != made[nth]:
             return
     for place, row in zip(places, made, strict=True):
         rows[place] = row

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# No parameter may use the name of an option that every task has, or will have.
-UNIVERSAL = (*UNIVERSAL_OPTIONS, "plot", "jobs", "help", "version")
+# No parameter may use the name of an option that every task has.
+UNIVERSAL = (*UNIVERSAL_OPTIONS, "help", "version")
 
 
 def load(reference: str) -> "Any":

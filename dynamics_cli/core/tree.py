@@ -11,7 +11,8 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from typer.exceptions import Abort
 
 from dynamics_cli import __version__
-from dynamics_cli.core.call import FORMATS, SYSTEMS, UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.about import COMMANDS, Command, completions
+from dynamics_cli.core.call import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.help import command_help, describe_options, option_help, placeholder
 from dynamics_cli.core.specification import Leaf, Option, Tagged
 from dynamics_cli.core.task import Family, Task
@@ -29,10 +30,16 @@ if TYPE_CHECKING:
 SHELLS = ("bash", "zsh", "fish")
 
 
-def run_tree(argv: "list[str]", families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> int:
-    """Carry out a call through typer; typer's own complaints become UsageError."""
+def run_tree(
+    argv: "list[str]",
+    families: "Mapping[str, tuple[str, str]]",
+    find: "Finder",
+    others: "tuple[Command, ...]",
+    terminal: "Terminal",
+) -> int:
+    """Carry out a call through typer; typer's own complaints become UsageError. `others` are commands, no tasks."""
     completion_init()
-    root = _root(families, find, terminal)
+    root = _root(families, find, others, terminal)
     try:
         with terminal.own_stdout():
             status = root.main(args=argv, prog_name="dynamics", standalone_mode=False)
@@ -58,7 +65,9 @@ def _try_help(error: "Any") -> str | None:
     return f"try: {context.command_path} --help" if context is not None else None
 
 
-def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal") -> TyperGroup:
+def _root(
+    families: "Mapping[str, tuple[str, str]]", find: "Finder", others: "tuple[Command, ...]", terminal: "Terminal"
+) -> TyperGroup:
     group = _Families(
         families,
         find,
@@ -67,7 +76,8 @@ def _root(families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "
         'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
         params=[_version_option(terminal), _completion_option(terminal)],
     )
-    group.commands["schema"] = _schema_command(find, families, terminal)
+    for command in (*COMMANDS, *others):
+        group.commands[command.name] = _plain_command(command, find, families, terminal)
     return group
 
 
@@ -128,7 +138,7 @@ class _TaskCommand(TyperCommand):
             self.help = command_help(self.task)
             texts = describe_options(self.task)
             own = [_option(option, texts) for option in self.task.options.values()]
-            self.params = [*_arguments(self.task), *own, *_universal_options()]
+            self.params = [*_arguments(self.task), *own, *_universal_options(self.task)]
             self.callback = self._carry_out
 
     def make_context(self, *args: "Any", **kwargs: "Any") -> "Any":
@@ -240,14 +250,21 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]") -> TyperOpti
     )
 
 
-def _universal_options() -> "list[TyperOption]":
+def _universal_options(task: Task) -> "list[TyperOption]":
     made = []
+    known = {
+        "format": FORMATS,
+        "units": SYSTEMS,
+        "method": METHODS,
+        "model": tuple(model.key for model in task.models),
+        "jobs": ("all",),
+    }
     for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
         decls = [_variable("setting", name), f"--{name}"]
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
-            names = {"format": FORMATS, "units": SYSTEMS}.get(name, ())
+            names = known.get(name, ())
             made.append(
                 TyperOption(
                     param_decls=decls,
@@ -300,43 +317,41 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         is_eager=True,
         expose_value=False,
         callback=show,
-        help="Print the completion script of bash, zsh or fish, to be sourced.",
+        help="Print the completion script of bash, zsh or fish.",
     )
 
 
-def _schema_command(find: "Finder", families: "Mapping[str, Any]", terminal: "Terminal") -> TyperCommand:
-    def show(words: "tuple[str, ...]") -> int:
-        from dynamics_cli.core.render import to_pretty_json
-        from dynamics_cli.core.schema import schema
+def _plain_command(
+    command: Command, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
+) -> TyperCommand:
+    """A command that is no task."""
 
-        terminal.write(to_pretty_json(schema(_named_task(find, families, words))))
+    def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
+        options = {name: _single(name, value, "value") for name, value in given.items() if value}
+        command.carry_out(words, options, families, find, terminal)
         return 0
 
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        before = context.params.get("words") or context.args
+        return [word for word in completions(command, before, families, find) if word.startswith(incomplete)]
+
+    words = TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar=command.metavar, autocompletion=complete)
+    options = [
+        TyperOption(
+            param_decls=[option.name, f"--{option.name}"],
+            multiple=True,
+            type=str,
+            metavar=option.metavar,
+            help=option.text,
+            autocompletion=_completer(option.names),
+        )
+        for option in command.options
+    ]
     return TyperCommand(
-        "schema",
-        help="Print the JSON Schema of a task's inputs and outputs.\n\nExample: dynamics schema skid speed",
-        params=[TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar="FAMILY [TASK]")],
-        callback=show,
+        command.name,
+        help="\n\n".join(filter(None, (command.line, command.more, f"Example: {command.example}"))),
+        short_help=command.line,
+        params=[words, *options],
+        callback=carry_out,
         rich_markup_mode=None,
     )
-
-
-def _named_task(find: "Finder", families: "Mapping[str, Any]", words: "tuple[str, ...]") -> Task:
-    from dynamics_cli.core.words import nearest_words
-
-    if not words:
-        raise UsageError(
-            "a family and its task are missing", code="missing", hint="for example: dynamics schema skid speed"
-        )
-    name = words[0]
-    if name not in families:
-        near = nearest_words(name, families)
-        hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"
-        raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
-    family = find(name)
-    task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
-    if len(words) > (1 if family.alone else 2):
-        raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
-    if task is None:
-        raise UsageError(f"{name} has no such task", code="unknown-command", hint=f"there is {', '.join(family.tasks)}")
-    return task

@@ -7,6 +7,7 @@ and, labelled apart, the range over the corners of all the inputs' intervals.
 
 import numpy as np
 
+from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.uncertain.direction import integrate
 from dynamics_cli.core.uncertain.goal import Goal, Outcome, direction_of
 from dynamics_cli.core.uncertain.scanned import exceedance
@@ -30,10 +31,11 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 DEFAULT_ACCURACY = 1e-4
 # Model evaluations for one result, unless asked: about a second of a formula's time.
 DEFAULT_POINTS = 3_000_000
+# Points of a distribution function that is to be looked at.
+CURVE_POINTS = 121
 # More inputs than this have too many corners to visit.
 MOST_CORNERS = 10
 
@@ -53,18 +55,34 @@ class Spread:
         self.first: list[float] = []
         self.total: list[float] = []
         self.beyond: list[tuple[float, float]] = []
+        self.cumulative: tuple[list[float], list[float]] = ([], [])
         self.corners: tuple[float, float] | None = None
         self.tornado: list[tuple[float, float]] = []
 
+    @property
+    def varies(self) -> bool:
+        """Whether the result has a distribution at all."""
+        return self.interval[0] < self.interval[1]
+
+    def number(self, which: str) -> float:
+        """One of mean, median, std, low and high."""
+        if which in ("low", "high"):
+            return self.interval[which == "high"]
+        return float(getattr(self, which))
+
 
 class Propagation:
-    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results."""
+    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results.
+
+    `correlated` says which inputs were taken to be.
+    """
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
         self.inputs = space.names
         self.coverage = coverage
         self.seed = seed
         self.spreads: dict[str, Spread] = {}
+        self.correlated: dict[tuple[str, str], float] = {}
         self.correlation: Array | None = None
         self.shares_method = ""
         self.shares_error = 0.0
@@ -89,12 +107,14 @@ def propagate(
     limits: "Mapping[str, Sequence[float]] | None" = None,
     slopes: "Mapping[str, Mapping[str, float]] | None" = None,
     shares: bool = True,
+    curve: bool = False,
 ) -> Propagation:
     """Propagate uncertainty through `model`.
 
     `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
     model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
-    exceedance is asked; `slopes` the derivatives of each result at the inputs' means, where they are known.
+    exceedance is asked; `slopes` the derivatives of each result at the inputs' means, where they are known; `curve`
+    asks for the distribution function of every result at points across its range.
     """
     if method not in METHODS:
         raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
@@ -104,8 +124,9 @@ def propagate(
     tail = 0.5 * (1.0 - coverage)
     score = -normal.quantile(tail)
     p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
-    goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed)
+    goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed, curve=curve)
     made = Propagation(space, coverage, seed)
+    made.correlated = dict(correlation or {})
     if space.size == 0:
         _certain(space, made)
         return made
@@ -177,6 +198,10 @@ def _sampled(name: str, row: int, sample: Sample, goal: Goal, limits: "Sequence[
     made = _of_plain(name, plain)
     made.admissible = admissible
     made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in limits]
+    if goal.curve:
+        values = across_range(plain.quantiles)
+        below = np.searchsorted(ordered, values, side="right") / ordered.size
+        made.cumulative = (values.tolist(), below.tolist())
     return made
 
 
@@ -203,9 +228,18 @@ def _integrated(
     if limits:
         found = exceedance(outcome, np.array(limits, dtype=float), goal)
         spread.beyond = list(zip(limits, found.tolist(), strict=True))
+    if goal.curve and spread.interval[0] < spread.interval[1]:
+        values = across_range(outcome.quantiles)
+        spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
     if method in ("linear", "second-order", "unscented"):
         spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome)
     return spread
+
+
+def across_range(quantiles: "Array") -> "Array":
+    """Points across a result's range: the interval, and as far again beyond it as half its width to each side."""
+    low, high = float(quantiles[0]), float(quantiles[-1])
+    return np.linspace(low - 0.5 * (high - low), high + 0.5 * (high - low), CURVE_POINTS)
 
 
 def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping[str, float] | None") -> Plain:
@@ -217,6 +251,7 @@ def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping
 def _beside(spread: Spread, plain: Plain, outcome: Outcome) -> Spread:
     """A classical method's numbers; its error is the distance from the quadrature's; probabilities as if normal."""
     made = _of_plain(spread.name, plain)
+    made.cumulative = spread.cumulative
     apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
     scale = outcome.std if outcome.std > 0.0 else 1.0
     made.estimate = float(max(apart)) / scale + outcome.estimate

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.terminal import Terminal
 
+    # A file's name, what it is to hold, and the option that named it.
+    File = tuple[str, bytes, str]
+
 
 class WholeFile:
     """A file that appears under its name only when everything has been written."""
@@ -70,17 +73,16 @@ class WholeFile:
 class Beforehand:
     """Files written before what is done inside; should that fail, what was there before is there again."""
 
-    def __init__(self, files: "list[tuple[str, bytes]]", parameter: str) -> None:
+    def __init__(self, files: "list[File]") -> None:
         self._files = files
-        self._parameter = parameter
-        self._before: list[tuple[str, bytes | None]] = []
+        self._before: list[tuple[str, bytes | None, str]] = []
 
     def __enter__(self) -> "Self":
         try:
-            for name, data in self._files:
-                before = self._read(name)
-                self._write(name, data)
-                self._before.append((name, before))
+            for name, data, parameter in self._files:
+                before = self._read(name, parameter)
+                self._write(name, data, parameter)
+                self._before.append((name, before, parameter))
         except BaseException:
             self._take_back()
             raise
@@ -91,7 +93,8 @@ class Beforehand:
         if kind is not None and not issubclass(kind, BrokenPipeError):
             self._take_back()
 
-    def _read(self, name: str) -> bytes | None:
+    @staticmethod
+    def _read(name: str, parameter: str) -> bytes | None:
         if not os.path.isfile(name):
             return None
         try:
@@ -99,17 +102,18 @@ class Beforehand:
                 return file.read()
         except OSError as error:
             message = f"cannot write {name!r}: what it holds cannot be kept ({error.strerror or error})"
-            raise OutputError(message, parameter=self._parameter) from None
+            raise OutputError(message, parameter=parameter) from None
 
-    def _write(self, name: str, data: bytes) -> None:
-        with WholeFile(name, self._parameter) as file:
+    @staticmethod
+    def _write(name: str, data: bytes, parameter: str) -> None:
+        with WholeFile(name, parameter) as file:
             file.write(data)
 
     def _take_back(self) -> None:
         while self._before:
-            name, data = self._before.pop()
+            name, data, parameter = self._before.pop()
             if data is not None:
-                self._write(name, data)
+                self._write(name, data, parameter)
             elif os.path.isfile(name):
                 os.unlink(os.path.realpath(name))
 

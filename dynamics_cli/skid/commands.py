@@ -23,6 +23,7 @@ SPEED = Task(
         'dynamics skid speed --segment "distance=60 ft, friction=0.7, grade=-3 %, braking=80 %" '
         '--segment "distance=20 ft, friction=0.35" --end-speed "10 mph" --units us',
     ),
+    plot=HERE + "pictures:speed",
 )
 
 DISTANCE = Task(
@@ -37,6 +38,7 @@ DISTANCE = Task(
         assumptions=(SLIDES, POINT),
     ),
     examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
+    plot=HERE + "pictures:distance",
 )
 
 FRICTION = Task(
@@ -56,6 +58,7 @@ FRICTION = Task(
         '--test-skid "speed=30 mph, distance=41.5 ft" '
         '--test-skid "speed=30 mph, distance=44 ft"',
     ),
+    plot=HERE + "pictures:friction",
 )
 
 DRAG_FACTOR = Task(
@@ -99,6 +102,7 @@ STOP = Task(
     ),
     examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
     table="timeline",
+    plot=HERE + "pictures:stop",
 )
 
 YAW = Task(
@@ -117,6 +121,7 @@ YAW = Task(
         '--track-width "5 ft" --units us',
         'dynamics skid yaw --radius "110 m" --friction 0.7',
     ),
+    plot=HERE + "pictures:yaw",
 )
 
 VAULT = Task(
@@ -142,6 +147,7 @@ VAULT = Task(
         'dynamics skid vault --distance "18 m" --rise "-3 m" --take-off "6 deg"',
         'dynamics skid vault --distance "18 m" --rise "-3 m"',
     ),
+    plot=HERE + "pictures:vault",
 )
 
 PEDESTRIAN = Task(
@@ -169,6 +175,7 @@ PEDESTRIAN = Task(
         'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
         '--launch-angle "12 deg" --launch-height "1 m"',
     ),
+    plot=HERE + "pictures:pedestrian",
 )
 
 AVOID = Task(
@@ -187,6 +194,7 @@ AVOID = Task(
         "--friction 0.75",
     ),
     table="approaches",
+    plot=HERE + "pictures:avoid",
 )
 
 SPIN = Task(

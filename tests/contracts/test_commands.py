@@ -2,6 +2,7 @@
 
 import json
 import shlex
+from pathlib import Path
 
 import jsonschema
 import pytest
@@ -82,6 +83,19 @@ class TestExamples:
         assert again.status == 0, again.err
         assert again.document["results"] == document["results"]
         assert again.document["inputs"] == document["inputs"]
+
+
+PICTURED = [(path, example) for path, example in EXAMPLES if TASKS[path].plot]
+
+
+@pytest.mark.parametrize(("path", "example"), PICTURED, ids=[example for _, example in PICTURED])
+def test_every_example_of_a_task_with_a_picture_has_one(path: str, example: str, tmp_path: Path) -> None:
+    if "--sweep" in example or "--plot" in example:
+        return
+    file = tmp_path / "picture.svg"
+    outcome = run(*words(example), "--plot", str(file))
+    assert outcome.status == 0, outcome.err
+    assert file.stat().st_size > 2000
 
 
 def _shown_options(argv: list[str]) -> list[str]:

@@ -232,6 +232,12 @@ class TestCompletion:
             ("dynamics skid speed --format j", 4, "json"),
             ("dynamics units table jo", 3, "josephs-huston"),
             ("dynamics convert 60 mp", 3, "mph"),
+            ("dynamics skid speed --method mo", 4, "monte-carlo"),
+            ("dynamics skid vault --model ", 4, "known-take-off-angle"),
+            ("dynamics schema sk", 2, "skid"),
+            ("dynamics schema skid pe", 3, "pedestrian"),
+            ("dynamics reference co", 2, "convert"),
+            ("dynamics reference skid --format m", 4, "man"),
         ],
     )
     def test_names_complete(self, words: str, count: int, expected: str) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from references.comparison import HERE, cases, disagreements, measure
+from references.comparison import DATA, HERE, cases, disagreements, measure
 
 from dynamics_cli.convert import coords
 from dynamics_cli.errors import InadmissibleError
@@ -51,7 +51,7 @@ def test_arrays_give_the_bits_of_scalars(task: str) -> None:
 def test_generating_again_gives_the_same_bytes(tmp_path: Path) -> None:
     made = tmp_path / "coords.json"
     subprocess.run([sys.executable, str(HERE / "generate_coords_references.py"), str(made)], check=True)
-    assert made.read_bytes() == (HERE / "coords.json").read_bytes()
+    assert made.read_bytes() == (DATA / "coords.json").read_bytes()
 
 
 def close(one: float, other: float, size: float) -> bool:

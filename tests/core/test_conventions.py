@@ -292,3 +292,53 @@ class TestReserved:
 )
 def test_both_routes_are_byte_identical(argv: tuple[str, ...]) -> None:
     assert run(*argv) == run(*argv, route="tree")
+
+
+class TestScenesByOptions:
+    def test_a_scene_needs_no_file(self) -> None:
+        document = answer("toy", "assembly", "--shape", "ball", "--radius", "2 m")
+        assert document["results"]["volume"] == {"value": 32e9, "unit": "mm³"}
+
+    def test_options_stand_over_the_file(self, tmp_path: Path) -> None:
+        scene = tmp_path / "scene.toml"
+        scene.write_text('shape = "ball"\nradius = "2 m"\n')
+        assert value(answer("toy", "assembly", str(scene)), "volume") == 32e9
+        assert value(answer("toy", "assembly", str(scene), "--radius", "1 m"), "volume") == 4e9
+
+    def test_its_options_are_those_of_its_fields_once(self) -> None:
+        from dynamics_cli import cli
+
+        names = list(cli.family("toy").tasks["assembly"].options)
+        assert "position" in names
+        assert "radius" in names
+
+
+class TestFilesThatAFamilyReads:
+    @pytest.mark.parametrize("size", [10, (1 << 24) + 5])
+    def test_are_named_with_their_hash_large_or_small(self, tmp_path: Path, size: int) -> None:
+        import hashlib
+
+        file = tmp_path / "part.stl"
+        file.write_bytes(b"x" * size)
+        document = answer("toy", "say", "--law", "linear", "--file", str(file))
+        assert document["files"] == [{"name": str(file), "sha256": hashlib.sha256(b"x" * size).hexdigest()}]
+
+    def test_of_every_point_of_a_sweep_once(self, tmp_path: Path) -> None:
+        file = tmp_path / "part.stl"
+        file.write_bytes(b"x" * ((1 << 24) + 5))
+        outcome = run("toy", "say", "--law", "linear", "--file", str(file), "--times", "1..2", "--json")
+        assert len(outcome.document["files"]) == 1
+
+
+class TestSchemas:
+    def test_a_ratio_may_be_text_or_as_a_document_writes_it(self) -> None:
+        import jsonschema
+
+        from dynamics_cli import cli
+        from dynamics_cli.core.schema import schema
+
+        inputs = schema(cli.family("toy").tasks["say"])["properties"]["inputs"]["properties"]["teeth"]
+        for value in ("365.2422/27.3217", {"value": "365.2422/27.3217"}):
+            jsonschema.validate(value, inputs)
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(1.5, inputs)

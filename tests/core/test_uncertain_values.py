@@ -166,9 +166,3 @@ def test_few_readings() -> None:
     assert speed["std"] is None
     assert speed["interval"][0] < speed["value"] < speed["interval"][1]
     assert "no-deviation" in [warning["code"] for warning in document["warnings"]]
-
-
-def test_rows_want_certain_values() -> None:
-    outcome = run("skid", "speed", "--rows", "-", stdin='{"distance": "60 ± 2 ft", "friction": 0.7}\n')
-    assert outcome.status == 4
-    assert "certain" in outcome.out + outcome.err

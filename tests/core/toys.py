@@ -1,9 +1,13 @@
 """Small tasks, one for each convention of signatures, registered as the family `toy` by the tests."""
 
+import math
+
 from dynamics_cli.core.task import Family, Model, Task
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points, circle
+from dynamics_cli.pictures import Arrow, Axis, Band, Mark, Panel, Picture
+from dynamics_cli.pictures import Curve as Curve_
 from dynamics_cli.quantities import (
     Angle,
     Area,
@@ -384,6 +388,31 @@ def curve(*, lift: Size, count: Count = 5) -> Curve:
     )
 
 
+def curve_picture(made: Curve, *, lift: float, count: int = 5) -> Picture:
+    """Every item there is, on two panels."""
+    points = made.points.arrays
+    angle, rise = points["angle"].tolist(), points["lift"].tolist()
+    over = Panel(
+        Axis("angle", Angle),
+        Axis("lift", Size),
+        (
+            Curve_(angle, rise, "rise"),
+            Curve_([0.0, 1.0, 1.0], [0.0, lift, math.nan], "broken", "points"),
+            Mark(0.5, 0.5 * lift, "half way"),
+            Arrow(0.0, 0.0, 0.5, 0.5 * lift, "up", 1),
+            Band(0.2, 0.4, "a stretch"),
+            Band(lift, lift, "the top", vertical=False),
+        ),
+        "a rise",
+    )
+    plan = Panel(
+        Axis("x", Size), Axis("y", Size), (Curve_([0.0, lift, lift], [0.0, 0.0, lift], "", "filled"),), equal=True
+    )
+    powers = [10.0**i for i in range(count)]
+    decades = Panel(Axis("x", logarithmic=True), Axis("y", logarithmic=True), (Curve_(powers, powers, style="steps"),))
+    return Picture((over, plan, decades), f"a curve of {count} points", 2)
+
+
 class Law(Choice):
     """A law."""
 
@@ -608,7 +637,7 @@ FAMILIES = {
         _task("volume", "volume"),
         _task("assembly", "assembly"),
         _task("spin", "spin"),
-        _task("curve", "curve", table="points", tracked=False, arrays=False),
+        _task("curve", "curve", table="points", tracked=False, arrays=False, plot="toys:curve_picture"),
         _task("say", "say", tracked=False, arrays=False),
         _task("fall", "standing toys:from_rest", "fall"),
         _task("mean", "mean"),

@@ -5,7 +5,7 @@ is an object whose "record" names its class.
 """
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from math import inf
@@ -15,10 +15,12 @@ from typing import Any
 import numpy as np
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.cases import DATA, build, flat, leaves
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.tracked import Tracked
 
 HERE = Path(__file__).resolve().parent
+__all__ = ["DATA", "HERE", "build", "cases", "disagreements", "flat", "leaves", "measure"]
 UNIT_ROUNDOFF = mpf(2) ** -53
 SMALLEST = mpf(2) ** -1074
 # A square root turns the smallest double into 2⁻⁵³⁷; exact zeros may carry that much.
@@ -28,53 +30,8 @@ UNDERFLOW = mpf(10) ** -150
 @cache
 def cases(file: str, task: str) -> list[dict[str, Any]]:
     """The cases of one task in a reference file."""
-    data = json.loads((HERE / file).read_text(encoding="utf-8"))
+    data = json.loads((DATA / file).read_text(encoding="utf-8"))
     return [case for case in data["cases"] if case["task"] == task]
-
-
-def leaves(tree: Any) -> Iterator[float]:
-    """Every double of an input tree, in order."""
-    if isinstance(tree, dict):
-        for name, part in tree.items():
-            if name != "record":
-                yield from leaves(part)
-    elif isinstance(tree, list):
-        for part in tree:
-            yield from leaves(part)
-    elif isinstance(tree, str):
-        yield float(tree)
-
-
-def build(tree: Any, numbers: Iterator[Any], groups: dict[str, type]) -> Any:
-    """The function's arguments, with `numbers` in place of the leaves; `groups` gives the class of a group's items."""
-    if isinstance(tree, dict):
-        parts = {}
-        for name, part in tree.items():
-            if isinstance(part, list):
-                parts[name] = tuple(groups[name](**build(item, numbers, groups)) for item in part)
-            elif isinstance(part, dict):
-                inner = {key: value for key, value in part.items() if key != "record"}
-                parts[name] = groups[part["record"]](**build(inner, numbers, groups))
-            else:
-                parts[name] = next(numbers) if isinstance(part, str) else part
-        return parts
-    raise TypeError(tree)
-
-
-def flat(result: Any, prefix: str = "") -> dict[str, Any]:
-    """Every number of a result by address; checks, advice, words and answers of yes or no are left out."""
-    out: dict[str, Any] = {}
-    for name in result.fields:
-        value = getattr(result, name)
-        address = prefix + name
-        if name in ("checks", "advice") or value is None or isinstance(value, (str, bool)):
-            continue
-        if isinstance(value, tuple):
-            for index, row in enumerate(value):
-                out |= flat(row, f"{address}[{index}].")
-        elif str(getattr(value, "dtype", "")) != "bool":
-            out[address] = value
-    return out
 
 
 def spacing(reference: Any) -> Any:

@@ -13,7 +13,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 DIGITS = 1400
 Point = tuple[float, float, float]
 
@@ -157,4 +157,4 @@ def main(target: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "coords.json")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "coords.json")

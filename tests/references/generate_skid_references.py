@@ -16,7 +16,7 @@ import skid_motion
 from mpmath import mp, mpf
 
 G = 9.80665
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = tuple[str, str, dict[str, Any]]
 
 
@@ -450,4 +450,4 @@ def main(target: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "skid.json")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "skid.json")

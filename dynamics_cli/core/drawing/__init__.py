@@ -14,8 +14,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.specification import Field
     from dynamics_cli.core.task import Task
-
-    File = tuple[str, bytes]
+    from dynamics_cli.core.writing import File
 
 FORMATS = ("dxf", "svg", "csv")
 
@@ -60,7 +59,7 @@ def files_of(task: "Task", record: "Any", name: str, units: str) -> "tuple[list[
         entry: dict[str, Any] = {**entry_of(name, data), "written": True}
     else:
         data, entry = _drawn(_gathered(task, record), form, name, units)
-    return [(name, data)], [entry]
+    return [(name, data, "drawing")], [entry]
 
 
 def drawing_fields(task: "Task") -> "list[Field]":

@@ -4,7 +4,7 @@ from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.gather import gather, keys_of, merge, put, read_words
-from dynamics_cli.core.rows.layout import Layout
+from dynamics_cli.core.rows.layout import Layout, SpreadPart
 from dynamics_cli.core.shown import Display
 from dynamics_cli.core.specification import Field, Leaf, Many
 from dynamics_cli.core.task import Task
@@ -12,9 +12,11 @@ from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
     from dynamics_cli.core.reading import Reader
+    from dynamics_cli.core.task import Model
     from dynamics_cli.core.terminal import Terminal
 
     Raw = dict[str, Any]
@@ -29,14 +31,21 @@ class Case:
         gathered = gather(task, call, settings, terminal, rows=True)
         self.base: Raw = gathered.raw
         self.reader: Reader = gathered.reader
+        self.origins = dict(self.reader.origins)
         # What the command line itself says wins over the rows; what its files say does not.
         self.fixed, _ = read_words(task.specification.fields, call.words, rows=True)
         for name, value in call.options.items():
             put(self.fixed, task.options[name].path, value)
         self.measure = self._measure()
         self.default_unit = ""
+        self.settings = settings
+        # What asks for distributions before any row is seen.
+        spread = bool(settings.coverage or settings.method or settings.samples or settings.seed or settings.correlate)
         self.layout = Layout(
-            task.specification.result, Display(settings.units, settings.to), self.fixed.get(self.measure[1])
+            task.specification.result,
+            Display(settings.units, settings.to),
+            self.fixed.get(self.measure[1]),
+            spread=spread and not self.measure[0],
         )
 
     def check(self) -> None:
@@ -44,7 +53,7 @@ class Case:
         if self.asked:
             choose(self.task, Fields(None, {}), self.asked)
         try:
-            self.bind({})
+            self.bind({}, uncertain=True)
         except DynamicsError as error:
             wrong = [one for one in error.all() if one.code != "missing"]
             if wrong:
@@ -66,6 +75,18 @@ class Case:
             self.fixed = {**self.fixed, name: targets[1:]}
             self.base = {**self.base, name: targets[1:]}
             self.layout = Layout(self.task.specification.result, self.layout.display, targets[1:])
+
+    def take_spread(self, rows: "Iterable[Raw]") -> None:
+        """Let rows show distributions if the parameters that the call fixes, or one of these rows, are uncertain."""
+        for row in ({}, *rows):
+            if self.layout.spread or self.measure[0]:
+                return
+            try:  # noqa: SIM105  contextlib would have to be imported
+                self.bind(row, uncertain=True)
+            except DynamicsError:
+                pass  # what is wrong with this row is told in its place
+            if self.reader.uncertain:
+                self.layout = Layout(self.task.specification.result, self.layout.display, spread=True)
 
     @property
     def names(self) -> "set[str]":
@@ -95,17 +116,39 @@ class Case:
         number = value["value"] if isinstance(value, dict) else value
         return {**row, self.measure[0]: f"{number} {self.default_unit}"}
 
-    def bind(self, row: "Raw") -> Fields:
-        """The row's inputs as read."""
+    def bind(self, row: "Raw", *, uncertain: bool = False) -> Fields:
+        """The row's inputs as read; distributions are left with the reader."""
         reader = self.reader
+        reader.uncertain = {} if uncertain else None
         reader.errors, reader.notes, reader.files = [], [], []
+        reader.origins = dict(self.origins)
         return reader.read(self.task.specification.fields, self.raw(row))
 
     def values(self, row: "Raw") -> "list[Any]":
         """What the row shows; raises what a single call would."""
-        bound = self.bind(row)
+        bound = self.bind(row, uncertain=True)
         model, _ = choose(self.task, bound, self.asked)
-        return self.layout.values(call_model(self.task, model, bound))
+        return self.shown(model, bound, call_model(self.task, model, bound))
+
+    def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
+        """What a row shows of a record, distributions included where inputs are uncertain."""
+        values = self.layout.values(record)
+        if not self.reader.uncertain:
+            return values
+        if not self.layout.spread:
+            raise UsageError(
+                "the row holds an uncertain value, and the rows before it did not",
+                code="uncertain",
+                hint="say --coverage '95 %', so that every row has room for its distribution",
+            )
+        from dynamics_cli.core.uncertain.document import spread_of
+
+        made = spread_of(self.task, model, bound, record, self.reader, self.settings)
+        for place, part in enumerate(self.layout.parts):
+            spread = made.spreads.get(part.of_result) if isinstance(part, SpreadPart) else None
+            if spread is not None and spread.varies and isinstance(part, SpreadPart):
+                values[place] = part.shown_value(spread.number(part.which))
+        return values
 
     def words(self, words: "list[str]") -> "Raw":
         """The parameters that a line of words gives: those positional ones that the call does not fix."""

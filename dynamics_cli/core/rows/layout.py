@@ -110,6 +110,39 @@ class Part:
         return {"value": shown, "unit": value.unit}
 
 
+class SpreadPart(Part):
+    """One number of an uncertain result's distribution: `which` says which."""
+
+    __slots__ = ("of_result", "which")
+
+    def __init__(self, part: Part, which: str) -> None:
+        super().__init__(part.keys, part.steps, "number", part.shown)
+        self.of_result = ".".join(part.keys)
+        self.which = which
+        self.address = f"{part.address}.{which}"
+
+    def value(self, record: "Any") -> "Any":
+        """Nothing: what is certain has no distribution; the case fills it in."""
+        return None
+
+    def shown_value(self, si: float) -> "Any":
+        """A number of the distribution as it is shown; a deviation is a difference."""
+        if si - si != 0.0:
+            return None
+        assert self.shown is not None
+        return self.shown.width(si) if self.which == "std" else self.shown.value(si)
+
+    def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
+        """Put it beside the result's value, as a document has it."""
+        if self.which in ("low", "high"):
+            entry.setdefault("interval", []).append(value)
+        else:
+            entry[self.which] = value
+
+
+SPREAD = ("mean", "median", "std", "low", "high")
+
+
 def _measured(value: "Any") -> "tuple[list[float], list[str]]":
     items: Sequence[Measured] = value if isinstance(value, tuple) else (value,)
     numbers: list[float] = []
@@ -119,12 +152,18 @@ def _measured(value: "Any") -> "tuple[list[float], list[str]]":
 
 
 class Layout:
-    """The results of a task's rows, in order; `targets` are the units of measured results where the call fixes them."""
+    """The results of a task's rows, in order; `targets` are the units of measured results where the call fixes them.
 
-    def __init__(self, result: Record, display: Display, targets: "list[str] | None" = None) -> None:
+    With `spread` every number has those of its distribution after it.
+    """
+
+    def __init__(
+        self, result: Record, display: Display, targets: "list[str] | None" = None, *, spread: bool = False
+    ) -> None:
         self.result = result
         self.display = display
         self.targets = targets
+        self.spread = spread
         self._known: list[str] = []
         self.parts = list(self._record(result, (), ()))
         display.check(self._known)
@@ -161,7 +200,10 @@ class Layout:
             elif form == "tensor":
                 indices = [(i, j) for i in range(leaf.kind.size) for j in range(leaf.kind.size)]
             for index in indices:
-                yield Part(keys, (*steps, *index), "number", shown)
+                part = Part(keys, (*steps, *index), "number", shown)
+                yield part
+                if self.spread and not index and ";" not in part.unit:
+                    yield from (SpreadPart(part, which) for which in SPREAD)
 
     def _many(self, node: Many, keys: "tuple[str, ...]", steps: "tuple[Any, ...]") -> "Iterator[Part]":
         item = node.item
@@ -200,7 +242,10 @@ class Layout:
             inner = made
             for key in part.keys[:-1]:
                 inner = inner.setdefault(key, {})
-            _place(inner, part, value)
+            if isinstance(part, SpreadPart):
+                part.add_to(inner[part.keys[-1]], value)
+            else:
+                _place(inner, part, value)
         return made
 
 

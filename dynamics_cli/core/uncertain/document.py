@@ -4,12 +4,14 @@ import math
 
 import numpy as np
 
+from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
+from dynamics_cli.core.uncertain.carried import carried
 from dynamics_cli.core.uncertain.model import TaskModel, result_leaves
 from dynamics_cli.core.uncertain.text import read_correlations
-from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, METHODS, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, Propagation, Spread, propagate
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.lattice import DEFAULT_SEED
 
@@ -21,9 +23,10 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.call import Settings
+    from dynamics_cli.core.reading import Reader
     from dynamics_cli.core.shown import Display, Shown
-    from dynamics_cli.core.task import Task
-    from dynamics_cli.core.uncertain.distributions import Distribution
+    from dynamics_cli.core.task import Model, Task
+    from dynamics_cli.pictures import Picture
     from dynamics_cli.quantities import Kind
 
 # A formula called case by case is some hundred times slower than one on arrays.
@@ -39,29 +42,18 @@ def add_uncertainty(
     task: "Task",
     bound: "Fields",
     answered: "Answer",
-    distributions: "Mapping[str, Distribution]",
+    reader: "Reader",
     settings: "Settings",
     display: "Display",
-) -> None:
-    """Propagate the inputs' distributions through the task's model and say what comes of it."""
-    model = TaskModel(task, answered.model, bound, answered.record)
-    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, model.spec)}
+) -> "Picture | None":
+    """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
+    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
     for key, _, _, reading in limits:
         wanted.setdefault(key, []).append(reading.si)
-    made = propagate(
-        model,
-        distributions,
-        read_correlations(settings.correlate, list(distributions)),
-        coverage=read_coverage(settings.coverage),
-        method=_method(settings.method),
-        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
-        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
-        seed=settings.seed or DEFAULT_SEED,
-        limits=wanted,
-        slopes=_slopes(answered, model),
-    )
+    more = {"limits": wanted, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
+    made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more)
     shown = {name: display.of(name, kind) for name, kind in kinds.items()}
     _add_results(document["results"], made, shown)
     document["numerics"]["uncertainty"] = _method_entry(made)
@@ -72,6 +64,41 @@ def add_uncertainty(
     if limits:
         document["limits"] = _limit_entries(limits, made, kinds, shown)
     document["warnings"] += _warnings(made)
+    if not settings.plot:
+        return None
+    from dynamics_cli.core.plot.made import of_spread
+
+    return of_spread(task.path, made, kinds, wanted)
+
+
+def spread_of(
+    task: "Task",
+    model: "Model",
+    bound: "Fields",
+    record: "Any",
+    reader: "Reader",
+    settings: "Settings",
+    *,
+    shares: bool = False,
+    more: "Mapping[str, Any] | None" = None,
+) -> Propagation:
+    """The distributions of a task's results, by the settings of the call."""
+    distributions = reader.uncertain or {}
+    asked = read_correlations(settings.correlate, list(distributions))
+    come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
+    come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
+    return propagate(
+        TaskModel(task, model, bound, record),
+        distributions,
+        {**come, **asked},
+        coverage=read_coverage(settings.coverage),
+        method=_method(settings.method),
+        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
+        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+        seed=settings.seed or DEFAULT_SEED,
+        shares=shares,
+        **(more or {}),
+    )
 
 
 def read_coverage(text: str) -> float:
@@ -97,12 +124,12 @@ def _method(text: str) -> str:
     return name
 
 
-def _slopes(answered: "Answer", model: TaskModel) -> "dict[str, dict[str, float]] | None":
+def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | None":
     """Derivatives by the inputs, as the formula carried them at the means."""
     if not answered.leaves:
         return None
     made = {}
-    for name, _, value in result_leaves(answered.record, model.spec):
+    for name, _, value in result_leaves(answered.record, task.specification.result):
         slopes = getattr(value, "slopes", None)
         if slopes is not None:
             made[name] = {leaf: slope for (leaf, _), slope in zip(answered.leaves, slopes, strict=True)}
@@ -140,6 +167,8 @@ def _method_entry(made: Propagation) -> "dict[str, Any]":
                 entry["admissible"] = spread.admissible
             results[name] = entry
     out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
+    if made.correlated:
+        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in made.correlated.items()}
     if made.shares_method:
         out["shares"] = {"method": made.shares_method}
         if math.isfinite(made.shares_error):

@@ -25,14 +25,17 @@ FLOOR = 3e-14
 
 
 class Goal:
-    """What is wanted of every result: probabilities of the quantiles, accuracy, and at most how many points."""
+    """What is wanted of every result: probabilities of the quantiles, accuracy, at most how many points, a curve."""
 
-    def __init__(self, p: "Array", scores: "Array", accuracy: float, points: int, seed: int) -> None:
+    def __init__(
+        self, p: "Array", scores: "Array", accuracy: float, points: int, seed: int, *, curve: bool = False
+    ) -> None:
         self.p = p
         self.scores = scores
         self.accuracy = accuracy
         self.points = points
         self.seed = seed
+        self.curve = curve
 
     @property
     def tolerance(self) -> float:

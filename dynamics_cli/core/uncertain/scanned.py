@@ -30,13 +30,13 @@ def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
     if space.stepped:
         return _atoms(space, result, lines, goal)
     scan = Scan(lines, points=FINE_SCAN)
-    fine = Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
-    made = _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
     if not np.isnan(scan.values).any() and bool((np.diff(scan.values[0]) >= 0.0).all()):
-        made.quantiles = lines.values(goal.scores[None, :])[0]
-        made.method = "the input's own quantiles through the model"
-        made.estimate = _coarser(scan, made) if made.std > 0.0 else FLOOR
-    return made
+        quantiles = lines.values(goal.scores[None, :])[0]
+        made = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
+        made.estimate = _coarser(scan, made) if made.std > 0.0 and not space.heavy else FLOOR
+        return made
+    fine = Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
+    return _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
 
 
 def _atoms(space: Space, result: int, lines: Lines, goal: Goal) -> Outcome:
@@ -124,24 +124,28 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
         )
     tolerance = min(max(0.02 * goal.accuracy, 1e-11), 1e-4)
     quantiles, share, slope = scan.quantiles(goal.p, tolerance)
-    made = Outcome(method, quantiles, scan.lines, groups=groups)
-    made.scan, made.admissible = scan, scan.admissible
-    first, second = scan.moments()
-    weights = scan.lines.weights
-    made.mean = float(weights @ first) / scan.admissible
-    made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - made.mean**2, 0.0)))
+    made = _with_moments(Outcome(method, quantiles, scan.lines, groups=groups), scan)
     heavy = scan.lines.space.heavy
-    if heavy:
-        made.std = width_of(quantiles, goal)
-    if groups > 1 and made.std > 0.0:
-        made.estimate = _scan_estimate(scan, made, goal, share, slope, first, second)
-    elif made.std == 0.0 or heavy:
+    width = width_of(quantiles, goal) if heavy else made.std
+    if groups > 1 and width > 0.0:
+        made.estimate = _scan_estimate(scan, made, goal, share, slope, width)
+    elif width == 0.0 or heavy:
         made.estimate = FLOOR
     else:
         made.estimate = _coarser(scan, made)
     made.estimate = max(made.estimate, tolerance)
-    if heavy:
-        made.mean = made.std = float("nan")
+    return made
+
+
+def _with_moments(made: Outcome, scan: Scan) -> Outcome:
+    """The outcome with what the scan knows: the admissible share, mean and deviation where these exist."""
+    made.scan, made.admissible = scan, scan.admissible
+    if scan.lines.space.heavy:
+        return made
+    first, second = scan.moments()
+    weights = scan.lines.weights
+    made.mean = float(weights @ first) / scan.admissible
+    made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - made.mean**2, 0.0)))
     return made
 
 
@@ -152,28 +156,27 @@ def _coarser(scan: Scan, made: Outcome) -> float:
     return max(0.3 * max(abs(first - made.mean), abs(float(std) - made.std)) / made.std, FLOOR)
 
 
-def _scan_estimate(
-    scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", first: "Array", second: "Array"
-) -> float:
+def _scan_estimate(scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", width: float) -> float:
     """The scatter of replicates: of probabilities over the density (not at atoms and gaps), and of the moments."""
     weights = scan.lines.weights
     pieces = scan.pieces
     mass = np.bincount(pieces.line, scan.measures, minlength=weights.size).reshape(SHIFTS, -1).mean(axis=1)
     shares = share.reshape(SHIFTS, -1, share.shape[1]).mean(axis=1) / mass[:, None]
-    means = first.reshape(SHIFTS, -1).mean(axis=1) / mass
-    squares = second.reshape(SHIFTS, -1).mean(axis=1) / mass
-    deviations = np.sqrt(np.maximum(squares - 2.0 * made.mean * means + made.mean**2, 0.0))
-    errors = [] if scan.lines.space.heavy else [means.std(ddof=1) / made.std, deviations.std(ddof=1) / made.std]
+    errors: list[float] = []
+    if not scan.lines.space.heavy:
+        means, squares = (part.reshape(SHIFTS, -1).mean(axis=1) / mass for part in scan.moments())
+        deviations = np.sqrt(np.maximum(squares - 2.0 * made.mean * means + made.mean**2, 0.0))
+        errors = [means.std(ddof=1) / width, deviations.std(ddof=1) / width]
     scatter = shares.std(axis=0, ddof=1)
-    dense = slope * made.std / scan.admissible
+    dense = slope * width / scan.admissible
     # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.
     sure = REPLICATE_FACTOR * scatter
-    before = scan.below(made.quantiles - 1e-7 * made.std, 1e-9)[0]
+    before = scan.below(made.quantiles - 1e-7 * width, 1e-9)[0]
     under, over = (weights @ part / scan.admissible for part in (before, share))
     for e, d, low, high, p in zip(scatter, dense, under + sure, over - sure, goal.p, strict=True):
         # Well within an atom the quantile is the atom, whatever the scatter.
         errors.append(0.0 if low < p < high else float(e / d) if d > 1e-3 else float(e))
-    return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)  # type: ignore[no-any-return]
+    return max(REPLICATE_FACTOR * max(errors) / float(np.sqrt(SHIFTS)), FLOOR)
 
 
 def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":

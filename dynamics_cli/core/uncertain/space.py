@@ -110,6 +110,11 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
     return made
 
 
+def positive(matrix: "Array") -> bool:
+    """Whether a matrix of correlations can be one."""
+    return _cholesky(matrix) is not None
+
+
 def _cholesky(matrix: "Array") -> "Array | None":
     """A triangular factor that allows pivots of zero (correlations of ±1); None when a pivot is negative."""
     count = len(matrix)

@@ -1,0 +1,24 @@
+"""The command `dynamics accuracy`."""
+
+from dynamics_cli.core.task import Family, Model, Task
+
+TASK = Task(
+    "",
+    "Speed against error of every method, measured here and now.",
+    Model(
+        "work–precision measurement",
+        "dynamics_cli.accuracy.report:accuracy",
+        source="references of 40 digits by other formulas, in multiple precision or exact rationals",
+        method="errors in 60-digit decimals, times as medians of repeats",
+    ),
+    examples=(
+        "dynamics accuracy coords --untimed",
+        "dynamics accuracy skid yaw --hard --untimed",
+    ),
+    table="methods",
+    arrays=False,
+    tracked=False,
+    digits=3,
+    plot="dynamics_cli.accuracy.pictures:work_precision",
+)
+FAMILIES = {"accuracy": Family("accuracy", "Speed against error of every method, measured here and now.", TASK)}

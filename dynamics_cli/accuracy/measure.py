@@ -1,0 +1,158 @@
+"""Error and time of a method: against references in decimal arithmetic, by the median of repeats."""
+
+import math
+from decimal import Context, Decimal
+from statistics import median
+from time import perf_counter
+
+from dynamics_cli.accuracy.cases import Case, build, flat, leaves
+from dynamics_cli.errors import DynamicsError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any
+
+# Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
+DIGITS = Context(prec=60)
+# The reference itself is rounded to 40 digits.
+REFERENCE = Decimal("1e-39")
+
+
+class Errors:
+    """A method's errors over its cases: relative and in units in the last place, and whether its bounds held."""
+
+    def __init__(self) -> None:
+        self.relative: list[float] = []
+        self.ulps: list[float] = []
+        self.cases = 0
+        self.refused = 0
+        self.broken = 0
+        self.bounded = 0
+        self.worst = ("", -1.0)
+
+    def add(self, where: str, value: float, text: str, bound: "float | None") -> None:
+        """Count one result of one case."""
+        reference = Decimal(text)
+        error = DIGITS.subtract(Decimal(value), reference).copy_abs()
+        slack = DIGITS.multiply(reference.copy_abs(), REFERENCE)
+        true = max(DIGITS.subtract(error, slack), Decimal(0))
+        near = float(reference)
+        relative = float(DIGITS.divide(true, reference.copy_abs())) if near else float(true)
+        ulps = float(DIGITS.divide(true, Decimal(math.ulp(near))))
+        self.relative.append(relative)
+        self.ulps.append(ulps)
+        if ulps > self.worst[1]:
+            self.worst = (where, ulps)
+        if bound is not None:
+            self.bounded += 1
+            self.broken += Decimal(bound) < true
+
+    def note(self, where: str, error: float, estimate: "float | None") -> None:
+        """Count an error measured otherwise, beside the estimate stated for it."""
+        self.relative.append(error)
+        if error > self.worst[1]:
+            self.worst = (where, error)
+        if estimate is not None:
+            self.bounded += 1
+            self.broken += estimate < error
+
+
+def errors_of(
+    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *, tracked: bool
+) -> Errors:
+    """The errors of a method over its cases."""
+    made = Errors()
+    for case in cases:
+        numbers: list[Any] = list(leaves(case.inputs))
+        if tracked:
+            from dynamics_cli.numerics.tracked import Tracked
+
+            numbers = Tracked.inputs(numbers)
+        try:
+            results = results_of(function(**build(case.inputs, iter(numbers), groups)))
+        except (DynamicsError, ArithmeticError, ValueError):
+            made.refused += 1
+            continue
+        shown = {
+            name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results
+        }
+        if not all(map(math.isfinite, shown.values())):
+            made.refused += 1
+            continue
+        made.cases += 1
+        for name, value in shown.items():
+            bound = getattr(results[name], "error", 0.0 if tracked else None)
+            made.add(f"{case.name}: {name}", value, case.results[name], bound)
+    return made
+
+
+def results_of(answer: "Any") -> "dict[str, Any]":
+    """Results by address, of a record or a dictionary."""
+    return answer if isinstance(answer, dict) else flat(answer)
+
+
+def seconds(call: "Callable[[], Any]", *, repeats: int, least: float) -> float:
+    """The time of one call: the median of repeats, each of as many calls as take `least` seconds."""
+    count = 1
+    while True:
+        start = perf_counter()
+        for _ in range(count):
+            call()
+        took = perf_counter() - start
+        if took >= least or count >= 1 << 20:
+            break
+        count = max(2 * count, min(1 << 20, int(1.2 * count * least / max(took, 1e-9))))
+    times = [took / count]
+    for _ in range(repeats - 1):
+        start = perf_counter()
+        for _ in range(count):
+            call()
+        times.append((perf_counter() - start) / count)
+    return median(times)
+
+
+class Pace:
+    """How much time the report may take."""
+
+    def __init__(self, *, full: bool) -> None:
+        self.timed_cases = 25 if full else 5
+        self.repeats = 15 if full else 5
+        self.least = 5e-3 if full else 5e-4
+        self.rows = 4096
+
+
+def scalar_time(
+    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", pace: Pace
+) -> "float | None":
+    """The median over some cases of the time of one scalar call."""
+    times = []
+    for case in cases:
+        arguments = build(case.inputs, leaves(case.inputs), groups)
+        try:
+            function(**arguments)
+        except (DynamicsError, ArithmeticError, ValueError):
+            continue
+        times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
+        if len(times) == pace.timed_cases:
+            break
+    return median(times) if times else None
+
+
+def array_time(
+    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", pace: Pace
+) -> "float | None":
+    """The time per case of one call on arrays of many like the first case that arrays can answer."""
+    import numpy as np
+
+    for case in cases:
+        columns = [np.full(pace.rows, number) for number in leaves(case.inputs)]
+        if not columns:
+            return None
+        arguments = build(case.inputs, iter(columns), groups)
+        try:
+            function(**arguments)
+        except (DynamicsError, ArithmeticError, ValueError, TypeError):
+            continue
+        return seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least) / pace.rows  # noqa: B023
+    return None

@@ -1,0 +1,1 @@
+"""The methods that lost: textbook forms and alternatives, kept here to show why the chosen ones were chosen."""

@@ -1,0 +1,138 @@
+"""A report as a list of blocks, and its two forms: Markdown, and HTML that needs no other file."""
+
+from html import escape
+
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+@record
+class Heading:
+    """A heading of a level from 1."""
+
+    level: int
+    text: str
+
+
+@record
+class Paragraph:
+    """Words."""
+
+    text: str
+
+
+@record
+class Items:
+    """A list of words."""
+
+    texts: "Sequence[str]"
+
+
+@record
+class Table:
+    """Rows of text under a head."""
+
+    head: "Sequence[str]"
+    rows: "Sequence[Sequence[str]]"
+
+
+@record
+class Code:
+    """Text that stands as it is."""
+
+    text: str
+
+
+@record
+class Image:
+    """An SVG picture with words for those who cannot see it."""
+
+    svg: bytes
+    text: str
+
+
+Block = Heading | Paragraph | Items | Table | Code | Image
+
+STYLE = (
+    "body{font:11pt/1.45 system-ui,sans-serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
+    "table{border-collapse:collapse;margin:.6em 0}td,th{border:1px solid #bbb;padding:.2em .6em;text-align:left}"
+    "th{background:#eee}pre{background:#f6f6f6;padding:.6em;overflow:auto;font-size:9pt;white-space:pre-wrap}"
+    "svg{max-width:100%;height:auto}h2{border-bottom:1px solid #bbb;margin-top:2em}"
+    "@media print{body{margin:0;max-width:none}h2{break-before:page}table,svg{break-inside:avoid}}"
+)
+
+
+def markdown(blocks: "Sequence[Block]", images: "Sequence[str]") -> str:
+    """The report as Markdown; `images` names the pictures' files in order, none where they are left out."""
+    names = iter(images)
+    parts: list[str] = []
+    for block in blocks:
+        if isinstance(block, Heading):
+            parts.append(f"{'#' * block.level} {_plain(block.text)}")
+        elif isinstance(block, Paragraph):
+            parts.append(_plain(block.text))
+        elif isinstance(block, Items):
+            parts.append("\n".join(f"- {_plain(text)}" for text in block.texts))
+        elif isinstance(block, Table):
+            lines = [_row(block.head), "|" + "---|" * len(block.head), *map(_row, block.rows)]
+            parts.append("\n".join(lines))
+        elif isinstance(block, Code):
+            fence = "`" * max(3, 1 + _longest_run(block.text, "`"))
+            parts.append(f"{fence}\n{block.text}\n{fence}")
+        elif (name := next(names, "")) != "":
+            parts.append(f"![{_plain(block.text)}]({name.replace(' ', '%20')})")
+    return "\n\n".join(parts) + "\n"
+
+
+def _row(cells: "Sequence[str]") -> str:
+    return "| " + " | ".join(_plain(cell) for cell in cells) + " |"
+
+
+def _plain(text: str) -> str:
+    for mark in ("\\", "|", "*", "_", "<", "`", "["):
+        text = text.replace(mark, f"\\{mark}")
+    return " ".join(text.split())
+
+
+def _longest_run(text: str, mark: str) -> int:
+    longest = run = 0
+    for character in text:
+        run = run + 1 if character == mark else 0
+        longest = max(longest, run)
+    return longest
+
+
+def html(blocks: "Sequence[Block]", title: str) -> str:
+    """The report as one HTML file, pictures within it."""
+    head = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
+    parts = [f"{head}<style>{STYLE}</style></head><body>"]
+    for nth, block in enumerate(blocks):
+        if isinstance(block, Heading):
+            parts.append(f"<h{block.level}>{escape(block.text)}</h{block.level}>")
+        elif isinstance(block, Paragraph):
+            parts.append(f"<p>{escape(block.text)}</p>")
+        elif isinstance(block, Items):
+            parts.append("<ul>" + "".join(f"<li>{escape(text)}</li>" for text in block.texts) + "</ul>")
+        elif isinstance(block, Table):
+            parts.append(f"<table>{_cells('th', block.head)}{''.join(_cells('td', row) for row in block.rows)}</table>")
+        elif isinstance(block, Code):
+            parts.append(f"<pre>{escape(block.text)}</pre>")
+        else:
+            parts.append(f'<figure aria-label="{escape(block.text)}">{_inline(block.svg, f"p{nth}-")}</figure>')
+    return "\n".join([*parts, "</body></html>"]) + "\n"
+
+
+def _cells(kind: str, texts: "Sequence[str]") -> str:
+    return "<tr>" + "".join(f"<{kind}>{escape(text)}</{kind}>" for text in texts) + "</tr>"
+
+
+def _inline(svg: bytes, prefix: str) -> str:
+    """The picture's element, its names made its own: several pictures stand in one page."""
+    text = svg.decode()
+    text = text[text.index("<svg") :].rstrip()
+    return (
+        text.replace('id="', f'id="{prefix}').replace("url(#", f"url(#{prefix}").replace('href="#', f'href="#{prefix}')
+    )

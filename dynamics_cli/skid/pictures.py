@@ -1,0 +1,137 @@
+"""What there is to look at in a skid: speed along the road, flights, test skids and curves, as data."""
+
+import math
+from itertools import pairwise
+
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Friction, Length, RoadSpeed, Time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+POINTS = 121
+DISTANCE = Axis("distance", Length)
+SPEED = Axis("speed", RoadSpeed)
+
+
+def slowing(first: float, last: float, start: float, length: float) -> "tuple[list[float], list[float]]":
+    """Speeds over a stretch of uniform deceleration: v² falls in a straight line."""
+    shares = [i / (POINTS - 1) for i in range(POINTS)]
+    speeds = [math.sqrt(max(0.0, first * first + share * (last * last - first * first))) for share in shares]
+    return [start + share * length for share in shares], speeds
+
+
+def speed(made: "Any", **_: "Any") -> Picture:
+    """Speed along the marks, surface by surface."""
+    items: list[Any] = []
+    at = 0.0
+    for nth, one in enumerate(made.surfaces, 1):
+        x, y = slowing(one.entry_speed, one.exit_speed, at, one.distance)
+        items.append(Curve(x, y, f"surface {nth}, drag factor {one.drag_factor:.3g}"))
+        at += one.distance
+    items.append(Mark(0.0, made.speed, "marks begin"))
+    return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "speed along the marks")
+
+
+def distance(made: "Any", *, speed: float, end_speed: float = 0.0, mark: "float | None" = None, **_: "Any") -> Picture:
+    """Speed over the distance of braking."""
+    x, y = slowing(speed, end_speed, 0.0, made.distance)
+    items: list[Any] = [Curve(x, y, role=0), Mark(made.distance, end_speed, "slowed")]
+    if mark is not None and made.exit_speed is not None:
+        items.append(Mark(mark, made.exit_speed, "mark ends"))
+    return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "speed while braking")
+
+
+def stop(made: "Any", **_: "Any") -> Picture:
+    """Speed over distance and over time, phase by phase."""
+    rows = made.timeline
+    phases = list(dict.fromkeys(row.phase for row in rows))
+    panels = []
+    for axis, key in ((DISTANCE, "distance"), (Axis("time", Time), "time")):
+        items = []
+        for phase in phases:
+            own = [row for row in rows if row.phase == phase]
+            before = [rows[rows.index(own[0]) - 1]] if rows.index(own[0]) else []
+            items.append(Curve(*_along([*before, *own], key), phase))
+        panels.append(Panel(axis, SPEED, tuple(items)))
+    return Picture(tuple(panels), "a whole stop")
+
+
+def _along(rows: "list[Any]", key: str) -> "tuple[list[float], list[float]]":
+    """A phase's speeds; over distance, uniform deceleration is no straight line from row to row."""
+    if key == "time" or rows[-1].phase != "braking":
+        return [getattr(row, key) for row in rows], [row.speed for row in rows]
+    x: list[float] = []
+    y: list[float] = []
+    for one, other in pairwise(rows):
+        part, speeds = slowing(one.speed, other.speed, one.distance, other.distance - one.distance)
+        x, y = [*x, *part], [*y, *speeds]
+    return x, y
+
+
+def avoid(
+    made: "Any", *, speed: float, sight_distance: float, reaction_time: float, speed_limit: "float | None" = None,
+    **_: "Any",
+) -> Picture:  # fmt: skip
+    """Speed over distance at the speed travelled and at the limit, with the hazard."""
+    items: list[Any] = []
+    for one in made.approaches:
+        x, y = slowing(one.approach_speed, 0.0, one.reaction_distance, one.braking_distance)
+        items.append(Curve([0.0, *x], [one.approach_speed, *y], str(one.case)))
+    items.append(Band(sight_distance, sight_distance, "hazard"))
+    return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "could it have stopped?")
+
+
+def vault(made: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Picture:
+    """The flight."""
+    slope = math.tan(made.launch_angle)
+    # Through take-off and landing: what gravity takes is all that the line of departure is above the landing.
+    drop = distance * slope - rise
+    shares = [i / (POINTS - 1) for i in range(POINTS)]
+    x = [share * distance for share in shares]
+    y = [share * distance * slope - drop * share * share for share in shares]
+    marks = (Mark(0.0, 0.0, "take-off"), Mark(distance, rise, "landing"))
+    panel = Panel(DISTANCE, Axis("height", Length), (Curve(x, y, role=0), *marks), equal=True)
+    return Picture((panel,), "flight")
+
+
+def yaw(made: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
+    """The mark as an arc with its chord."""
+    radius = made.mark_radius if made.mark_radius is not None else made.path_radius
+    chord = getattr(path, "chord", radius)
+    half = math.asin(min(1.0, chord / (2.0 * radius)))
+    angles = [half * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
+    x = [radius * math.sin(angle) for angle in angles]
+    y = [radius * (math.cos(angle) - math.cos(half)) for angle in angles]
+    items = (Curve(x, y, "mark"), Curve([x[0], x[-1]], [y[0], y[-1]], "chord", "dashed"))
+    return Picture((Panel(Axis("along", Length), Axis("across", Length), items, equal=True),), "yaw mark")
+
+
+def friction(made: "Any", **_: "Any") -> Picture:
+    """Every test skid's coefficient, with their mean and its standard error."""
+    numbers = [float(nth) for nth in range(1, len(made.tests) + 1)]
+    items: list[Any] = [Curve(numbers, [test.friction for test in made.tests], "test skids", "points")]
+    items.append(Band(made.friction, made.friction, "mean", vertical=False))
+    if made.standard_error:
+        spread = made.standard_error
+        items.append(Band(made.friction - spread, made.friction + spread, "standard error", vertical=False))
+    return Picture((Panel(Axis("test skid"), Axis("friction", Friction), tuple(items)),), "friction from test skids")
+
+
+def pedestrian(
+    made: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
+    launch_height: float = 0.0, gravity: float,
+) -> Picture:  # fmt: skip
+    """Projection speed for every launch angle at this throw distance, and the one given."""
+    steepest = min(2.0 * math.atan(friction), 0.5 * math.pi) * 0.999
+    angles = [steepest * i / (POINTS - 1) for i in range(POINTS)]
+    reach = throw_distance - friction * launch_height
+    speeds = [
+        math.sqrt(2.0 * friction * gravity * reach) / (math.cos(angle) + friction * math.sin(angle)) for angle in angles
+    ]
+    items: list[Any] = [Curve(angles, speeds, role=0)]
+    items.append(Band(made.least_speed, made.least_speed, "least", vertical=False))
+    if launch_angle is not None and made.speed is not None:
+        items.append(Mark(launch_angle, made.speed, "as launched"))
+    return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")

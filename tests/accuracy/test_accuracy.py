@@ -1,0 +1,146 @@
+"""The work–precision report: true errors, held bounds, honest rivals, references that can be made again."""
+
+import json
+import math
+import subprocess
+import sys
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+from dynamics_cli.accuracy import catalogue
+from dynamics_cli.accuracy.cases import DATA, Case, load
+from dynamics_cli.accuracy.measure import Errors, errors_of, seconds
+from dynamics_cli.accuracy.questions import Question
+
+GENERATORS = Path(__file__).resolve().parents[1] / "references"
+FILES = sorted(path.name for path in DATA.glob("*.json"))
+QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
+
+
+@pytest.fixture(scope="module")
+def rows() -> list[dict]:
+    return answer("accuracy", "--untimed")["results"]["methods"]
+
+
+def value(row: dict, name: str) -> object:
+    return row[name]["value"] if isinstance(row[name], dict) else row[name]
+
+
+class TestMeasuring:
+    def test_errors_are_those_of_exact_arithmetic(self) -> None:
+        errors = Errors()
+        third = Decimal(1) / Decimal(3)
+        errors.add("a", 1.0 / 3.0, f"{third:.30f}", 2.0**-54)
+        assert errors.ulps == [pytest.approx(1.0 / 3.0, rel=1e-9)]
+        assert errors.relative == [pytest.approx(abs(1.0 / 3.0 * 3 - 1) + 2.0**-54, rel=0.01)]
+        assert errors.broken == 0
+        errors.add("b", 1.0 / 3.0, "0.33333333333333331482961625624739099293947219848632812500001", 0.0)
+        assert errors.ulps[-1] < 1e-20
+        errors.add("c", 0.0, "0", None)
+        assert errors.relative[-1] == 0.0
+
+    def test_a_bound_below_the_error_is_counted(self) -> None:
+        errors = Errors()
+        errors.add("a", 1.0 + 2.0**-52, "1", 2.0**-53)
+        assert (errors.bounded, errors.broken) == (1, 1)
+        assert errors.worst[0] == "a"
+
+    def test_infinite_and_refused_answers_are_not_errors_of_zero(self) -> None:
+        case = Case({"task": "t", "kind": "hard", "name": "n", "inputs": {"x": "1"}, "results": {"y": "1"}})
+        for function in (lambda x: {"y": math.inf * x}, lambda x: {"y": 1 / (x - 1)}):
+            errors = errors_of(function, [case], {}, tracked=False)
+            assert (errors.cases, errors.refused, errors.ulps) == (0, 1, [])
+
+    def test_time_is_that_of_one_call(self) -> None:
+        import time
+
+        assert seconds(lambda: time.sleep(2e-3), repeats=3, least=1e-3) == pytest.approx(2e-3, rel=1.0)
+
+
+class TestReport:
+    def test_the_programs_bounds_hold_on_every_case_that_ships(self, rows: list[dict]) -> None:
+        stated = [row for row in rows if "(chosen)" in row["method"] and row["bound"]]
+        assert stated
+        assert [row["question"] for row in stated if not row["bound"].endswith("held")] == []
+
+    def test_no_chosen_method_refuses_a_reference(self, rows: list[dict]) -> None:
+        assert [row["question"] for row in rows if "(chosen)" in row["method"] and value(row, "refused")] == []
+
+    def test_the_chosen_method_is_more_exact_than_its_rivals(self, rows: list[dict]) -> None:
+        by_question: dict[str, list[dict]] = {}
+        for row in rows:
+            by_question.setdefault(row["question"], []).append(row)
+        several = {name: group for name, group in by_question.items() if len(group) > 1}
+        assert len(several) >= 5
+        for name, (chosen, *rivals) in several.items():
+            assert "(chosen)" in chosen["method"]
+            for rival in rivals:
+                worse = value(rival, "worst") > value(chosen, "worst") or value(rival, "refused")
+                assert worse, (name, rival["method"])
+
+    def test_only_hard_cases_on_request(self, rows: list[dict]) -> None:
+        hard = answer("accuracy", "--untimed", "--hard")["results"]["methods"]
+        every = {(row["question"], row["method"]): value(row, "cases") for row in rows}
+        for row in hard:
+            assert value(row, "cases") <= every[row["question"], row["method"]]
+        assert sum(value(row, "cases") for row in hard) < sum(every.values())
+
+    def test_times_are_measured_and_the_chosen_method_is_the_measure(self) -> None:
+        rows = answer("accuracy", "skid", "yaw")["results"]["methods"]
+        assert rows[0]["slower"] == {"value": 1.0}
+        assert all(0.0 < row["time"]["value"] < 1e6 for row in rows)
+        assert rows[0]["time"]["unit"] == "us"
+        assert rows[0]["array_time"]["value"] < rows[0]["time"]["value"]
+
+    def test_one_task_of_one_family(self) -> None:
+        questions = {row["question"] for row in answer("accuracy", "skid", "vault", "--untimed")["results"]["methods"]}
+        assert questions == {"skid vault, least speed over all angles", "skid vault, known take-off angle"}
+
+    def test_unknown_names_are_refused(self) -> None:
+        outcome = run("accuracy", "skd", "--json")
+        assert outcome.status == 2
+        assert "skid" in outcome.error["hint"]
+        assert run("accuracy", "skid", "leap").status == 2
+
+    def test_peers_that_are_not_installed_are_named(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        from dynamics_cli.accuracy.questions import Method
+
+        question = next(one for one in catalogue.questions("skid", "yaw") if isinstance(one, Question))
+        peer = Method("a peer", "nowhere:function", needs="surely_no_such_library")
+        monkeypatch.setattr(question, "methods", (*question.methods, peer))
+        document = answer("accuracy", "skid", "yaw", "--untimed", "--peers")
+        assert document["warnings"][0]["code"] == "not-installed"
+        assert "surely_no_such_library" in document["warnings"][0]["message"]
+
+    def test_the_diagram_is_drawn(self, tmp_path: Path) -> None:
+        file = tmp_path / "work.svg"
+        assert run("accuracy", "skid", "yaw", "--plot", str(file)).status == 0
+        assert file.stat().st_size > 5000
+
+
+class TestReferences:
+    @pytest.mark.parametrize("file", FILES)
+    def test_every_hard_case_says_why_or_what(self, file: str) -> None:
+        for case in load(file):
+            assert case.kind in ("ordinary", "hard")
+            assert case.name
+            assert case.results
+
+    @pytest.mark.parametrize("file", [name for name in FILES if name in ("convert.json", "uncertainty.json")])
+    def test_generating_again_gives_the_same_bytes(self, file: str, tmp_path: Path) -> None:
+        made = tmp_path / file
+        generator = GENERATORS / f"generate_{file.removesuffix('.json')}_references.py"
+        subprocess.run([sys.executable, str(generator), str(made)], check=True)
+        assert made.read_bytes() == (DATA / file).read_bytes()
+
+    @pytest.mark.parametrize("question", QUESTIONS, ids=[question.name for question in QUESTIONS])
+    def test_every_question_has_cases(self, question: Question) -> None:
+        assert [case for case in load(question.file) if case.task == question.cases]
+
+    def test_files_are_sound_json_with_their_origin(self) -> None:
+        for file in FILES:
+            data = json.loads((DATA / file).read_text(encoding="utf-8"))
+            assert "generate_" in data["about"]

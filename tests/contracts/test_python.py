@@ -1,0 +1,68 @@
+"""Use from Python: streams of cases as bytes, and partitions spread over a cluster, with the bits of single calls."""
+
+import importlib.util
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from harness import run
+from shell import ROOT
+
+import dynamics_cli
+from dynamics_cli.errors import UsageError
+
+LINES = b"".join(b"%d,0.%d,a\n" % (20 + i % 90, 3 + i % 6) for i in range(3000))
+ROWS = b"distance[ft],friction,note\n" + LINES + b"-1,0.7,bad\n"
+
+
+def test_rows_from_python_are_those_of_the_command() -> None:
+    made = dynamics_cli.run_rows("skid speed", ROWS, "--units", "us")
+    assert made.decode() == run("skid", "speed", "--units", "us", "--rows", "-", stdin=ROWS.decode()).out
+
+
+def test_a_wrong_call_raises() -> None:
+    with pytest.raises(UsageError, match="no column"):
+        dynamics_cli.run_rows("skid speed", b"weight,height\n1,2\n")
+    with pytest.raises(UsageError):
+        dynamics_cli.run_rows("skid leap", ROWS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["csv", "parquet"])
+def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path) -> None:
+    for name in ("dask", "distributed", "pandas", "pyarrow"):
+        if importlib.util.find_spec(name) is None:
+            pytest.skip(f"{name} is not installed")
+    head, *lines = ROWS.decode().splitlines(keepends=True)
+    parts = [head + "".join(lines[start::3]) for start in range(3)]
+    files = []
+    for nth, part in enumerate(parts):
+        file = tmp_path / f"part-{nth}.{form}"
+        files.append(str(file))
+        if form == "csv":
+            file.write_text(part)
+        else:
+            import io
+
+            import pandas
+
+            pandas.read_csv(io.StringIO(part)).to_parquet(file)
+    script = ROOT / "examples" / "partitions" / "dask_rows.py"
+    done = subprocess.run(
+        [sys.executable, str(script), "skid speed", str(tmp_path / "out"), *files],
+        capture_output=True, text=True, check=False, cwd=ROOT,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    for nth, part in enumerate(parts):
+        alone = dynamics_cli.run_rows("skid speed", part.encode())
+        made = tmp_path / "out" / f"part-{nth}.{form}"
+        if form == "csv":
+            assert made.read_bytes() == alone
+        else:
+            import io
+
+            import pandas
+
+            found, expected = pandas.read_parquet(made), pandas.read_csv(io.BytesIO(alone))
+            pandas.testing.assert_frame_equal(found, expected, check_exact=True)

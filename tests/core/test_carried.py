@@ -1,0 +1,84 @@
+"""Results of one earlier document keep their correlation when they become inputs."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from harness import answer, run
+
+from dynamics_cli.core.uncertain.carried import carried
+
+
+@pytest.fixture
+def skid(tmp_path: Path) -> str:
+    """A document whose speed and distance hang together by friction."""
+    file = tmp_path / "skid.json"
+    argv = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.7 ± 0.05")
+    assert run(*argv, "--json", "--output", str(file)).status == 0
+    return str(file)
+
+
+def back(skid: str, *more: str) -> dict:
+    """The friction that speed and distance come from, calculated back from both."""
+    argv = ("skid", "friction", "--speed", f"@{skid}:speed", "--distance", f"@{skid}:total_distance")
+    return answer(*argv, *more)
+
+
+def test_calculating_back_gives_the_first_input_again(skid: str) -> None:
+    document = back(skid)
+    assert document["numerics"]["uncertainty"]["correlations"]["speed,distance"] == pytest.approx(0.425, abs=0.01)
+    low, high = document["results"]["friction"]["interval"]
+    assert low == pytest.approx(0.7 - 1.96 * 0.05, abs=2e-3)
+    assert high == pytest.approx(0.7 + 1.96 * 0.05, abs=2e-3)
+
+
+def test_taken_as_independent_the_interval_would_be_too_wide(skid: str) -> None:
+    """What `--correlate` says goes over what the document says."""
+    apart = back(skid, "--correlate", "speed,distance=0")["results"]["friction"]["interval"]
+    together = back(skid)["results"]["friction"]["interval"]
+    assert apart[1] - apart[0] > 1.1 * (together[1] - together[0])
+
+
+def test_a_document_as_input_carries_it_too(skid: str, tmp_path: Path) -> None:
+    document = json.loads(Path(skid).read_text())
+    document["results"]["distance"] = document["results"].pop("total_distance")
+    names = document["covariance"]["results"]
+    names[names.index("total_distance")] = "distance"
+    file = tmp_path / "renamed.json"
+    file.write_text(json.dumps(document))
+    assert answer("skid", "friction", "--input", str(file))["results"] == back(skid)["results"]
+
+
+def test_one_result_twice_is_one_number(skid: str) -> None:
+    argv = ("skid", "distance", "--speed", f"@{skid}:speed", "--end-speed", f"@{skid}:speed", "--friction", "0.7")
+    document = answer(*argv)
+    assert document["numerics"]["uncertainty"]["correlations"]["speed,end_speed"] == 1.0
+    assert document["results"]["distance"]["value"] == 0.0
+    assert "interval" not in document["results"]["distance"] or document["results"]["distance"]["std"] < 1e-9
+
+
+def test_results_of_different_documents_are_independent(skid: str, tmp_path: Path) -> None:
+    other = tmp_path / "other.json"
+    other.write_text(Path(skid).read_text())
+    argv = ("skid", "friction", "--speed", f"@{skid}:speed", "--distance", f"@{other}:total_distance")
+    assert "correlations" not in answer(*argv)["numerics"]["uncertainty"]
+
+
+def test_rounded_correlations_are_brought_back_to_what_can_be() -> None:
+    """Three results of two inputs: their matrix is singular, and six digits of it may be impossible."""
+    rng = np.random.default_rng(3)
+    mended = 0
+    for _ in range(200):
+        slopes = rng.normal(size=(4, 2))
+        covariance = slopes @ slopes.T
+        widths = np.sqrt(np.diag(covariance))
+        rounded = np.round(covariance / np.outer(widths, widths), 6)
+        entry = {"results": list("abcd"), "correlation": rounded.tolist()}
+        found = carried({name: ("file", name, entry) for name in "abcd"}, list("abcd"))
+        assert len(found) == 6
+        for (one, other), rho in found.items():
+            stated = rounded["abcd".index(one), "abcd".index(other)]
+            assert rho == pytest.approx(stated, abs=1e-2 * abs(stated) + 1e-12)
+            mended += rho != stated
+    assert mended > 0

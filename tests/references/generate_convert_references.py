@@ -1,0 +1,77 @@
+"""Writes convert.json: conversions by exact rationals from the units' legal definitions, to 40 digits.
+
+The definitions are written here by hand (the inch is 25.4 mm, the pound 0.45359237 kg, …) and share nothing with the
+program's table. Run: python tests/references/generate_convert_references.py [FILE]. The same bytes every time.
+"""
+
+import json
+import random
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+from mpmath import mp, mpf
+
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
+INCH, POUND, G = Fraction("0.0254"), Fraction("0.45359237"), Fraction("9.80665")
+FOOT, MILE = 12 * INCH, 63360 * INCH
+# Units of one kind: SI factor, power of π, zero in SI.
+KINDS: dict[str, dict[str, tuple[Fraction, int, Fraction]]] = {
+    kind: {name: (Fraction(factor), pi, Fraction(zero)) for name, factor, pi, zero in units}
+    for kind, units in {
+        "length": [("m", 1, 0, 0), ("ft", FOOT, 0, 0), ("in", INCH, 0, 0), ("mile", MILE, 0, 0), ("mm", "0.001", 0, 0)],
+        "speed": [("m/s", 1, 0, 0), ("mph", MILE / 3600, 0, 0), ("km/h", "5/18", 0, 0), ("ft/s", FOOT, 0, 0),
+                  ("knot", "463/900", 0, 0)],
+        "force": [("N", 1, 0, 0), ("lbf", POUND * G, 0, 0), ("kgf", G, 0, 0), ("kN", 1000, 0, 0)],
+        "pressure": [("Pa", 1, 0, 0), ("psi", POUND * G / INCH**2, 0, 0), ("bar", 10**5, 0, 0), ("atm", 101325, 0, 0)],
+        "power": [("W", 1, 0, 0), ("hp", 550 * FOOT * POUND * G, 0, 0), ("kW", 1000, 0, 0)],
+        "inertia": [("kg*m^2", 1, 0, 0), ("slug*ft^2", POUND * G * FOOT, 0, 0), ("lb*in^2", POUND * INCH**2, 0, 0)],
+        "angle": [("rad", 1, 0, 0), ("deg", "1/180", 1, 0), ("rev", 2, 1, 0)],
+        "angular velocity": [("rad/s", 1, 0, 0), ("rpm", "1/30", 1, 0), ("deg/s", "1/180", 1, 0)],
+        "temperature": [("K", 1, 0, 0), ("degC", 1, 0, "273.15"), ("degF", "5/9", 0, Fraction(45967, 180))],
+    }.items()
+}  # fmt: skip
+HARD = {
+    "0.1": "a number whose double is not the decimal written",
+    "1e300": "near the largest double",
+    "3.3e-300": "near the smallest double",
+    "9007199254740993": "more digits than a double holds",
+    "-40": "a temperature at which two scales meet, and a negative number",
+    "1.0000000000000002": "one unit in the last place above one",
+}
+
+
+def converted(value: str, source: str, target: str, kind: str) -> str | None:
+    """The result to 40 digits; None where it leaves the range of a double."""
+    (a, p, zero), (b, q, origin) = KINDS[kind][source], KINDS[kind][target]
+    exact = (Fraction(value) * a + zero - origin) / b
+    number = mpf(exact.numerator) / exact.denominator * mp.pi ** (p - q)
+    if number != 0 and not mpf(10) ** -300 < abs(number) < mpf(10) ** 300:
+        return None
+    return mp.nstr(number, 40)
+
+
+def main() -> None:
+    mp.dps = 60
+    rng = random.Random(7)
+    lines = []
+    for kind, units in KINDS.items():
+        pairs = [(a, b) for a in units for b in units if a != b]
+        for source, target in pairs:
+            plain = f"{rng.choice([rng.uniform(0.1, 100), rng.randint(1, 500), rng.uniform(1, 9) * 1e4]):.6g}"
+            values = [(plain, "")] + [(value, HARD[value]) for value in rng.sample(list(HARD), 2)]
+            for value, why in values:
+                expected = converted(value, source, target, kind)
+                if expected is None:
+                    continue
+                case = {"task": "convert", "kind": "hard" if why else "ordinary"}
+                case |= {"name": f"{value} {source} to {target}", **({"why": why} if why else {})}
+                inputs = {"value": value, "from": source, "to": target}
+                lines.append(json.dumps({**case, "inputs": inputs, "results": {"value": expected}}))
+    about = "Written by generate_convert_references.py: exact rationals (and π to 60 digits), results to 40 digits."
+    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
+    (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "convert.json").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,176 @@
+"""Reports: what a document says, calculated again from the inputs it holds, in Markdown and HTML."""
+
+import json
+import re
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from harness import run
+
+SPEED = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.7 ± 0.05", "--limit", "35 mph", "--units", "us")
+SAME = "every result is the same to the last digit"
+
+
+def written(folder: Path, name: str, *argv: str) -> str:
+    file = folder / name
+    outcome = run(*argv, "--json", "--output", str(file))
+    assert outcome.status == 0, outcome.err
+    return str(file)
+
+
+class Page(HTMLParser):
+    """Checks that every element is closed, and collects names."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.ids: list[str] = []
+        self.words: list[str] = []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list) -> None:
+        self.ids += [value for key, value in attrs if key == "id"]
+        if tag not in ("meta", "use", "path"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list) -> None:
+        self.ids += [value for key, value in attrs if key == "id"]
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag not in ("meta", "use", "path"):
+            assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+@pytest.mark.parametrize(
+    "argv",
+    [
+        SPEED,
+        (*SPEED, "--correlate", "distance,friction=0.3", "--coverage", "90 %"),
+        (*SPEED[:2], "--distance", "60 ft", "--friction", "0.7", "--to", "speed=ft/s", "--to", "total-distance=ft;in"),
+        ("skid", "vault", "--distance", "18 m", "--rise", "-3 m", "--take-off", "6 deg"),
+        ("skid", "vault", "--distance", "18 m", "--rise", "-3 m", "--model", "least-speed-over-all-angles"),
+        ("skid", "stop", "--speed", "50 km/h", "--friction", "0.75", "--reaction-time", "1 s", "--units", "us"),
+        ("skid", "speed", "--segment", "distance=60 ft, friction=0.7", "--segment", "distance=9 m, friction=0.3"),
+        ("convert", "60", "mph", "ft/s", "km/h"),
+        ("coords", "3", "1", "4", "--from", "cartesian", "--into", "spherical"),
+    ],
+)  # fmt: skip
+def test_documents_are_calculated_again_to_the_last_digit(argv: tuple[str, ...], tmp_path: Path) -> None:
+    outcome = run("report", written(tmp_path, "a.json", *argv))
+    assert outcome.status == 0, outcome.err
+    assert SAME in outcome.out
+
+
+def test_a_report_says_what_the_document_says(tmp_path: Path) -> None:
+    text = run("report", written(tmp_path, "a.json", *SPEED), "--title", "Case 7").out
+    for words in (
+        "# Case 7", "| speed | 35.4455 mph | 32.6412 to 38.1292 mph (95 %) | 1.4 mph | 3.5e-16 relative |",
+        "- speed is beyond 35 mph with a probability of 62 %", "| distance | 60 ± 2 ft |",
+        "- assumption: friction is constant on each surface", "v = √(vₑ² + 2·g·Σ f·d)", "√((0 m/s)² + ",
+        "| friction | 82.2 % |", "- check: energy balance: passed",
+        "- source: Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10",
+    ):  # fmt: skip
+        assert words in text, words
+
+
+def test_a_changed_result_is_told(tmp_path: Path) -> None:
+    name = written(tmp_path, "a.json", *SPEED)
+    document = json.loads(Path(name).read_text())
+    document["results"]["speed"]["value"] = 36.0
+    Path(name).write_text(json.dumps(document))
+    text = run("report", name).out
+    assert SAME not in text
+    assert "these differ: speed was 36" in text
+
+
+def test_the_inputs_it_holds_calculate_it_again(tmp_path: Path) -> None:
+    text = run("report", written(tmp_path, "a.json", *SPEED)).out
+    inputs = text.rpartition("```\n{")[2].partition("\n```")[0]
+    file = tmp_path / "inputs.json"
+    file.write_text("{" + inputs)
+    again = run("skid", "speed", "--input", str(file), "--json").document
+    assert again["results"]["speed"]["value"] == run(*SPEED[:6], "--json").document["results"]["speed"]["value"]
+
+
+def test_html_is_one_whole_page_with_its_pictures(tmp_path: Path) -> None:
+    names = [written(tmp_path, "a.json", *SPEED), written(tmp_path, "b.json", *SPEED[:-2])]
+    page = tmp_path / "report.html"
+    assert run("report", *names, "--output", str(page)).status == 0
+    text = page.read_text()
+    parsed = Page(text)
+    assert text.count("<svg") == 2
+    assert len(parsed.ids) == len(set(parsed.ids))
+    assert not re.search(r'(src|href)="https?:', re.sub(r'xmlns[:\w]*="[^"]*"', "", text))
+    assert "SHA-256" in text
+
+
+def test_markdown_puts_its_pictures_beside_it(tmp_path: Path) -> None:
+    page = tmp_path / "my report.md"
+    assert run("report", written(tmp_path, "a.json", *SPEED), "--output", str(page)).status == 0
+    assert "](my%20report-1.svg)" in page.read_text()
+    assert (tmp_path / "my report-1.svg").read_bytes().startswith(b"<?xml")
+
+
+def test_words_in_a_document_cannot_become_markup(tmp_path: Path) -> None:
+    name = written(tmp_path, "a.json", *SPEED)
+    document = json.loads(Path(name).read_text())
+    document["warnings"] = [{"code": "x", "severity": "note", "message": "<script>alert(1)</script> | *b*"}]
+    Path(name).write_text(json.dumps(document))
+    assert "<script>" not in run("report", name, "--format", "html").out
+    assert "\\<script>" in run("report", name).out
+
+
+def test_several_documents_from_standard_input_and_a_sweep(tmp_path: Path) -> None:
+    lines = run(*SPEED, "--format", "ndjson").out * 2
+    text = run("report", "-", stdin=lines).out
+    assert text.count(SAME) == 2
+    sweep = written(tmp_path, "s.json", "skid", "speed", "--distance", "9 m", "--friction", "0.7",
+                    "--sweep", "friction=0.1:0.9:99")  # fmt: skip
+    shown = run("report", sweep).out
+    assert "A sweep, shown as it was written" in shown
+    assert "| … |" in shown
+
+
+def test_without_the_library_there_are_no_pictures_and_it_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name = written(tmp_path, "a.json", *SPEED)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    outcome = run("report", name, "--format", "html")
+    assert outcome.status == 0
+    assert "<svg" not in outcome.out
+    assert "dynamics-cli[plot]" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [("{}", "no result document"), ("", "is empty"), ("[1, 2", "not JSON"), ('{"schema": "dynamics/9"}', "no result"),
+     ("[]", "no result document")],
+)  # fmt: skip
+def test_what_is_no_document_is_refused(text: str, words: str) -> None:
+    outcome = run("report", "-", stdin=text)
+    assert outcome.status == 2
+    assert words in outcome.err
+
+
+def test_a_document_of_an_unknown_command_is_shown_and_not_calculated(tmp_path: Path) -> None:
+    name = written(tmp_path, "a.json", *SPEED)
+    Path(name).write_text(Path(name).read_text().replace('"skid speed"', '"skid leap"'))
+    text = run("report", name).out
+    assert "this version has no command 'skid leap'" in text
+    assert "| speed | 35.4455 mph |" in text
+
+
+def test_wrong_calls(tmp_path: Path) -> None:
+    assert run("report").status == 2
+    assert run("report", "none.json").status == 2
+    name = written(tmp_path, "a.json", *SPEED)
+    assert run("report", name, "--format", "pdf").status == 2
+    assert run("report", name, "--digits", "0").status == 2
+    assert run("report", name, "--output", str(tmp_path / "no" / "a.html")).status == 5
