@@ -131,10 +131,11 @@ def _arc(arc: "Arc") -> list[tuple[float, float]]:
 
 def mesh_picture(result: "MeshProof", **given: "Any") -> Picture:
     """Show both profiles about the pitch point with the line of action, and the error along it."""
-    from dynamics_cli.gear.mesh import forms_of
+    from dynamics_cli.gear.mesh import forms_of, mesh
 
+    every = {**(mesh.__kwdefaults__ or {}), **given}
     first, second = forms_of(
-        **{name: value for name, value in given.items() if name not in ("centre_distance", "points", "shown")}
+        **{name: every[name] for name in every if name not in ("centre_distance", "points", "shown")}
     )
     distance = result.centre_distance
     alpha = result.working_pressure_angle
