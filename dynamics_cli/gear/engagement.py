@@ -162,8 +162,8 @@ class Path:
 def path(mesh: Engagement) -> Path:
     """The path of contact, ended by the tips, and by the root form circles where a gear is undercut that far."""
     first, second = mesh.first, mesh.second
-    end = 0.5 * first.base_diameter * first.roll(first.tip_diameter)
-    start = mesh.line - 0.5 * second.base_diameter * second.roll(second.tip_diameter)
+    end = 0.5 * first.base_diameter * first.tip_roll
+    start = mesh.line - 0.5 * second.base_diameter * second.tip_roll
     own_form = 0.5 * first.base_diameter * root(first.cutter).roll
     other_form = None
     begin = start if plain(start) >= plain(own_form) else own_form
@@ -174,8 +174,11 @@ def path(mesh: Engagement) -> Path:
         stop = end if plain(end) <= plain(latest) else latest
     require(
         begin < stop,
-        "the gears never touch: contact would begin {0:.6g} mm after it has ended",
+        "the gears never touch at a centre distance of {1:.9g} mm and a working pressure angle of {2:.6g} degrees: "
+        "contact would begin {0:.6g} mm after it has ended",
         1e3 * plain(begin - stop),
+        1e3 * abs(plain(mesh.centre_distance)),
+        plain(mesh.angle) * 180.0 / pi,
         code="open-mesh",
         hint="lower the centre distance, or lengthen the tips",
     )

@@ -346,6 +346,31 @@ class Gear:
         )
         return sqrt((diameter - base) * (diameter + base)) / absolute(base)
 
+    @property
+    def tip_roll(self) -> float:
+        """Roll angle at the tip from q = d_a/d: √((q − c)(q + c))/c with c = cos α_t and q − c free of cancellation."""
+        height = self.rack.addendum + self.shift + self.tip_change
+        rise = 2.0 * cos(self.helix_angle) * height / self.teeth
+        angle = self.transverse_angle
+        cosine, half = cos(angle), sin(0.5 * angle)
+        above = rise + 2.0 * half * half
+        require(
+            above >= 0.0,
+            "the tips at {0:.9g} mm diameter lie inside the base circle of {1:.9g} mm, where there is no involute",
+            1e3 * absolute(self.tip_diameter),
+            1e3 * absolute(self.base_diameter),
+            code="tip-inside-base",
+            hint="an internal gear needs more teeth, a lower addendum or shortened tips; an external one more shift",
+        )
+        return sqrt(above * (1.0 + rise + cosine)) / cosine
+
+    @property
+    def tip_thickness(self) -> float:
+        """Transverse tooth thickness s_at along the tip circle."""
+        from dynamics_cli.gear.trochoid import roll_less_arc
+
+        return self.tip_diameter * (self.base_half_angle - roll_less_arc(self.tip_roll))
+
     def thickness(self, diameter: float) -> float:
         """Transverse tooth thickness along the circle of a diameter: s_yt = d_y (ψ_b − inv α_y)."""
         from dynamics_cli.gear.trochoid import roll_less_arc

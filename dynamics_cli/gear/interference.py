@@ -84,12 +84,12 @@ class _Corner:
         self.pinion = 0.5 * first.tip_diameter
         self.ring = -0.5 * second.tip_diameter
         self.share = -first.teeth / second.teeth
-        self.half = first.base_half_angle - roll_less_arc(first.roll(first.tip_diameter))
+        self.half = first.base_half_angle - roll_less_arc(first.tip_roll)
         self.second = second
         self.space = second.base_half_angle - pi / second.teeth
         # the corner ends its contact where its pressure angle has taken it past the line of centres
-        self.parting = atan(first.roll(first.tip_diameter)) - mesh.angle - self.half
-        self.ring_half = self.space - roll_less_arc(second.roll(second.tip_diameter))
+        self.parting = atan(first.tip_roll) - mesh.angle - self.half
+        self.ring_half = self.space - roll_less_arc(second.tip_roll)
 
     def _place(self, turn: float) -> tuple[float, float]:
         angle = turn + self.half

@@ -67,9 +67,9 @@ def pointed_shift(gear: Gear) -> float:
     found = bisect(half, low, high)
     shifted = _shifted(gear, found)
     tip = shifted.tip_diameter
-    remaining = shifted.thickness(tip) / tip
+    remaining = shifted.tip_thickness / tip
     slope = 2.0 * tan(own.rack.pressure_angle) / own.teeth
-    slope -= 2.0 * plain(shifted.roll(tip)) * own.module / plain(tip)
+    slope -= 2.0 * plain(shifted.tip_roll) * own.module / plain(tip)
     return found - remaining / slope
 
 

@@ -4,14 +4,18 @@ from math import cos, pi, sqrt, tan
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.contact import Path, half_play, least_gaps, path_of_contact, tips_pass, transmission_error
-from dynamics_cli.gear.door import gear_of, toothing
+from dynamics_cli.gear.door import gear_of
 from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.profile import tooth_form
-from dynamics_cli.numerics.involute import inverse_involute, involute
+from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 FULL = BasicProfile("a")
 ISO = Sign("iso")
@@ -196,29 +200,54 @@ def mesh(
     """
     require(points >= 2, "{0} points of contact prove nothing", points, code="points", hint="give 2 at least")
     require(points <= MOST_POINTS, "{0} points are too many", points, code="points")
-    common = {
-        "pitch": pitch,
-        "profile": profile,
-        "pressure_angle": pressure_angle,
-        "addendum_factor": addendum_factor,
-        "dedendum_factor": dedendum_factor,
-        "root_radius_factor": root_radius_factor,
-        "helix_angle": helix_angle,
-        "sign": shift_sign,
-    }
-    one = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)  # type: ignore[arg-type]
-    two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)  # type: ignore[arg-type]
-    first = tooth_form(one, first_tip_diameter, root_radius_factor)
-    second = tooth_form(two, second_tip_diameter, root_radius_factor)
+    first, second = forms_of(
+        first_teeth=first_teeth,
+        second_teeth=second_teeth,
+        pitch=pitch,
+        internal=internal,
+        profile=profile,
+        pressure_angle=pressure_angle,
+        helix_angle=helix_angle,
+        first_profile_shift=first_profile_shift,
+        second_profile_shift=second_profile_shift,
+        shift_sign=shift_sign,
+        addendum_factor=addendum_factor,
+        dedendum_factor=dedendum_factor,
+        root_radius_factor=root_radius_factor,
+        first_tip_diameter=first_tip_diameter,
+        second_tip_diameter=second_tip_diameter,
+    )
     distance = centre_distance
     if distance is None:
-        distance = _without_backlash(first, second, toothing(one).transverse_angle)
+        distance = _without_backlash(first, second)
     path = path_of_contact(first, second, distance)
     _require_contact(path)
     return _proof(first, second, distance, path, points, shown)
 
 
-def _without_backlash(first: ToothForm, second: ToothForm, angle: float) -> float:
+def forms_of(
+    *,
+    first_teeth: int,
+    second_teeth: int,
+    first_profile_shift: float,
+    second_profile_shift: float,
+    internal: bool,
+    shift_sign: str,
+    root_radius_factor: float | None,
+    first_tip_diameter: float | None,
+    second_tip_diameter: float | None,
+    **common: "Any",
+) -> tuple[ToothForm, ToothForm]:
+    """Both profiles; what they have in common is given once."""
+    common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
+    one = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
+    two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
+    return tooth_form(one, first_tip_diameter, root_radius_factor), tooth_form(
+        two, second_tip_diameter, root_radius_factor
+    )
+
+
+def _without_backlash(first: ToothForm, second: ToothForm) -> float:
     """The centre distance at which the flanks touch on both sides: thicknesses and pitch on the working circles."""
     sign = -1.0 if second.internal else 1.0
     if second.internal:
@@ -232,8 +261,7 @@ def _without_backlash(first: ToothForm, second: ToothForm, angle: float) -> floa
         code="no-working-angle",
         hint="raise the sum of the profile shifts",
     )
-    working = angle if abs(value - involute(angle)) <= 1e-15 else inverse_involute(value)
-    return abs(first.base + sign * second.base) / cos(working)
+    return abs(first.base + sign * second.base) / cos(inverse_involute(value))
 
 
 def _require_contact(path: Path) -> None:

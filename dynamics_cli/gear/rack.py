@@ -173,13 +173,13 @@ def rack(
     basic = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
     module = pitch.normal(cos(lean))
     gear = signed_gear(teeth, module, basic, helix_angle=lean, shift=profile_shift, tip_change=-tip_shortening / module)
-    thickness = gear.thickness(gear.tip_diameter)
+    thickness = gear.tip_thickness
     require(thickness >= 0.0, "the gear's teeth are pointed below their tips", code="pointed", hint="lower the shift")
     alpha = gear.transverse_angle
     radius = 0.5 * gear.reference_diameter
     sine = sin(alpha)
     approach = (basic.addendum - profile_shift) * module / sine
-    recess = 0.5 * gear.base_diameter * gear.roll(gear.tip_diameter) - radius * sine
+    recess = 0.5 * gear.base_diameter * gear.tip_roll - radius * sine
     form = root(gear.cutter).roll * 0.5 * gear.base_diameter
     margin = radius * sine - approach - form
     first = approach if plain(margin) >= 0.0 else radius * sine - form

@@ -363,8 +363,8 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
     """Everything about a gear that stands by itself."""
     helical_gear = hand is not None
     tip = gear.tip_diameter
-    roll = gear.roll(tip)
-    tip_thickness = gear.thickness(tip)
+    roll = gear.tip_roll
+    tip_thickness = gear.tip_thickness
     require(
         tip_thickness >= 0.0,
         "the teeth are pointed below their tips: at {0:.6g} mm diameter they would be {1:.6g} mm thick",

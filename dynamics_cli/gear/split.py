@@ -97,8 +97,8 @@ def _balanced(
     def difference(shift: float, one: Gear, two: Gear, a: float, alpha: float, both: float) -> float:
         mesh = Engagement(with_shift(one, shift), with_shift(two, both - shift), a, alpha, alpha)
         mesh, _ = _tipped(mesh, *given, check=False)
-        end = 0.5 * mesh.first.base_diameter * mesh.first.roll(mesh.first.tip_diameter)
-        start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.roll(mesh.second.tip_diameter)
+        end = 0.5 * mesh.first.base_diameter * mesh.first.tip_roll
+        start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.tip_roll
         # where a path reaches a base circle its sliding has no bound
         at_start = specific_sliding(mesh, start)[0] if plain(start) > 0.0 else -1e9 + 1e12 * start
         at_end = specific_sliding(mesh, end)[1] if plain((mesh.line - end) * mesh.ratio) > 0.0 else -1e9
@@ -150,7 +150,7 @@ def _tipped(
             own = with_shift(gear, gear.shift, 0.5 * (wanted - bare_tip) / gear.module)
         if check:
             require_circles(own)
-            thickness = own.thickness(own.tip_diameter)
+            thickness = own.tip_thickness
             require(
                 thickness >= 0.0,
                 "the teeth of the gear of {0} are pointed below their tips at {1:.6g} mm diameter",

@@ -28,6 +28,7 @@ TRAIN = Task(
     table="shafts",
     arrays=False,
     tracked=False,
+    plot=HERE + "pictures_trains:train_picture",
 )
 
 RATIO = Task(
@@ -93,6 +94,7 @@ PROFILE = Task(
     ),
     arrays=False,
     tracked=False,
+    plot=HERE + "pictures_trains:profile_picture",
 )
 
 MESH = Task(
@@ -116,6 +118,7 @@ MESH = Task(
     table="path",
     arrays=False,
     tracked=False,
+    plot=HERE + "pictures_trains:mesh_picture",
 )
 
 IDENTIFY = Task(
