@@ -117,13 +117,20 @@ def command_help(task: Task) -> str:
         if any(model.formulas):
             from dynamics_cli.core.explain import filled
 
-            lines += [f"Formula: {filled(formula, {})}" for formula in model.formulas]
-        lines.append(f"Source: {model.source}")
+            lines += [_wrapped(f"Formula: {filled(formula, {})}") for formula in model.formulas]
+        lines.append(_wrapped(f"Source: {model.source}"))
         blocks.append("\b\n" + "\n".join(lines))
     if task.examples:
         # \b keeps the lines of a block as they stand.
         blocks.append("\b\n" + "\n".join(["Examples:", *(f"  {example}" for example in task.examples)]))
     return "\n\n".join(blocks)
+
+
+def _wrapped(line: str) -> str:
+    """A line in several where it is long, for a terminal of 80 columns; examples stay whole, to be copied."""
+    from textwrap import fill
+
+    return fill(line, 76, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 def undescribed(task: Task) -> "list[str]":
