@@ -30,9 +30,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
         "cancellation": cancels,
         "standard_uncertainty": deviation(whole),
         "advice": _advice(cancels, whole),
-        "numerics": Numerics(
-            "composition about the running mass centre; Jacobi rotations in two passes", tuple(bounds)
-        ),
+        "numerics": Numerics("composition about the mass centre; Jacobi rotations in two passes", tuple(bounds)),
     }
     return MassProperties(**values)
 
