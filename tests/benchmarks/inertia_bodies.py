@@ -116,10 +116,9 @@ def assemblies() -> None:
         p = body(assembly).principal_moments
         moments = compose_scene(assembly).spread.moments
         bound = max(m.error / m.value for m in moments)  # type: ignore[attr-defined]
-        print(
-            f"{name:38}{worst(textbook(parts, turned), want):11.1e}{best(lambda p=parts, t=turned: textbook(p, t)):8.0f}"
-            f"{worst((p.first, p.second, p.third), want):11.1e}{bound:11.1e}{best(lambda a=assembly: body(a)):8.0f}"
-        )
+        naive, took = worst(textbook(parts, turned), want), best(lambda p=parts, t=turned: textbook(p, t))
+        ours, own = worst((p.first, p.second, p.third), want), best(lambda a=assembly: body(a))
+        print(f"{name:38}{naive:11.1e}{took:8.0f}{ours:11.1e}{bound:11.1e}{own:8.0f}")
 
 
 def walls() -> None:
