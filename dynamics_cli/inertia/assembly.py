@@ -80,8 +80,8 @@ def body(
 
     Notes
     -----
-    Positions count from the first part, so that an assembly far from its origin keeps its digits; parts are joined
-    about the running mass centre. The principal moments come from a second pass in the principal frame, which keeps
+    Positions count from the first part, and moments from the mass centre found first, so that an assembly far from
+    its origin keeps its digits. The principal moments come from a second pass in the principal frame, which keeps
     those of a needle in any position. Bounds are a running error analysis of the same operations (Higham 3.3).
     Standard uncertainties are first order, of independent parts, as mass property engineers roll them up (SAWE RP 16
     and paper 3360); about the mass centre the terms through the centroid vanish.

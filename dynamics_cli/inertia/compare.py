@@ -152,7 +152,7 @@ def compare(scene: Pair, /) -> Compared:
         axes_angle=angle,
         moments=rows,
         advice=advice,
-        numerics=Numerics("composition of each about its running mass centre; Jacobi rotations", tuple(bounds)),
+        numerics=Numerics("composition of each about its mass centre; Jacobi rotations", tuple(bounds)),
     )
 
 

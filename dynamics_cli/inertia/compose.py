@@ -1,7 +1,19 @@
-"""Parts put together: about the running mass centre, then once more in the principal frame."""
+"""Parts put together about their common mass centre, then once more in the principal frame."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.lump import IDENTITY, Lump, joined, less, plus, product, scaled, times, turned
+from dynamics_cli.inertia.lump import (
+    IDENTITY,
+    NOTHING,
+    Lump,
+    added,
+    less,
+    outer,
+    plus,
+    product,
+    scaled,
+    times,
+    turned,
+)
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.rotation import departure
 from dynamics_cli.inertia.spread import Spread, bounded, plain, spread_of
@@ -36,7 +48,7 @@ def composed(walk: "Walk", *, tracked: bool) -> Composed:
     leaves = walk.leaves
     base = tuple(plain(x) for x in leaves[0].origin)
     pieces = [_piece(leaf, base, IDENTITY) for leaf in leaves]  # type: ignore[arg-type]
-    whole = _sum(leaves, pieces)
+    whole = _sum(pieces)
     centroid = plus(base, whole.centroid)  # type: ignore[arg-type]
     first = spread_of(whole.second)
     if any(not piece.mass > 0.0 for piece in pieces):
@@ -62,22 +74,38 @@ def _piece(leaf: "Leaf", base: "Vector", frame: "Matrix") -> Lump:
     return Lump(-leaf.lump.mass, centroid, scaled(-1.0, second))
 
 
-def _sum(leaves: "list[Leaf]", pieces: "list[Lump]") -> Lump:
-    """All pieces as one, what is there before what is taken away."""
-    order = sorted(range(len(pieces)), key=lambda i: -leaves[i].sign)
-    whole = pieces[order[0]]
-    require(whole.mass > 0.0, "nothing is there that something could be cut out of", code="no-mass")
-    for i in order[1:]:
-        total = whole.mass + pieces[i].mass
-        require(
-            total > 0.0,
-            "what is cut out weighs as much as all that is there: {0:.6g} kg are left",
-            total,
-            code="no-mass",
-            hint="check sizes and densities of the holes",
-        )
-        whole = joined(whole, pieces[i])
-    return whole
+def _sum(pieces: "list[Lump]") -> Lump:
+    """All pieces as one, about a point near their mass centre: a mere number, so that it brings no rounding with it."""
+    near = _near(pieces)
+    mass, first, second = 0.0, (0.0, 0.0, 0.0), NOTHING
+    for piece in pieces:
+        d = less(piece.centroid, near)
+        mass = piece.mass + mass
+        first = plus(first, (piece.mass * d[0], piece.mass * d[1], piece.mass * d[2]))
+        second = added(second, added(piece.second, outer(piece.mass, d)))
+    require(
+        mass > 0.0,
+        "what is cut out weighs as much as all that is there: {0:.6g} kg are left",
+        mass,
+        code="no-mass",
+        hint="check sizes and densities of the holes",
+    )
+    rest = (first[0] / mass, first[1] / mass, first[2] / mass)
+    return Lump(mass, plus(near, rest), added(second, outer(-mass, rest)))
+
+
+def _near(pieces: "list[Lump]") -> "Vector":
+    """A point within rounding of the mass centre."""
+    masses = [plain(piece.mass) for piece in pieces]
+    require(max(masses) > 0.0, "nothing is there that something could be cut out of", code="no-mass")
+    total = sum(masses)
+    if not total > 0.0:
+        return (0.0, 0.0, 0.0)
+    x, y, z = (
+        sum(mass * plain(piece.centroid[k]) for mass, piece in zip(masses, pieces, strict=True)) / total
+        for k in range(3)
+    )
+    return x, y, z
 
 
 def _require_body(whole: Lump, spread: Spread) -> None:
@@ -98,7 +126,7 @@ def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     frame = first.axes
     if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
         return first
-    whole = _sum(leaves, [_piece(leaf, base, frame) for leaf in leaves])
+    whole = _sum([_piece(leaf, base, frame) for leaf in leaves])
     matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
     found = principal(matrix)  # type: ignore[arg-type]
     seconds = found.seconds

@@ -125,12 +125,3 @@ def about(lump: Lump, point: "Vector") -> "Matrix":
     """Second moments about another point: S + m d dᵀ."""
     d = less(lump.centroid, point)
     return added(lump.second, outer(lump.mass, d))
-
-
-def joined(a: Lump, b: Lump) -> Lump:
-    """Two bodies as one, about their common mass centre: S = Sₐ + S_b + mₐ m_b/(mₐ + m_b)·d dᵀ."""
-    mass = a.mass + b.mass
-    d = less(b.centroid, a.centroid)
-    share = b.mass / mass
-    centroid = plus(a.centroid, (share * d[0], share * d[1], share * d[2]))
-    return Lump(mass, centroid, added(added(a.second, b.second), outer(a.mass * share, d)))

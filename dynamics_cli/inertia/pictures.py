@@ -21,6 +21,8 @@ VIEWS = ((0, 1), (0, 2), (1, 2))
 STEPS = 64
 # Marks closer than this share of the body's size would be written over one another.
 CROWDED = 0.15
+# An axis that is seen end on has no arrow.
+SEEN = 1e-3
 BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
 
 
@@ -61,7 +63,9 @@ def _panel(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", i: 
     at = answer.centroid
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
-        items.append(Arrow(at[i], at[j], size * axis[i], size * axis[j], str(k + 1), AXES))
+        dx, dy = size * axis[i], size * axis[j]
+        if max(abs(dx), abs(dy)) > SEEN * answer.equivalent_ellipsoid[0]:
+            items.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
     items += _marks(answer, i, j)
     names = "xyz"
     return Panel(

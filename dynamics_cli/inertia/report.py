@@ -1,6 +1,6 @@
 """An assembly reported: a row for each part, what cancels, standard uncertainties, and the bounds of it all."""
 
-from dynamics_cli.inertia.lump import Lump, about, each, tensor_of, turned
+from dynamics_cli.inertia.lump import Lump, about, tensor_of, turned
 from dynamics_cli.inertia.properties import MassProperties, View, properties
 from dynamics_cli.inertia.results import Cancellation, PartShare
 from dynamics_cli.inertia.rollup import deviation
@@ -30,9 +30,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
         "cancellation": cancels,
         "standard_uncertainty": deviation(whole),
         "advice": _advice(cancels, whole),
-        "numerics": Numerics(
-            "composition about the running mass centre; Jacobi rotations in two passes", tuple(bounds)
-        ),
+        "numerics": Numerics("composition about the mass centre; Jacobi rotations in two passes", tuple(bounds)),
     }
     return MassProperties(**values)
 
@@ -74,13 +72,13 @@ def measures_of(whole: "Composed") -> "dict[str, Any]":
 def _shares(
     whole: "Composed", view: View, answer: MassProperties
 ) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
-    rotation: Matrix = _rotation(view, whole)
-    point: Vector = answer.reference_point
+    rotation: Matrix = bare(_rotation(view, whole))
+    point: Vector = bare(answer.reference_point)
     rows = []
-    for leaf, piece in zip(whole.leaves, whole.pieces, strict=True):
-        tensor = tensor_of(turned(about(Lump(piece.mass, piece.centroid, piece.second), point), rotation))
-        moments = each(plain, (tensor[0][0], tensor[1][1], tensor[2][2]))
-        rows.append(PartShare(leaf.name, plain(piece.mass), bare(piece.centroid), moments))
+    for leaf, tracked in zip(whole.leaves, whole.pieces, strict=True):
+        piece: Lump = bare(tracked)
+        tensor = tensor_of(turned(about(piece, point), rotation))
+        rows.append(PartShare(leaf.name, piece.mass, piece.centroid, (tensor[0][0], tensor[1][1], tensor[2][2])))
     if all(leaf.sign > 0.0 for leaf in whole.leaves):
         return tuple(rows), None
     sums = [sum(row.moments[k] for row in rows) for k in range(3)]

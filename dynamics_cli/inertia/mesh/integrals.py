@@ -57,10 +57,10 @@ class Moments:
         xx, yy, zz, xy, yz, zx = sums.second / scale[2]
         second = np.array(((xx, xy, zx), (xy, yy, yz), (zx, yz, zz)))
         extent = sums.extent
-        # |d| ≤ |a||n|, and ≤ Σ |aₖ||nₖ| where those are known
+        # |d| ≤ |a||n|, and ≤ Σ |aₖ||nₖ|, which tells thin axes from long ones
         weight = 2.0 * sums.area
         if not sums.shell:
-            weight = float(extent @ sums.normals) if sums.by_axis else float(np.hypot.reduce(extent)) * weight
+            weight = min(float(np.hypot.reduce(extent)) * weight, float(extent @ sums.normals))
         unit = ROUNDINGS * UNIT_ROUNDOFF
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
@@ -84,11 +84,10 @@ class Moments:
 
 
 class Sums:
-    """Everything that one pass over the triangles adds up; Σ |nₖ|, which tells thin axes, when `by_axis` says so."""
+    """Everything that one pass over the triangles adds up."""
 
-    def __init__(self, *, shell: bool, by_axis: bool, room: int, boundary: "Boundary | None" = None) -> None:
+    def __init__(self, *, shell: bool, room: int, boundary: "Boundary | None" = None) -> None:
         self.shell = shell
-        self.by_axis = by_axis
         self.boundary = boundary
         self.count = 0
         self.low = np.full(3, np.inf)
@@ -114,8 +113,7 @@ class Sums:
         a, e, f = x[:, 0], x[:, 1], x[:, 2]
         _cross(e, f, n, t[0])
         np.add.reduce(n, axis=1, out=part[_CLOSURE])
-        if self.by_axis:
-            np.add.reduce(np.abs(n, out=t), axis=1, out=part[_NORMALS])
+        np.add.reduce(np.abs(n, out=t), axis=1, out=part[_NORMALS])
         np.add.reduce(np.multiply(n, n, out=t), axis=1, out=part[_SQUARES])
         t[0] += t[1]
         t[0] += t[2]
@@ -162,7 +160,7 @@ def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Mo
         When a coordinate is not finite or out of range, or there are no triangles.
     """
     boundary = Boundary(single=source.single, room=source.room) if prove else None
-    sums = Sums(shell=shell, by_axis=False, room=source.room, boundary=boundary)
+    sums = Sums(shell=shell, room=source.room, boundary=boundary)
     room, spare = np.empty((2, 9 * source.room))
     reference = np.zeros((3, 1))
     for corners in source.blocks():
@@ -193,7 +191,7 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 
     Coordinates in these axes are exact to a rounding of themselves, so what is thin in them keeps all its digits.
     """
-    sums = Sums(shell=moments.shell, by_axis=True, room=source.room)
+    sums = Sums(shell=moments.shell, room=source.room)
     reference = moments.centroid
     frame = Frame(rows, reference, float(max(before.high - before.low)), source.room)
     for corners in source.blocks():
