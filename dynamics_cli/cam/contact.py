@@ -11,8 +11,8 @@ from dynamics_cli.cam.followers import (
     FLAT,
     ConjugateOscillatingRoller,
     ConjugateRoller,
-    FlatFace,
     Flank,
+    FlatFace,
     Follower,
     OscillatingFlat,
     OscillatingRoller,
@@ -84,9 +84,7 @@ class Geometry:
         )
         self.way = 1.0
         if isinstance(follower, OscillatingRoller):
-            self.start = start_angle_of_arm(
-                follower.base_radius, self.roller, follower.arm, follower.pivot_distance
-            )
+            self.start = start_angle_of_arm(follower.base_radius, self.roller, follower.arm, follower.pivot_distance)
         elif isinstance(follower, ConjugateOscillatingRoller):
             self.start, self.way = mate_angle(follower), -1.0
         elif isinstance(follower, OscillatingFlat):
@@ -182,7 +180,9 @@ class Geometry:
         along = c * cos / speed
         radius = c * (sin * (1.0 + 2.0 * s1) * speed + s2 * cos) / (speed * speed * speed) - back
         point = (c - along * cos - back * sin, along * sin - back * cos)
-        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along))
+        return Touch(
+            point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along)
+        )
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
         """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""

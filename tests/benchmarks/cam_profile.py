@@ -49,7 +49,9 @@ def whole_design() -> None:
         total += seconds
         print(f"  {name:<48s} {1e3 * seconds:8.2f} ms")
     print(f"  {'together':<48s} {1e3 * total:8.2f} ms")
-    print(f"  {'smallest size, two limits':<48s} {1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006))):8.2f} ms")
+    print(
+        f"  {'smallest size, two limits':<48s} {1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006))):8.2f} ms"
+    )
 
 
 def throughput() -> None:
@@ -64,10 +66,19 @@ def throughput() -> None:
 
 def files() -> None:
     print("pieces and proved deviation of a file")
-    for form, tolerance in (("arcs", 1e-5), ("arcs", 1e-6), ("arcs", 1e-7), ("cubics", 1e-6), ("cubics", 1e-9), ("lines", 1e-6)):
+    for form, tolerance in (
+        ("arcs", 1e-5),
+        ("arcs", 1e-6),
+        ("arcs", 1e-7),
+        ("cubics", 1e-6),
+        ("cubics", 1e-9),
+        ("lines", 1e-6),
+    ):
         made = export(NOTHING, program=CYCLE, follower=ROLLER, form=Form(form), tolerance=tolerance)
         seconds = best(lambda: export(NOTHING, program=CYCLE, follower=ROLLER, form=Form(form), tolerance=tolerance), 3)  # noqa: B023
-        print(f"  {form:<7s} {tolerance:7.0e} m  {made.pieces:5d} pieces  proved {made.deviation:.3g} m  {1e3 * seconds:7.1f} ms")
+        print(
+            f"  {form:<7s} {tolerance:7.0e} m  {made.pieces:5d} pieces  proved {made.deviation:.3g} m  {1e3 * seconds:7.1f} ms"
+        )
 
 
 def peer() -> None:
@@ -89,7 +100,9 @@ def peer() -> None:
     seconds = best(theirs, 5)
     exact = best(lambda: motion_of(NOTHING, PEER).at(np.arange(count) * (2 * np.pi / count)))
     whole = best(lambda: profile(NOTHING, program=PEER, follower=followers.Roller(0.05, 0.01), points=count))
-    print(f"  mechanism: motions at {count} angles {1e3 * seconds:.2f} ms; here {1e3 * exact:.2f} ms, profile {1e3 * whole:.2f} ms")
+    print(
+        f"  mechanism: motions at {count} angles {1e3 * seconds:.2f} ms; here {1e3 * exact:.2f} ms, profile {1e3 * whole:.2f} ms"
+    )
     lift, h = motion_of(NOTHING, PEER), 2 * np.pi / count
     theta = np.arange(count) * h
     # its own formula for a roller: the radius R_b + s along the cam's angle
