@@ -78,9 +78,9 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     except ValueError:
         require(
             False,
-            "the roller's centre passes through the cam's axis: there is no cam of this size",
+            "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
             code="through-axis",
-            hint="raise the base radius",
+            hint="take a base radius above zero, of the size of the lift",
         )
         raise
     found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]

@@ -189,6 +189,7 @@ def check(
     """
     from dynamics_cli.cam.analysis import analyse, pressure_bounds
     from dynamics_cli.cam.contact import Geometry
+    from dynamics_cli.cam.pieces import joint_jumps
     from dynamics_cli.cam.profile import concave, convex
     from dynamics_cli.cam.undercut import backward_stretches, lift_lost
 
@@ -209,7 +210,7 @@ def check(
     loss = lift_lost(geometry, motion) if inner else None
     stretches = loss.stretches if loss is not None else () if inner else backward_stretches(geometry, motion)
     face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
-    jumps = _joint_jumps(motion)
+    jumps = joint_jumps(motion)
     jump = _jump(motion, mass, stiffness, preload, speed)
     tightest = min((radius for radius in (round_, hollow) if radius is not None), default=None)
     kept = {
@@ -254,19 +255,6 @@ def check(
     )
 
 
-def _joint_jumps(motion: "Any") -> tuple[int, int]:
-    """Joints where velocity or acceleration jumps, beyond rounding."""
-    counts = [0, 0]
-    before = [motion.in_zone(index, 1.0, 2) for index in range(len(motion.zones))]
-    after = [motion.in_zone(index, 0.0, 2) for index in range(len(motion.zones))]
-    for order in (1, 2):
-        peak = max(abs(state[order]) for state in (*before, *after))
-        peak = max(peak, *(abs(motion.in_zone(index, 0.37, 2)[order]) for index in range(len(before))))
-        for index, state in enumerate(after):
-            counts[order - 1] += abs(state[order] - before[index - 1][order]) > 1e-9 * peak
-    return counts[0], counts[1]
-
-
 def _jump(
     motion: "Any", mass: float | None, stiffness: float | None, preload: float | None, speed: float | None
 ) -> "tuple[float | None, float | None] | None":
@@ -283,7 +271,9 @@ def _jump(
     require(not motion.swing, "the jump of an arm is found by `cam force`", code="jump", hint="leave the spring out")
     from dynamics_cli.cam.pieces import over_pieces, turning_places
 
-    assert mass is not None and stiffness is not None and preload is not None
+    assert mass is not None
+    assert stiffness is not None
+    assert preload is not None
     floor = preload + stiffness * motion.stroke[0]
     require(
         floor > 0.0,
@@ -315,9 +305,7 @@ def _advice(
             )
         )
     elif "undercut" in wrong:
-        advice.append(
-            Advice("undercut", "the flank is undercut: it cuts itself", "serious", "take a smaller roller")
-        )
+        advice.append(Advice("undercut", "the flank is undercut: it cuts itself", "serious", "take a smaller roller"))
     messages = {
         "rise limit": "raise the base radius, offset the follower, or give the rise a larger angle",
         "return limit": "raise the base radius, offset the follower, or give the return a larger angle",
@@ -325,9 +313,11 @@ def _advice(
         "velocity jump": "choose laws whose velocities join",
         "jump speed": "a stiffer spring, a larger preload or a lighter follower",
     }
-    for name in wrong:
-        if name in messages:
-            advice.append(Advice(name.replace(" ", "-"), f"the {name} is not kept", "serious", messages[name]))
+    advice += [
+        Advice(name.replace(" ", "-"), f"the {name} is not kept", "serious", messages[name])
+        for name in wrong
+        if name in messages
+    ]
     if "least radius of curvature" in wrong:
         tightest = min(radius for radius in radii if radius is not None)
         advice.append(
@@ -339,5 +329,6 @@ def _advice(
             )
         )
     if jump is not None and jump[0] is None:
-        advice.append(Advice("no-jump", "the follower never slows down: it cannot leave the cam", "note", result="jump_speed"))
+        message = "the follower never slows down: it cannot leave the cam"
+        advice.append(Advice("no-jump", message, "note", result="jump_speed"))
     return tuple(advice)

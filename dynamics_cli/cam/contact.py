@@ -11,8 +11,8 @@ from dynamics_cli.cam.followers import (
     FLAT,
     ConjugateOscillatingRoller,
     ConjugateRoller,
-    FlatFace,
     Flank,
+    FlatFace,
     Follower,
     OscillatingFlat,
     OscillatingRoller,
@@ -84,9 +84,7 @@ class Geometry:
         )
         self.way = 1.0
         if isinstance(follower, OscillatingRoller):
-            self.start = start_angle_of_arm(
-                follower.base_radius, self.roller, follower.arm, follower.pivot_distance
-            )
+            self.start = start_angle_of_arm(follower.base_radius, self.roller, follower.arm, follower.pivot_distance)
         elif isinstance(follower, ConjugateOscillatingRoller):
             self.start, self.way = mate_angle(follower), -1.0
         elif isinstance(follower, OscillatingFlat):
@@ -140,6 +138,28 @@ class Geometry:
         pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
         return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
 
+    def point(self, s: "Any", s1: "Any") -> "Pair":
+        """The point of contact alone, in the fixed frame: what a curve needs, at half the cost of a touch."""
+        f, s1 = self.follower, s1 if self.turn > 0.0 else -s1
+        if isinstance(f, FlatFace):
+            return s1, self.start + s
+        if isinstance(f, OscillatingFlat):
+            angle = self.start + s
+            sin, cos = np.sin(angle), np.cos(angle)
+            along = f.pivot_distance * cos / (1.0 + s1)
+            return f.pivot_distance - along * cos - f.face_offset * sin, along * sin - f.face_offset * cos
+        if self.oscillating:
+            angle = self.start + s
+            sin, cos = np.sin(angle), np.cos(angle)
+            g = f.arm * (1.0 + s1)  # type: ignore[union-attr]
+            big_x, big_y = g * sin, g * cos - f.pivot_distance  # type: ignore[union-attr]
+            x, y = f.pivot_distance - f.arm * cos, f.arm * sin  # type: ignore[union-attr]
+        else:
+            x, y = f.offset, self.start + s  # type: ignore[union-attr]
+            big_x, big_y = y, s1 - x
+        share = self.side * self.roller / np.sqrt(big_x * big_x + big_y * big_y)
+        return x + share * big_y, y - share * big_x
+
     def _way(self, s: "Any") -> "Pair":
         """The direction the cam drives the follower in."""
         if not self.oscillating:
@@ -160,7 +180,9 @@ class Geometry:
         along = c * cos / speed
         radius = c * (sin * (1.0 + 2.0 * s1) * speed + s2 * cos) / (speed * speed * speed) - back
         point = (c - along * cos - back * sin, along * sin - back * cos)
-        return Touch(point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along))
+        return Touch(
+            point, point, (sin, cos), radius * speed, speed, 0.0 * sin, radius, -self.turn * np.arctan2(back, along)
+        )
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
         """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""
@@ -175,6 +197,20 @@ def rotated(point: "Pair", theta: "Any", turn: float, start_angle: float) -> "Pa
         sin = -sin
     x, y = point
     return x * cos + y * sin, y * cos - x * sin
+
+
+BLOCK = 8192
+
+
+def curve(geometry: Geometry, motion: "Any", theta: "Any") -> "Pair":
+    """The cam's curve at an array of cam angles, in blocks that stay in the cache."""
+    out = np.empty((2, theta.size))
+    for low in range(0, theta.size, BLOCK):
+        part = theta[low : low + BLOCK]
+        out[0, low : low + BLOCK], out[1, low : low + BLOCK] = rotated(
+            geometry.point(*motion.at(part, 1)), part, geometry.turn, 0.0
+        )
+    return out[0], out[1]
 
 
 def check_speed(geometry: Geometry, s1: "Any") -> None:

@@ -122,9 +122,7 @@ def _fitted(path: Path, form: str, aim: float, tolerance: float, joints: "Any") 
     return pieces, bounds
 
 
-def tables(
-    geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int
-) -> "tuple[Any, Any, Any]":
+def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int) -> "tuple[Any, Any, Any]":
     """Exact points in polar coordinates, and the lift for a controller.
 
     Parameters

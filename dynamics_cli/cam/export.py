@@ -206,8 +206,8 @@ def export(
     >>> made.deviation <= 1e-6
     True
     """
-    from dynamics_cli.cam.drawing import drawn, tables
     from dynamics_cli.cam.contact import Geometry
+    from dynamics_cli.cam.drawing import drawn, tables
 
     require(points >= 2, "{0} points make no table", points, code="few-points")
     require(points <= 1_000_000, "{0} points are more than a table holds", points, code="many-points")

@@ -10,7 +10,6 @@ from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size
 from dynamics_cli.records import Choice, record, tagged
 
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any

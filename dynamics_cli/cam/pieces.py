@@ -47,3 +47,16 @@ def turning_places(motion: "Motion", made: Proxies, which: int = 0, *, every: bo
     starts, ends = pieces(motion)
     theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
     return Extremes(found.owner, theta, found.values, found.inside, found.error)
+
+
+def joint_jumps(motion: "Motion") -> tuple[int, int]:
+    """Joints where velocity or acceleration jumps, beyond rounding."""
+    counts = [0, 0]
+    before = [motion.in_zone(index, 1.0, 2) for index in range(len(motion.zones))]
+    after = [motion.in_zone(index, 0.0, 2) for index in range(len(motion.zones))]
+    for order in (1, 2):
+        peak = max(abs(state[order]) for state in (*before, *after))
+        peak = max(peak, *(abs(motion.in_zone(index, 0.37, 2)[order]) for index in range(len(before))))
+        for index, state in enumerate(after):
+            counts[order - 1] += abs(state[order] - before[index - 1][order]) > 1e-9 * peak
+    return counts[0], counts[1]

@@ -232,7 +232,7 @@ def profile(
 
     from dynamics_cli.cam.analysis import analyse, plate, pressure_bounds
     from dynamics_cli.cam.contact import Geometry
-    from dynamics_cli.cam.pieces import sample
+    from dynamics_cli.cam.pieces import joint_jumps, sample
 
     require(points >= 4, "{0} points make no curve", points, code="few-points", hint="at least 4")
     require(points <= MANY, "{0} points are more than a document holds", points, code="many-points")
@@ -275,7 +275,7 @@ def profile(
         inertia_about_centroid=None if weight is None else weight * (body.polar - body.area * away),
         points=columns,
         checks=_checks(geometry, touch),
-        advice=_advice(geometry, found),
+        advice=_advice(geometry, found, joint_jumps(motion)[0]),
         numerics=Numerics(
             "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes",
             (ErrorBound("area", 1e-14), ErrorBound("perimeter", 1e-14), *pressure_bounds(geometry, motion, found)),
@@ -339,15 +339,25 @@ def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
     return (Check("normals are of unit length", worst <= size, worst, size),)
 
 
-def _advice(geometry: "Geometry", found: "Analysis") -> tuple[Advice, ...]:
+def _advice(geometry: "Geometry", found: "Analysis", jumps: int) -> tuple[Advice, ...]:
     least, _ = convex(geometry, found)
+    advice: list[Advice] = []
+    if jumps:
+        advice.append(
+            Advice(
+                "velocity-jump",
+                f"the follower's velocity jumps at {jumps} joints: the curve breaks there, and the force is infinite",
+                "serious",
+                "choose laws whose velocities join, e.g. 3-4-5 or cycloidal in place of linear",
+            )
+        )
     if least is not None and geometry.side > 0.0 and least <= 0.0:
-        return (
+        advice.append(
             Advice(
                 "undercut",
                 f"the cam is undercut: its least radius of curvature comes to {least:.6g} m, and the curve cuts itself",
                 "serious",
                 "raise the base radius, or see `cam check` for the lift that is lost",
-            ),
+            )
         )
-    return ()
+    return tuple(advice)

@@ -143,8 +143,8 @@ def _cubic_cells(
     x, y, zx, zy = at
     ox, oy = cx[owner], cy[owner]
     t, _ = foot(ox, oy, x, y, (index + 0.5) / cells[owner], rounds=6)
-    bx, dx, ax = bezier(ox[:, 0], ox[:, 1], ox[:, 2], ox[:, 3], t)
-    by, dy, ay = bezier(oy[:, 0], oy[:, 1], oy[:, 2], oy[:, 3], t)
+    bx, dx, _ = bezier(ox[:, 0], ox[:, 1], ox[:, 2], ox[:, 3], t)
+    by, dy, _ = bezier(oy[:, 0], oy[:, 1], oy[:, 2], oy[:, 3], t)
     rate = (zx * dx + zy * dy) / (dx * dx + dy * dy)
     # second derivatives of a cubic are linear: the largest is at an end
     turn = np.maximum(

@@ -6,7 +6,7 @@ from dynamics_cli.cam.followers import Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size, Text
-from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record, tagged
+from dynamics_cli.records import Advice, Check, Numerics, record, tagged
 
 CCW = Rotation("counter-clockwise")
 DEGREE = pi / 180.0
@@ -139,8 +139,8 @@ def size(
     Equation
     --------
     A = max(s′ cot φ₁ − s), B = max(−s′ cot φ₂ − s): d + e cot φ₁ ≥ A, d − e cot φ₂ ≥ B, R_p² = d² + e²; at the apex
-    e* = (A − B)/(cot φ₁ + cot φ₂), d* = A − e* cot φ₁. Flat face: R_b = ρ − min(s + s″). Arm: ψ₀ ≥ max(acos q₂ − φ₂ − s),
-    q = L(1 + ψ′) cos φ/c.
+    e* = (A − B)/(cot φ₁ + cot φ₂), d* = A − e* cot φ₁. Flat face: R_b = ρ − min(s + s″).
+    Arm: ψ₀ ≥ max(acos q₂ − φ₂ − s), q = L(1 + ψ′) cos φ/c.
 
     Parameters
     ----------
@@ -242,4 +242,3 @@ def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[
         share = b / (1.0 + cot_return * cot_return)
         return -share * cot_return, share, "return limit"
     return e, d, "rise and return limit"
-

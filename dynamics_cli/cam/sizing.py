@@ -102,18 +102,18 @@ def size_slide(
     high, low = found.pressure.largest()[0], found.pressure.smallest()[0]
     least, _ = convex(Geometry(follows, rotation), found)
     in_line = max(a, b, floor) - roller
+    # a base radius and an offset of doubles tell a height far below them no better
+    lever = 1.0 + 1e-4 * (radius / d) ** 2 if d > 0.0 else inf
     checks = [
-        _kept("largest pressure angle keeps its limit", high - limits[0], 1.0),
-        _kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
+        _kept("largest pressure angle keeps its limit", high - limits[0], lever),
+        _kept("least pressure angle keeps its limit", -low - limits[1], lever),
     ]
     if wanted is not None and least is not None:
         checks.append(_kept("radius of curvature keeps its limit", wanted - roller - least, radius))
-    advice = ()
+    advice: tuple[Advice, ...] = ()
     if least is not None and least <= 0.0:
-        advice = (
-            Advice("undercut", f"at this size the cam is undercut: its least radius of curvature comes to {least:.6g} m",
-                   "serious", "give --least-radius above zero"),
-        )  # fmt: skip
+        message = f"at this size the cam is undercut: its least radius of curvature comes to {least:.6g} m"
+        advice = (Advice("undercut", message, "serious", "give --least-radius above zero"),)
     return size.CamSize(
         base_radius=base, offset=offset, start_radius=radius, arm_start_angle=None, binding=binding,
         largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,

@@ -132,7 +132,12 @@ def _corner(geometry: Geometry, motion: "Any", low: float, high: float) -> "tupl
                 break
         x, y, _, _ = _curve(geometry, motion, pair)
         size = float(np.max(np.abs(x) + np.abs(y)))
-        if pair[0] < low and pair[1] > high and np.hypot(x[1] - x[0], y[1] - y[0]) <= 1e-13 * size and pair[1] - pair[0] < TURN:
+        if (
+            pair[0] < low
+            and pair[1] > high
+            and np.hypot(x[1] - x[0], y[1] - y[0]) <= 1e-13 * size
+            and pair[1] - pair[0] < TURN
+        ):
             return float(pair[0]), float(pair[1])
     return None
 

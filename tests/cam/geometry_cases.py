@@ -9,7 +9,16 @@ from dynamics_cli.cam import followers
 from dynamics_cli.cam.program import Program
 
 HERE = Path(__file__).resolve().parent
-LAWS = ("cycloidal", "3-4-5", "4-5-6-7", "modified-sine", "modified-trapezoid", "5-6-7-8-9", "harmonic", "double-harmonic")
+LAWS = (
+    "cycloidal",
+    "3-4-5",
+    "4-5-6-7",
+    "modified-sine",
+    "modified-trapezoid",
+    "5-6-7-8-9",
+    "harmonic",
+    "double-harmonic",
+)
 NOTHING = Program()
 CYCLE = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
 STEEP = "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell"

@@ -130,7 +130,9 @@ def test_a_foot_in_place_of_the_apex() -> None:
 @pytest.mark.parametrize("rotation", ["ccw", "cw"])
 def test_a_cam_turned_the_other_way_is_offset_the_other_way(rotation: str) -> None:
     limits = {"rise_limit": radians(25), "return_limit": radians(35)}
-    found = size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006), rotation=followers.Rotation(rotation), **limits)
+    found = size.size(
+        NOTHING, program=CYCLE, follower=size.Roller(0.006), rotation=followers.Rotation(rotation), **limits
+    )
     assert found.largest_pressure_angle == pytest.approx(radians(25), abs=1e-12)
     assert found.least_pressure_angle == pytest.approx(-radians(35), abs=1e-12)
     assert found.offset == pytest.approx((1 if rotation == "ccw" else -1) * 0.0016158053939, rel=1e-6)
@@ -155,7 +157,9 @@ def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
         NOTHING, program=SWING, follower=size.OscillatingRoller(0.008, 0.08, 0.1), rise_limit=limit, return_limit=limit
     )
     assert max(found.largest_pressure_angle, -found.least_pressure_angle) == pytest.approx(limit, abs=1e-12)
-    smaller = check(NOTHING, program=SWING, follower=followers.OscillatingRoller(found.base_radius - 1e-6, 0.008, 0.08, 0.1))
+    smaller = check(
+        NOTHING, program=SWING, follower=followers.OscillatingRoller(found.base_radius - 1e-6, 0.008, 0.08, 0.1)
+    )
     assert max(smaller.largest_pressure_angle, -smaller.least_pressure_angle) > limit
 
 
@@ -222,7 +226,11 @@ def test_pressure_angle_of_the_book_in_line() -> None:
 
 @pytest.mark.parametrize("rotation", ["ccw", "cw"])
 def test_the_start_angle_turns_the_drawing(rotation: str) -> None:
-    given = {"program": CYCLE, "follower": followers.Roller(0.025, 0.006, 0.004), "rotation": followers.Rotation(rotation)}
+    given = {
+        "program": CYCLE,
+        "follower": followers.Roller(0.025, 0.006, 0.004),
+        "rotation": followers.Rotation(rotation),
+    }
     plain, turned = profile(NOTHING, **given), profile(NOTHING, start_angle=0.7, **given)
     z = plain.points.arrays["x"] + 1j * plain.points.arrays["y"]
     w = turned.points.arrays["x"] + 1j * turned.points.arrays["y"]

@@ -91,7 +91,9 @@ class Carried:
             self.start = sqrt(prime**2 - f.get("offset", mpf(0)) ** 2)
         elif self.kind in ("OscillatingRoller", "ConjugateOscillatingRoller"):
             prime = f["base_radius"] + self.roller
-            self.start = acos((f["pivot_distance"] ** 2 + f["arm"] ** 2 - prime**2) / (2 * f["arm"] * f["pivot_distance"]))
+            self.start = acos(
+                (f["pivot_distance"] ** 2 + f["arm"] ** 2 - prime**2) / (2 * f["arm"] * f["pivot_distance"])
+            )
         elif self.kind == "OscillatingFlat":
             self.start = asin((f["base_radius"] + f.get("face_offset", mpf(0))) / f["pivot_distance"])
         else:
@@ -172,8 +174,10 @@ class Carried:
             z1 = diff(lambda t: self.point(lift, t)[0], theta)
             n, n1 = self.point(lift, theta)[1], diff(lambda t: self.point(lift, t)[1], theta)
             return (z1 / n1).real if abs(n1) else mpf(0)
+
         def carried(t):
             return self.centre(lift(t)) * self.back(t)
+
         c1, c2 = diff(carried, theta), diff(carried, theta, 2)
         curvature = -self.turn * (c1.conjugate() * c2).imag / abs(c1) ** 3
         return 1 / curvature - self.side * self.roller
@@ -262,7 +266,13 @@ def flat(base):
 
 
 def arm(base, radius, length, pivot):
-    return {"record": "OscillatingRoller", "base_radius": base, "roller_radius": radius, "arm": length, "pivot_distance": pivot}
+    return {
+        "record": "OscillatingRoller",
+        "base_radius": base,
+        "roller_radius": radius,
+        "arm": length,
+        "pivot_distance": pivot,
+    }
 
 
 def rocker(base, pivot, offset="0"):
@@ -270,13 +280,23 @@ def rocker(base, pivot, offset="0"):
 
 
 def mate(base, radius, distance, offset="0"):
-    return {"record": "ConjugateRoller", "base_radius": base, "roller_radius": radius, "roller_distance": distance, "offset": offset}
+    return {
+        "record": "ConjugateRoller",
+        "base_radius": base,
+        "roller_radius": radius,
+        "roller_distance": distance,
+        "offset": offset,
+    }
 
 
 def mate_arm(base, radius, length, pivot, angle):
     return {
-        "record": "ConjugateOscillatingRoller", "base_radius": base, "roller_radius": radius, "arm": length,
-        "pivot_distance": pivot, "arm_angle": angle,
+        "record": "ConjugateOscillatingRoller",
+        "base_radius": base,
+        "roller_radius": radius,
+        "arm": length,
+        "pivot_distance": pivot,
+        "arm_angle": angle,
     }
 
 
@@ -296,41 +316,120 @@ CASES = [
     ("flat rocker with offset face, clockwise", "", SWING, rocker("0.03", "0.09", "0.006"), -1, 1),
     ("second cam on a slide", "", CYCLE, mate("0.03", "0.008", "0.09", "0.004"), 1, 1),
     ("second cam on a rocker", "", SWING, mate_arm("0.03", "0.008", "0.08", "0.1", "1.1"), 1, 1),
-    ("offset a millionth of a millionth short of the radius", "√(Rp² − e²) by squares keeps five digits", CYCLE,
-     knife("0.03", "0.02999999999997"), 1, 1),
-    ("offset a billionth short of the start radius, roller", "the follower starts almost level with the axis", CYCLE,
-     roller("0.025", "0.006", "0.030999999969"), 1, 1),
-    ("offset equal to the start radius", "the start height is zero and the pressure angle a right angle there", BELOW[:0] + CYCLE,
-     roller("0.025", "0.005", "-0.0299999999"), -1, 1),
+    (
+        "offset a millionth of a millionth short of the radius",
+        "√(Rp² − e²) by squares keeps five digits",
+        CYCLE,
+        knife("0.03", "0.02999999999997"),
+        1,
+        1,
+    ),
+    (
+        "offset a billionth short of the start radius, roller",
+        "the follower starts almost level with the axis",
+        CYCLE,
+        roller("0.025", "0.006", "0.030999999969"),
+        1,
+        1,
+    ),
+    (
+        "offset equal to the start radius",
+        "the start height is zero and the pressure angle a right angle there",
+        BELOW[:0] + CYCLE,
+        roller("0.025", "0.005", "-0.0299999999"),
+        -1,
+        1,
+    ),
     ("base circle of a nanometre", "the cam shrinks onto its axis", CYCLE, roller("1e-9", "0.02"), 1, 1),
-    ("base circle of a micrometre under a knife-edge", "the pressure angle comes near a right angle where the rise begins",
-     RISES, knife("1e-6"), 1, 1),
+    (
+        "base circle of a micrometre under a knife-edge",
+        "the pressure angle comes near a right angle where the rise begins",
+        RISES,
+        knife("1e-6"),
+        1,
+        1,
+    ),
     ("base circle zero", "the roller touches the axis itself", CYCLE, roller("0", "0.02"), 1, 1),
-    ("roller a billionth short of a cusp", "1 − R κ is 1e-9 at the worst place and the radius is a difference", STEEP,
-     roller("0.0187149094", "0.0112850906"), 1, 1),
+    (
+        "roller a billionth short of a cusp",
+        "1 − R κ is 1e-9 at the worst place and the radius is a difference",
+        STEEP,
+        roller("0.0187149094", "0.0112850906"),
+        1,
+        1,
+    ),
     ("undercut roller", "the envelope runs backwards", STEEP, roller("0.015", "0.015"), 1, 1),
     ("large roller on a small cam", "pitch radius and roller cancel", CYCLE, roller("0.002", "0.04"), 1, 1),
-    ("arm a picometre inside the triangle limit", "the arc cosine keeps half the digits", SWING,
-     arm("0.012000000001", "0.008", "0.08", "0.1"), 1, 1),
-    ("arm stretched out", "the roller starts almost beyond the axis", (("180", "cycloidal", "-12"), ("180", "3-4-5", "0")),
-     arm("0.1719999999", "0.008", "0.08", "0.1"), 1, 1),
+    (
+        "arm a picometre inside the triangle limit",
+        "the arc cosine keeps half the digits",
+        SWING,
+        arm("0.012000000001", "0.008", "0.08", "0.1"),
+        1,
+        1,
+    ),
+    (
+        "arm stretched out",
+        "the roller starts almost beyond the axis",
+        (("180", "cycloidal", "-12"), ("180", "3-4-5", "0")),
+        arm("0.1719999999", "0.008", "0.08", "0.1"),
+        1,
+        1,
+    ),
     ("arm of the pivot's distance", "|c − L| is zero", SWING, arm("0.03", "0.008", "0.1", "0.1"), 1, 1),
-    ("flat rocker nearly as fast as the cam", "1 + ψ′ falls to a few hundredths and ρ has its cube below", FAST,
-     rocker("0.04", "0.11"), 1, 1),
-    ("flat rocker clockwise, rising fast", "1 − ψ′ is what counts when the cam turns the other way", FAST,
-     rocker("0.04", "0.11"), -1, 1),
+    (
+        "flat rocker nearly as fast as the cam",
+        "1 + ψ′ falls to a few hundredths and ρ has its cube below",
+        FAST,
+        rocker("0.04", "0.11"),
+        1,
+        1,
+    ),
+    (
+        "flat rocker clockwise, rising fast",
+        "1 − ψ′ is what counts when the cam turns the other way",
+        FAST,
+        rocker("0.04", "0.11"),
+        -1,
+        1,
+    ),
     ("flat face at the edge of undercut", "R + s + s″ is a difference near zero", CYCLE, flat("0.0164263127864"), 1, 1),
-    ("rise of a nanometre in 0.0001 deg", "a span of 1.7e-6 rad: derivatives of the law are 1e12 times the lift",
-     TINY, roller("0.025", "0.006"), 1, 1),
-    ("rise of ten nanometres in 0.01 deg", "curvature changes sign within 0.01 deg", SHORT, roller("0.025", "0.006"), 1, 1),
+    (
+        "rise of a nanometre in 0.0001 deg",
+        "a span of 1.7e-6 rad: derivatives of the law are 1e12 times the lift",
+        TINY,
+        roller("0.025", "0.006"),
+        1,
+        1,
+    ),
+    (
+        "rise of ten nanometres in 0.01 deg",
+        "curvature changes sign within 0.01 deg",
+        SHORT,
+        roller("0.025", "0.006"),
+        1,
+        1,
+    ),
     ("flat face, rise in 0.01 deg", "the face is touched far out for an instant", SHORT, flat("0.03"), 1, 1),
     ("fall below the base circle", "the lift is negative", BELOW, roller("0.025", "0.006", "0.003"), 1, 1),
     ("metre-sized cam", "sizes a thousand times larger", CYCLE, roller("25", "6", "4"), 1, 1),
     ("micrometre-sized follower", "roller of a micrometre on a large cam", CYCLE, roller("0.025", "1e-6"), 1, 1),
-    ("second roller close to the axis", "the second cam's own base circle is small", CYCLE,
-     mate("0.03", "0.008", "0.0575"), 1, 1),
-    ("outer flank where the pitch curve is hollow", "ρ of a hollow pitch curve and the roller subtract", STEEP,
-     roller("0.015", "0.012"), 1, -1),
+    (
+        "second roller close to the axis",
+        "the second cam's own base circle is small",
+        CYCLE,
+        mate("0.03", "0.008", "0.0575"),
+        1,
+        1,
+    ),
+    (
+        "outer flank where the pitch curve is hollow",
+        "ρ of a hollow pitch curve and the roller subtract",
+        STEEP,
+        roller("0.015", "0.012"),
+        1,
+        -1,
+    ),
 ]
 
 COUNT = 16
@@ -392,7 +491,9 @@ def main():
             }
         )
         print(name)
-    (HERE / "cam_geometry.json").write_text(json.dumps({"cases": cases}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    (HERE / "cam_geometry.json").write_text(
+        json.dumps({"cases": cases}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

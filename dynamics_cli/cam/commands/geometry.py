@@ -7,6 +7,7 @@ BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sectio
 RIGID = "cam and follower are rigid and stay in contact"
 RADIAL = "a radial (plate) cam at uniform speed; barrel cams are out of scope"
 CYCLE = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
+STEEP = "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell"
 SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
 
 PROFILE = Task(
@@ -32,6 +33,8 @@ PROFILE = Task(
     table="points",
     arrays=False,
     tracked=False,
+    writers={"html": HERE + "geometry_pictures:animation"},
+    plot=HERE + "geometry_pictures:profile_picture",
 )
 
 SIZE = Task(
@@ -71,8 +74,7 @@ CHECK = Task(
     examples=(
         f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
         '--least-radius "10 mm"',
-        'dynamics cam check --program "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell" '
-        '--follower roller --base-radius "15 mm" --roller-radius "15 mm"',
+        f'dynamics cam check --program "{STEEP}" --follower roller --base-radius "15 mm" --roller-radius "15 mm"',
         f'dynamics cam check --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --face-width "25 mm" '
         '--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N" --speed "1500 rpm"',
     ),

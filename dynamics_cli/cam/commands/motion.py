@@ -43,6 +43,7 @@ RISE = Task(
         'dynamics cam rise --law 3-4-5 --lift "8 mm" --span "60 deg" --at "0, 15, 30, 45, 60 deg" --falling',
     ),
     table="points",
+    plot=HERE + "motion_pictures:one_rise",
     arrays=False,
     tracked=False,
 )
@@ -67,6 +68,7 @@ MOTION = Task(
         'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
     ),
     table="table",
+    plot=HERE + "motion_pictures:svaj",
     arrays=False,
     tracked=False,
 )
@@ -91,6 +93,7 @@ FORCE = Task(
         '--shaft-speed "3000 rpm" --mass "0.25 kg" --spring-rate "40 N/mm" --preload "300 N" --lash "0.2 mm"',
     ),
     table="table",
+    plot=HERE + "motion_pictures:forces",
     arrays=False,
     tracked=False,
 )

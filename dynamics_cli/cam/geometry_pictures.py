@@ -1,0 +1,133 @@
+"""Pictures of a cam: its profile with the follower, pressure angle and curvature; and one turn, animated."""
+
+from math import cos, degrees, pi, sin
+
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Coordinate
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.cam.profile import CamProfile
+
+CIRCLE = tuple(2.0 * pi * k / 90 for k in range(91))
+# Radii beyond this many times the cam are straight for the eye.
+FAR = 8.0
+
+
+def profile_picture(result: "CamProfile", *, follower: "Any" = None, **_: object) -> Picture:
+    """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
+
+    Parameters
+    ----------
+    result : CamProfile
+        The profile.
+    follower : Follower
+        The follower, for its base circle and roller.
+
+    Returns
+    -------
+    Picture
+        Three panels.
+    """
+    arrays = {name: _closed(column.tolist()) for name, column in result.points.arrays.items()}
+    items: list[Any] = [Curve(arrays["x"], arrays["y"], "cam", role=0)]
+    roller = getattr(follower, "roller_radius", 0.0)
+    if roller:
+        items.append(Curve(arrays["pitch_x"], arrays["pitch_y"], "pitch curve", style="dashed", role=1))
+        cx, cy = arrays["pitch_x"][0], arrays["pitch_y"][0]
+        items.append(_circle(cx, cy, roller, "roller", 2))
+    base = getattr(follower, "base_radius", 0.0)
+    if base:
+        items.append(_circle(0.0, 0.0, base, "base circle", 3))
+    items += [Mark(0.0, 0.0, ""), Mark(arrays["x"][0], arrays["y"][0], "0°")]
+    shape = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "Cam", equal=True)
+    angle = [*arrays["cam_angle"][:-1], arrays["cam_angle"][0] + 2.0 * pi]
+    pressure = Panel(
+        Axis("cam angle", Angle),
+        Axis("pressure angle", Angle),
+        (
+            Curve(angle, arrays["pressure_angle"], role=0),
+            Mark(result.largest_pressure_angle_at, result.largest_pressure_angle, "largest"),
+            Mark(result.least_pressure_angle_at, result.least_pressure_angle, "least"),
+            Band(0.0, 0.0, vertical=False),
+        ),
+        "Pressure angle",
+    )
+    reach = FAR * result.largest_radius
+    radii = [radius if abs(radius) <= reach else float("nan") for radius in arrays["radius_of_curvature"]]
+    marks = ()
+    if result.least_convex_radius is not None and result.least_convex_radius_at is not None:
+        marks = (Mark(result.least_convex_radius_at, result.least_convex_radius, "least convex"),)
+    bend = Panel(
+        Axis("cam angle", Angle),
+        Axis("radius of curvature", Coordinate),
+        (Curve(angle, radii, role=0), *marks, Band(0.0, 0.0, vertical=False)),
+        "Radius of curvature of the cam",
+    )
+    return Picture((shape, pressure, bend), "Cam profile")
+
+
+def _closed(values: "list[float]") -> "list[float]":
+    return [*values, values[0]]
+
+
+def _circle(x: float, y: float, radius: float, label: str, role: int) -> Curve:
+    return Curve([x + radius * cos(t) for t in CIRCLE], [y + radius * sin(t) for t in CIRCLE], label, "thin", role)
+
+
+def animation(result: "CamProfile") -> str:
+    """One turn of the cam with its follower, as a page that moves by itself (SVG with SMIL, no script).
+
+    Parameters
+    ----------
+    result : CamProfile
+        The profile; its table's points are the frames.
+
+    Returns
+    -------
+    str
+        An HTML page.
+    """
+    arrays = {name: column.tolist() for name, column in result.points.arrays.items()}
+    points = [complex(x, y) for x, y in zip(arrays["x"], arrays["y"], strict=True)]
+    touch = [complex(x, y) for x, y in zip(arrays["contact_x"], arrays["contact_y"], strict=True)]
+    pitch = [complex(x, y) for x, y in zip(arrays["pitch_x"], arrays["pitch_y"], strict=True)]
+    # what turns the cam's frame into the fixed one, at every angle of the table
+    turns = [t / p if p else 1.0 + 0.0j for p, t in zip(points, touch, strict=True)]
+    centres = [p * turn for p, turn in zip(pitch, turns, strict=True)]
+    roller = max(abs(p - q) for p, q in zip(pitch, points, strict=True))
+    reach = 1e3 * (max(map(abs, pitch)) + roller) * 1.1
+    outline = " ".join(f"{1e3 * p.real:.4f},{-1e3 * p.imag:.4f}" for p in points)
+    clockwise = (turns[1] / turns[0]).imag < 0.0 if abs(turns[0]) else False
+    first = -degrees(_phase(turns[0]))
+    last = first + (360.0 if clockwise else -360.0)
+    loop = 'dur="6s" repeatCount="indefinite"'
+    centres.append(centres[0])
+    path = ";".join(f"{1e3 * c.real:.4f} {-1e3 * c.imag:.4f}" for c in centres)
+    if roller > 0.0:
+        shape = f'<circle r="{1e3 * roller:.4f}" class="f"/>'
+    elif result.face_width is not None and result.arm_start_angle is None:
+        shape = f'<path d="M {-1.2 * reach:.3f} 0 H {1.2 * reach:.3f}" class="f"/>'
+        path = ";".join(f"0 {-1e3 * c.imag:.4f}" for c in centres)
+    else:
+        mark = 0.02 * reach
+        shape = f'<path d="M 0 0 L {-mark:.3f} {-3 * mark:.3f} H {mark:.3f} Z" class="f"/>'
+    return (
+        "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>One turn of a cam</title></head><body>\n"
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-reach:.3f} {-reach:.3f} {2 * reach:.3f} {2 * reach:.3f}" '
+        'style="max-width:40em;display:block;margin:auto">\n'
+        f"<style>.c{{fill:#9ecae1;stroke:#08519c;stroke-width:{0.006 * reach:.4f}}}"
+        f".f{{fill:none;stroke:#a63603;stroke-width:{0.008 * reach:.4f}}}</style>\n"
+        f'<g><polygon class="c" points="{outline}"/><circle r="{0.03 * reach:.3f}" fill="#08519c"/>'
+        f'<animateTransform attributeName="transform" type="rotate" from="{first:.6f}" to="{last:.6f}" {loop}/></g>\n'
+        f'<g>{shape}<animateTransform attributeName="transform" type="translate" values="{path}" {loop}/></g>\n'
+        "</svg>\n</body></html>\n"
+    )
+
+
+def _phase(value: complex) -> float:
+    from cmath import phase
+
+    return phase(value)

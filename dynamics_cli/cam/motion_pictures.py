@@ -1,0 +1,180 @@
+"""Pictures of cam motion: lift, velocity, acceleration and jerk over the turn, peak factors, and forces."""
+
+from math import nan
+
+from dynamics_cli.cam.force_records import Forces
+from dynamics_cli.cam.laws import LawName
+from dynamics_cli.cam.motion import Motion
+from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.cam.revolution_records import Revolution
+from dynamics_cli.cam.rises import Rise, rise
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import (
+    Angle,
+    CamAcceleration,
+    CamJerk,
+    CamVelocity,
+    Coordinate,
+    Force,
+    SwingAcceleration,
+    SwingJerk,
+    SwingVelocity,
+    Torque,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+STEPS = 96
+LENGTHS = (("lift", Coordinate), ("velocity", CamVelocity), ("acceleration", CamAcceleration), ("jerk", CamJerk))
+SWINGS = (("swing", Angle), ("velocity", SwingVelocity), ("acceleration", SwingAcceleration), ("jerk", SwingJerk))
+
+
+def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") -> Picture:
+    """Draw lift, velocity, acceleration and jerk one below another; a jump is a gap.
+
+    Parameters
+    ----------
+    result : Revolution
+        What `cam motion` found.
+    scene : Program
+        The program from a file.
+    program : str
+        The program in one line.
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Four panels over the cam angle, the segments shaded in turn.
+    """
+    del given
+    motion = motion_of(scene, program)
+    angles, columns = sampled(motion)
+    axes = SWINGS if motion.swing else LENGTHS
+    extremes = (result.lift, result.velocity, result.acceleration, result.jerk)
+    panels = []
+    for order, (name, kind) in enumerate(axes):
+        found = extremes[order]
+        marks = () if found is None else (Mark(found.greatest_at, found.greatest), Mark(found.least_at, found.least))
+        panels.append(
+            Panel(
+                Axis("cam angle", Angle),
+                Axis(name, kind),
+                (*_bands(motion, order), Curve(angles, columns[order]), *marks),
+            )
+        )
+    return Picture(tuple(panels), f"cam motion, {result.continuity}")
+
+
+def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":
+    """Angles and the four curves, zone by zone, broken between zones where any of them may jump.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    steps : int
+        Steps on each zone.
+
+    Returns
+    -------
+    (list of float, list of list of float)
+        Angles, and s, v, a, j at them; NaN parts the zones.
+    """
+    import numpy as np
+
+    t = np.linspace(0.0, 1.0, steps + 1)
+    angles: list[float] = []
+    columns: list[list[float]] = [[], [], [], []]
+    for index, zone in enumerate(motion.zones):
+        angles += (zone.start + (zone.end - zone.start) * t).tolist() + [zone.end]
+        for column, values in zip(columns, motion.in_zone(index, t), strict=True):
+            column += values.tolist() + [nan]
+    return angles, columns
+
+
+def _bands(motion: Motion, order: int) -> "tuple[Band, ...]":
+    """Every segment that moves, named on the first panel."""
+    return tuple(
+        Band(motion.joints[i], motion.joints[i + 1], f"{span.name} {i + 1}" if order == 0 else "")
+        for i, span in enumerate(motion.segments)
+        if span.law is not None
+    )
+
+
+def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any") -> Picture:
+    """Draw one rise: lift, velocity, acceleration and jerk, with the points asked for.
+
+    Parameters
+    ----------
+    result : Rise
+        What `cam rise` found.
+    law : LawName
+        The law.
+    lift : float
+        The lift [m].
+    span : float
+        The span [rad].
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Four panels over the cam angle.
+    """
+    given = {key: value for key, value in given.items() if key not in ("at", "count", "shaft_speed")}
+    dense = rise(law=law, lift=lift, span=span, count=401, **given).points
+    angles = [point.angle for point in dense]
+    asked = [point.angle for point in result.points]
+    panels = []
+    for name, kind in LENGTHS:
+        curve = Curve(angles, [getattr(point, name) for point in dense], str(law) if name == "lift" else "")
+        points = Curve(asked, [getattr(point, name) for point in result.points], style="points")
+        panels.append(Panel(Axis("cam angle", Angle), Axis(name, kind), (curve, points)))
+    return Picture(tuple(panels), f"{law} rise")
+
+
+def forces(result: Forces, scene: Program, program: str = "", **given: "Any") -> Picture:
+    """Draw force between cam and follower and torque of the shaft over the turn.
+
+    Parameters
+    ----------
+    result : Forces
+        What `cam force` found.
+    scene : Program
+        The program from a file.
+    program : str
+        The program in one line.
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Lift, force and torque over the cam angle, with their extremes.
+    """
+    from dynamics_cli.cam.stress import Load
+
+    motion = motion_of(scene, program)
+    steady = given.get("preload", 0.0) + given.get("load", 0.0)
+    load = Load(motion, given["mass"], given.get("spring_rate", 0.0), steady, given["shaft_speed"])
+    angles, (s, s1, s2, _) = sampled(motion)
+    force = [load.force(a, c) for a, c in zip(s, s2, strict=True)]
+    torque = [f * v for f, v in zip(force, s1, strict=True)]
+    marks = (
+        (),
+        (Mark(result.least_force_at, result.least_force), Mark(result.greatest_force_at, result.greatest_force)),
+        (Mark(result.least_torque_at, result.least_torque), Mark(result.greatest_torque_at, result.greatest_torque)),
+    )
+    rows = (("lift", Coordinate, s), ("force on the cam", Force, force), ("torque", Torque, torque))
+    return Picture(
+        tuple(
+            Panel(Axis("cam angle", Angle), Axis(name, kind), (*_bands(motion, i), Curve(angles, values), *marks[i]))
+            for i, (name, kind, values) in enumerate(rows)
+        ),
+        "forces on the cam",
+    )
