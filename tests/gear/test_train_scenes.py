@@ -39,7 +39,7 @@ def test_rows_of_trains() -> None:
     lines = done.out.splitlines()
     assert len(lines) == 3
     assert '"stage"' in lines[1]
-    assert "10000/9999" in lines[2]
+    assert "1.000100010001" in lines[2]
 
 
 def test_uncertain_sizes_of_a_gear() -> None:
