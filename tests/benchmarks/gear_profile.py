@@ -19,14 +19,14 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from mpmath import mp, mpf
+from mpmath import mp, mpf  # noqa: E402
 
-from dynamics_cli.gear.contact import path_of_contact, transmission_error
-from dynamics_cli.gear.flanks import external_form, flank
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.mesh import mesh
-from dynamics_cli.gear.outline import chain_points, gear_outline
-from dynamics_cli.gear.trochoid import Cutter, root
+from dynamics_cli.gear.contact import path_of_contact, transmission_error  # noqa: E402
+from dynamics_cli.gear.flanks import external_form, flank  # noqa: E402
+from dynamics_cli.gear.gear import NormalModule  # noqa: E402
+from dynamics_cli.gear.mesh import mesh  # noqa: E402
+from dynamics_cli.gear.outline import chain_points, gear_outline  # noqa: E402
+from dynamics_cli.gear.trochoid import Cutter, root  # noqa: E402
 
 MM = 1e-3
 TWENTY = math.radians(20.0)

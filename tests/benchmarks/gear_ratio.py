@@ -3,7 +3,7 @@
     python tests/benchmarks/gear_ratio.py [--rounds 5]
 
 `products` is the search of `gear ratio`; `numpy` sorts the products and looks each one up with `searchsorted`; `loops`
-goes through all pairs of products of two stages in plain Python, for two stages only. All must name the same best ratio.
+goes through pairs of products of two stages in plain Python. The first two must name the same best ratio.
 """
 
 import argparse
@@ -18,9 +18,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from dynamics_cli.gear.ratio import ratio
-from dynamics_cli.gear.train import train
-from dynamics_cli.gear.train_scene import Mesh, Network
+from dynamics_cli.gear.ratio import ratio  # noqa: E402
+from dynamics_cli.gear.train import train  # noqa: E402
+from dynamics_cli.gear.train_scene import Mesh, Network  # noqa: E402
 
 SIDEREAL = (3652422, 273217)
 PI = (314159265358979, 10**14)

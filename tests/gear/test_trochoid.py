@@ -44,7 +44,7 @@ def test_the_junction_lies_on_both_curves(teeth: int, x: float, beta: float, rho
 
 @given(st.integers(6, 60))
 def test_the_limit_of_undercut_is_met_from_both_sides(teeth: int) -> None:
-    """x_min = h_F − z sin²α/2 (h_F is 1.00003 with this rack); the form radius falls to the base circle from both sides."""
+    """x_min = h_F − z sin²α/2, h_F = 1.00003 here; the form radius falls to the base circle from both sides."""
     limit = Cutter(teeth, TWENTY).form_depth - 0.5 * teeth * math.sin(TWENTY) ** 2
     for step in (1e-3, 1e-6, 1e-9):
         over, under = (root(Cutter(teeth, TWENTY, 0.0, limit + side * step)) for side in (1, -1))
