@@ -57,7 +57,7 @@ class TestMeasuring:
     def test_time_is_that_of_one_call(self) -> None:
         import time
 
-        assert seconds(lambda: time.sleep(2e-3), repeats=3, least=1e-3) == pytest.approx(2e-3, rel=1.0)
+        assert 2e-3 <= seconds(lambda: time.sleep(2e-3), repeats=3, least=1e-3) < 0.1
 
 
 class TestReport:
