@@ -5,23 +5,33 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, BinaryIO
 
     from dynamics_cli.core.terminal import Terminal
 
+# More than any scene or document; an endless device must not eat the memory.
+MOST_BYTES = 1 << 28
 DOCUMENT_SCHEMA = "dynamics/1"
 
 
 def read_bytes(name: str, terminal: "Terminal") -> bytes:
     """The bytes of a file, or of standard input for `-`."""
     if name == "-":
-        return terminal.stdin.read()
+        return _limited(terminal.stdin, name)
     try:
         with open(name, "rb") as file:
-            return file.read()
+            return _limited(file, name)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UsageError(f"cannot read {name!r}: {reason}", code="unreadable") from None
+
+
+def _limited(file: "BinaryIO", name: str) -> bytes:
+    data = file.read(MOST_BYTES + 1)
+    if len(data) > MOST_BYTES:
+        message = f"{name!r} holds more than {MOST_BYTES >> 20} MB: it is no parameters"
+        raise UsageError(message, code="too-long", hint="a stream of cases goes to --rows")
+    return data
 
 
 def decode(data: bytes, name: str) -> str:

@@ -7,7 +7,7 @@ from dynamics_cli.errors import OutputError
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import TracebackType
-    from typing import BinaryIO, Self
+    from typing import Any, BinaryIO, Self
 
     from dynamics_cli.core.terminal import Terminal
 
@@ -25,10 +25,12 @@ class WholeFile:
         folder, last = os.path.split(self.name)
         self._part = os.path.join(folder, f".{last}.{os.getpid()}.part")
         self._file: BinaryIO | None = None
+        self._before: Any = None
 
     def __enter__(self) -> "Self":
         if os.path.isdir(self.name):
             raise OutputError(f"cannot write {self.name!r}: it is a directory", parameter=self.parameter)
+        self._before = _on_termination(_interrupt)
         try:
             self._file = open(self._part, "wb")
         except OSError as error:
@@ -59,6 +61,8 @@ class WholeFile:
         finally:
             if os.path.exists(self._part):
                 os.unlink(self._part)
+            if self._before is not None:
+                _on_termination(self._before)
 
     def _copy_into_special(self) -> None:
         """A device or a pipe must not be replaced by a file."""
@@ -68,6 +72,20 @@ class WholeFile:
 
     def _failure(self, error: OSError) -> OutputError:
         return OutputError(f"cannot write {self.name!r}: {error.strerror or error}", parameter=self.parameter)
+
+
+def _on_termination(handler: "Any") -> "Any":
+    """Say what a request to end the process does, so that no part of a file is left behind; what it did before."""
+    import signal
+
+    try:
+        return signal.signal(signal.SIGTERM, handler)
+    except ValueError:  # not in the main thread: the caller's to decide
+        return None
+
+
+def _interrupt(*_: object) -> None:
+    raise KeyboardInterrupt
 
 
 class Beforehand:
