@@ -81,6 +81,8 @@ class Compared:
         The smallest turn that takes the principal axes of the first to those of the second [rad].
     tensor_distance : Ratio
         Size of the difference of the two inertia tensors over that of the first: 0 when they are alike [-].
+    product_sign : Text
+        What the products mean.
     moments : tuple of MomentRow
         Moments and products of both.
     """
@@ -93,6 +95,7 @@ class Compared:
     centroid_distance: Size
     axes_angle: Angle | None
     tensor_distance: Ratio
+    product_sign: Text
     moments: tuple[MomentRow, ...]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -150,6 +153,7 @@ def compare(scene: Pair, /) -> Compared:
         **scalars,
         centroid_shift=shift,
         axes_angle=angle,
+        product_sign="negative: Ixy = -∫ x y dm",
         moments=rows,
         advice=advice,
         numerics=Numerics("composition of each about its mass centre; Jacobi rotations", tuple(bounds)),

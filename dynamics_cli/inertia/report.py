@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.inertia.compose import Composed
     from dynamics_cli.inertia.lump import Matrix, Vector
+    from dynamics_cli.inertia.results import Deviation
 
 # Above this a sum of material and holes has lost more digits than a reader expects.
 MUCH_CANCELS = 1e6
@@ -20,7 +21,7 @@ MUCH_CANCELS = 1e6
 
 def reported(whole: "Composed", view: View) -> MassProperties:
     """The report of a composed assembly, its numbers bare and their bounds stated apart."""
-    measures = measures_of(whole)
+    measures, spread = measures_of(whole), deviation(whole)
     answer = properties(whole.lump, view, spread=whole.spread, **measures)
     rows, cancels = _shares(whole, view, answer)
     bounds: list[ErrorBound] = []
@@ -28,8 +29,8 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     values |= {
         "parts": rows,
         "cancellation": cancels,
-        "standard_uncertainty": deviation(whole),
-        "advice": _advice(cancels, whole),
+        "standard_uncertainty": spread,
+        "advice": _advice(cancels, whole) + _close_moments(whole, spread),
         "numerics": Numerics("composition about the mass centre; Jacobi rotations in two passes", tuple(bounds)),
     }
     return MassProperties(**values)
@@ -86,6 +87,23 @@ def _shares(
     mass = sum(abs(row.mass) for row in rows) / plain(whole.lump.mass)
     shares = [size / abs(total) if total else 0.0 for size, total in zip(sizes, sums, strict=True)]
     return tuple(rows), Cancellation(mass, (shares[0], shares[1], shares[2]))
+
+
+def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advice, ...]:
+    """Say so where principal moments differ by less than is known of them: the axes between them are anyone's."""
+    if spread is None:
+        return ()
+    moments, own = bare(whole.spread.moments), spread.principal_moments
+    return tuple(
+        Advice(
+            "axes-uncertain",
+            f"principal moments {i + 1} and {j + 1} differ by {moments[j] - moments[i]:.3g} kg·m², less than their "
+            f"uncertainty {(own[i] * own[i] + own[j] * own[j]) ** 0.5:.3g}: the axes in that plane are not determined",
+            mend="measure the moments better, or take any two axes in the plane",
+        )
+        for i, j in ((0, 1), (1, 2))
+        if moments[j] - moments[i] < (own[i] * own[i] + own[j] * own[j]) ** 0.5
+    )
 
 
 def _rotation(view: View, whole: "Composed") -> "Matrix":

@@ -60,20 +60,20 @@ class Parts:
         Moments of inertia xx, yy, zz [kg*m^2].
     products : tuple of ProductOfInertia
         Products of inertia xy, yz, zx; zero when not given [kg*m^2].
-    given_sign : ProductSign
+    product_sign : ProductSign
         Sign of the products given: negative (the tensor's elements) or positive (+∫ x y dm).
     """
 
     moments: tuple[Inertia, ...]
     products: tuple[ProductOfInertia, ...] = (0.0, 0.0, 0.0)
-    given_sign: ProductSign = ProductSign("negative")
+    product_sign: ProductSign = ProductSign("negative")
 
     def matrix(self) -> "Matrix":
         """The tensor."""
         require(len(self.moments) == 3, "read {0} moments, wanted 3", len(self.moments), code="tensor")
         require(len(self.products) == 3, "read {0} products, wanted 3", len(self.products), code="tensor")
         xy, yz, zx = self.products
-        if self.given_sign == "positive":
+        if self.product_sign == "positive":
             xy, yz, zx = minus(xy), minus(yz), minus(zx)
         xx, yy, zz = self.moments
         return symmetric(xx, yy, zz, xy, yz, zx)

@@ -1,6 +1,8 @@
 """Shapes, assemblies, tensors and torques against 40-digit references: errors within bounds, bounds within reason."""
 
 import json
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -101,3 +103,10 @@ def test_thin_walls_are_good_to_5e_16() -> None:
         if reference
     )
     assert worst[0] <= 5e-16, worst
+
+
+def test_the_references_are_what_their_generator_writes(tmp_path: Path) -> None:
+    made = tmp_path / "made.json"
+    generator = FILE.parent / "generate_inertia_bodies_references.py"
+    subprocess.run([sys.executable, str(generator), str(made)], check=True)
+    assert made.read_bytes() == FILE.read_bytes()

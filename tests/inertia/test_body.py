@@ -272,6 +272,16 @@ def test_a_shape_of_uncertain_mass_carries_its_own_inertia() -> None:
     assert found.moments[0] == pytest.approx(0.4 * 0.25 * 0.02, rel=1e-14)
 
 
+def test_axes_that_the_data_do_not_determine_are_said_to_be_so() -> None:
+    tensor = ((1.0, 0.0, 0.0), (0.0, 1.01, 0.0), (0.0, 0.0, 1.5))
+    blurred = ((0.02, 0.0, 0.0), (0.0, 0.02, 0.0), (0.0, 0.0, 0.02))
+    loose = body(Assembly(parts=(Part(amount=OfMass(1.0), tensor=tensor, tensor_std=blurred),)))
+    assert [advice.code for advice in loose.advice] == ["axes-uncertain"]
+    assert "moments 1 and 2" in loose.advice[0].message
+    sharp = ((0.001, 0.0, 0.0), (0.0, 0.001, 0.0), (0.0, 0.0, 0.001))
+    assert body(Assembly(parts=(Part(amount=OfMass(1.0), tensor=tensor, tensor_std=sharp),))).advice == ()
+
+
 def test_comparing_a_body_with_itself_turned() -> None:
     block = Part(shape=Block(0.3, 0.5, 0.9), amount=OfMass(2.0))
     turned = Part(shape=Block(0.3, 0.5, 0.9), amount=OfMass(2.0), turn=AxisAngle((0.0, 0.0, 1.0), 0.3))

@@ -47,6 +47,8 @@ SECTION = Task(
     examples=(
         'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
         'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',
+        'dynamics inertia section --piece "width=50 mm, height=30 mm" '
+        """--hole 'polygon="-10, -5, 10, -5, 0, 10 mm"' --digits 8""",
         'dynamics inertia section --polygon "0, 0, 4, 0, 4, 0.5, 0.5, 0.5, 0.5, 6, 0, 6 in" '
         '--hole "diameter=0.2 in, x=0.25 in, y=3 in" --units us',
     ),
