@@ -5,7 +5,7 @@ from math import inf, pi, sqrt
 from dynamics_cli.cam.force_records import Contact, Duration, ForcePoint, Forces, Ramp
 from dynamics_cli.cam.motion import Motion
 from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.searching import Found, crossings, least_and_greatest
+from dynamics_cli.cam.searching import Found, crossings, greatest, least_and_greatest
 from dynamics_cli.cam.stress import Load
 from dynamics_cli.cam.stress import stress as hertz
 from dynamics_cli.errors import require
@@ -148,7 +148,7 @@ def force(
 
 def _jump(loads: Load) -> "Found | None":
     """The shaft speed at which the force first falls to zero; None where no speed does it."""
-    _, worst = least_and_greatest(loads.motion, lambda s, s1, s2: _lift_off(loads, s, s2))
+    worst = greatest(loads.motion, lambda s, s1, s2: _lift_off(loads, s, s2))
     if worst.value <= 0.0:
         return None
     return Found(1.0 / sqrt(worst.value), worst.at)

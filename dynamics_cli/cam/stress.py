@@ -4,7 +4,7 @@ from math import pi, sqrt
 
 from dynamics_cli.cam.force_records import Contact
 from dynamics_cli.cam.motion import Motion
-from dynamics_cli.cam.searching import Found, least_and_greatest
+from dynamics_cli.cam.searching import Found, greatest
 from dynamics_cli.errors import require
 
 
@@ -63,7 +63,7 @@ def stress(loads: Load, contact: Contact) -> Found:
         normal = np.maximum(loads.force(s, s2), 0.0) * lean
         return normal * curvature / (pi * contact.width * give)
 
-    _, found = least_and_greatest(loads.motion, squared)
+    found = greatest(loads.motion, squared)
     return Found(sqrt(found.value), found.at)
 
 
