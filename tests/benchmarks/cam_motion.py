@@ -78,9 +78,7 @@ def beside_mechanism() -> None:
     except ImportError:
         print("\n`mechanism` is not installed: its lines are left out")
         return
-    print(
-        "\nbeside mechanism: 1014 angles of one turn, cycloidal        time [µs]   worst error of s, v, a, j by their peaks"
-    )
+    print("\nbeside mechanism: 1014 angles of one turn, cycloidal        time [µs]   worst errors of s, v, a, j / peak")
     moves = [("Rise", 0.02, 90), ("Dwell", 90), ("Fall", 0.02, 90), ("Dwell", 90)]
     theta = np.arange(0, 2 * np.pi, 0.0062)
     law = law_named("cycloidal")
