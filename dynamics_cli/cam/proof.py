@@ -90,7 +90,7 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
 def _blocks(left: "Any", cells: "Any") -> "Any":
     """The pieces in groups of cells that stay in the cache."""
     group = np.floor_divide(np.cumsum(cells[left]), BLOCK)
-    for index in np.unique(group):
+    for index in sorted(set(group.tolist())):
         yield left[group == index]
 
 

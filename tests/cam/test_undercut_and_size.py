@@ -15,7 +15,6 @@ from dynamics_cli.cam.program import motion_of
 from dynamics_cli.cam.undercut import _curve, lift_lost, seat
 from dynamics_cli.errors import InadmissibleError
 
-
 ARM = followers.OscillatingRoller(0.01, 0.005, 0.05, 0.1)
 TOO_FAST = "rise 30 deg in 90 deg; return in 20 deg; dwell"
 
