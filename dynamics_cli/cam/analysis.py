@@ -140,7 +140,7 @@ class Plate:
 
 @lru_cache(maxsize=2)
 def _gauss(count: int) -> "tuple[Any, Any]":
-    return np.polynomial.legendre.leggauss(count)  # type: ignore[no-any-return]
+    return np.polynomial.legendre.leggauss(count)
 
 
 def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:

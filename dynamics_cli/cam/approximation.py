@@ -210,7 +210,7 @@ def controls(path: "Path", places: "Any", handles: "Any", chosen: "Any" = slice(
 
 
 def _cubics(path: "Path", places: "Any") -> "tuple[Any, Any]":
-    """Handles of cubics tangent at their ends that pass through two more points of the curve (Newton, four unknowns)."""
+    """Handles of cubics tangent at their ends that pass through two more points of the curve (Newton)."""
     x, y, tx, ty, g = ends_of(path, places)
     width = np.diff(places)
     handles = np.stack((np.abs(g[:-1]), np.abs(g[1:])), axis=1) * (width / 3.0)[:, None]

@@ -5,7 +5,7 @@ from math import inf, pi, sqrt
 from dynamics_cli.cam.force_records import Contact, Duration, ForcePoint, Forces, Ramp
 from dynamics_cli.cam.motion import Motion
 from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.searching import Found, crossings, least_and_greatest
+from dynamics_cli.cam.searching import Found, crossings, greatest, least_and_greatest
 from dynamics_cli.cam.stress import Load
 from dynamics_cli.cam.stress import stress as hertz
 from dynamics_cli.errors import require
@@ -19,6 +19,10 @@ from dynamics_cli.quantities import (
     Text,
 )
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 SURGE_ORDER = 12.0
 
@@ -148,18 +152,18 @@ def force(
 
 def _jump(loads: Load) -> "Found | None":
     """The shaft speed at which the force first falls to zero; None where no speed does it."""
-    _, worst = least_and_greatest(loads.motion, lambda s, s1, s2: _lift_off(loads, s, s2))
+    worst = greatest(loads.motion, lambda s, s1, s2: _lift_off(loads, s, s2))
     if worst.value <= 0.0:
         return None
     return Found(1.0 / sqrt(worst.value), worst.at)
 
 
-def _lift_off(loads: Load, s: "object", s2: "object") -> "object":
+def _lift_off(loads: Load, s: "Any", s2: "Any") -> "Any":
     """1/ω² at which the force vanishes here; zero where it never does."""
     import numpy as np
 
-    held = loads.rate * s + loads.steady  # type: ignore[operator]
-    pulls = -loads.mass * s2  # type: ignore[operator]
+    held = loads.rate * s + loads.steady
+    pulls = -loads.mass * s2
     with np.errstate(divide="ignore", invalid="ignore"):
         found = np.where(held > 0.0, pulls / held, np.where(pulls > 0.0, inf, 0.0))
     return np.maximum(found, 0.0)
@@ -217,7 +221,7 @@ def _table(loads: Load, count: int) -> "Columns[ForcePoint]":
     angles, _ = angles_of_turn(loads.motion, count)
     s, s1, s2 = loads.motion.at(angles, 2)
     axial = loads.force(s, s2)
-    return Columns(ForcePoint, angle=angles, lift=s, axial_force=axial, torque=axial * s1)  # type: ignore[operator]
+    return Columns(ForcePoint, angle=angles, lift=s, axial_force=axial, torque=axial * s1)
 
 
 def _mean_torque(loads: Load) -> Check:

@@ -57,7 +57,7 @@ def profile_picture(result: "CamProfile", *, follower: "Any" = None, **_: object
     )
     reach = FAR * result.largest_radius
     radii = [radius if abs(radius) <= reach else float("nan") for radius in arrays["radius_of_curvature"]]
-    marks = ()
+    marks: tuple[Mark, ...] = ()
     if result.least_convex_radius is not None and result.least_convex_radius_at is not None:
         marks = (Mark(result.least_convex_radius_at, result.least_convex_radius, "least convex"),)
     bend = Panel(

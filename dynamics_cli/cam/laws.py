@@ -351,7 +351,8 @@ def law_named(name: str, shares: "tuple[float, ...] | None" = None, constant: fl
             code="shares",
             hint="for example 0.25, 0.5, 0.25",
         )
-        return scca(*shares, constant or 0.0)  # type: ignore[misc]
+        b, c, d = shares or ()
+        return scca(b, c, d, constant or 0.0)
     if name == "modified-constant-velocity":
         share = CONSTANT_SHARE if constant is None else constant
         return scca(0.25, 0.0, 0.75, share, name=name)

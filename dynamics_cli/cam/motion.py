@@ -197,7 +197,8 @@ class Motion:
             zones.append(Zone(start, end, index, True))
             self._zone_pieces.append([first])
             return
-        low, inside = start, []
+        inside: list[int] = []
+        low = start
         for piece in span.law.pieces:
             made = _Piece(span, index, piece)
             if piece.low in span.law.breaks:

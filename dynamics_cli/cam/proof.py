@@ -90,7 +90,7 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
 def _blocks(left: "Any", cells: "Any") -> "Any":
     """The pieces in groups of cells that stay in the cache."""
     group = np.floor_divide(np.cumsum(cells[left]), BLOCK)
-    for index in np.unique(group):
+    for index in sorted(set(group.tolist())):
         yield left[group == index]
 
 
@@ -125,7 +125,8 @@ def _arc_cells(
     bulges: "Any", ends: "Any", owner: "Any", at: "tuple[Any, ...]", half: "Any", bend: "Any", fast: "Any"
 ) -> "Any":
     x, y, zx, zy = at
-    distance, gx, gy, kappa = circle_distance(*ends[owner].T, bulges[owner], x, y)
+    x0, y0, x1, y1 = ends[owner].T
+    distance, gx, gy, kappa = circle_distance(x0, y0, x1, y1, bulges[owner], x, y)
     slope = np.abs(gx * zx + gy * zy)
     # curvature of the level lines of the distance, within the cell
     near = 1.0 / np.maximum(1.0 / np.maximum(np.abs(kappa), 1e-300) - np.abs(distance) - fast * half, 1e-300)

@@ -27,6 +27,10 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 MOST_POINTS = 1_000_001
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 
@@ -92,7 +96,7 @@ def motion(
     form = _form(found) if singularity else None
     checks = [_closing(found)]
     if form is not None:
-        worst = form.disagreement()  # type: ignore[attr-defined]
+        worst = form.disagreement()
         checks.append(Check("singularity functions agree with the motion", worst <= 1e-10, worst, 1e-10))
     swing = found.swing
     tables = _table(found, count)
@@ -109,7 +113,7 @@ def motion(
         _swing_in_time(ends, rms, shaft_speed) if swing else None,
         None if swing else tuple(Joint(angle, words, *jump) for angle, words, jump in steps),
         tuple(SwingJoint(angle, words, *jump) for angle, words, jump in steps) if swing else None,
-        None if form is None else form.written(),  # type: ignore[attr-defined]
+        None if form is None else form.written(),
         *tables,
         checks=tuple(checks),
         advice=_advice(order, steps),
@@ -121,7 +125,7 @@ def _fields(one: Extreme) -> "tuple[float, float, float, float]":
     return one.least, one.least_at, one.greatest, one.greatest_at
 
 
-def _form(found: Motion) -> "object":
+def _form(found: Motion) -> "Any":
     from dynamics_cli.cam.singularity import Form
 
     return Form(found)
@@ -133,7 +137,7 @@ def _closing(found: Motion) -> Check:
     return Check("the lift closes over the turn", gap == 0.0, gap, 0.0)
 
 
-def angles_of_turn(found: Motion, count: int) -> "tuple[object, object]":
+def angles_of_turn(found: Motion, count: int) -> "tuple[Any, Any]":
     """Equal steps over one turn, both ends among them; whole degrees land on the joints as the program gives them."""
     import numpy as np
 
@@ -151,10 +155,10 @@ def _radians(degrees: float) -> float:
     return radians(degrees.as_integer_ratio())[0]
 
 
-def _table(found: Motion, count: int) -> "tuple[object, object]":
+def _table(found: Motion, count: int) -> "tuple[Any, Any]":
     angles, _ = angles_of_turn(found, count)
     values = [column.copy() for column in found.at(angles)]
-    last = found.at(float(angles[-1]), side=-1)  # type: ignore[index]
+    last = found.at(float(angles[-1]), side=-1)
     for column, value in zip(values, last, strict=True):
         column[-1] = value
     names = ("swing" if found.swing else "lift", *NAMES[1:])

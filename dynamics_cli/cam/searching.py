@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     Law = Callable[[Any, Any, Any], Any]
 
 STEPS = 64
-ROUNDS = 14
+NARROW = 1e-8
 
 
 @record
@@ -51,61 +51,77 @@ def least_and_greatest(motion: "Motion", function: "Law") -> tuple[Found, Found]
 
     Notes
     -----
-    64 steps on each zone, then the interval about every hump is cut in 16 again and again until rounding ends it.
+    64 steps on each zone; then every hump that could be the highest (its sample and eight times what a parabola through
+    it and its neighbours may add) is cut in 16 again and again, until rounding ends it.
     """
+    sampled = _sampled(motion, function)
+    return _highest(motion, function, sampled, -1.0), _highest(motion, function, sampled, 1.0)
+
+
+def greatest(motion: "Motion", function: "Law") -> Found:
+    """Give the greatest value only; see `least_and_greatest`."""
+    return _highest(motion, function, _sampled(motion, function), 1.0)
+
+
+def _sampled(motion: "Motion", function: "Law") -> "list[Any]":
     import numpy as np
 
-    best: list[Found | None] = [None, None]
+    found = []
     for index, zone in enumerate(motion.zones):
-        width = zone.end - zone.start
-        t = np.linspace(0.0, 1.0, STEPS + 1 if not zone.dwell else 2)
-        values = np.asarray(function(*motion.in_zone(index, t, 2)), dtype=float) + 0.0 * t
-        for side, sign in enumerate((-1.0, 1.0)):
-            place, value = _refined(motion, function, index, t, sign * values, sign)
-            found = Found(sign * value, zone.start + width * place)
-            now = best[side]
+        t = np.linspace(0.0, 1.0, 2 if zone.dwell else STEPS + 1)
+        found.append((index, t, np.asarray(function(*motion.in_zone(index, t, 2)), dtype=float) + 0.0 * t))
+    return found
+
+
+def _highest(motion: "Motion", function: "Law", sampled: "list[Any]", sign: float) -> Found:
+    top = max(float((sign * values).max()) for _, _, values in sampled)
+    best: Found | None = None
+    for index, t, values in sampled:
+        zone = motion.zones[index]
+        for hump in _humps(sign * values, top):
+            place, value = _climbed(motion, function, index, t, values, hump, sign)
             # Equal extremes differ by rounding; the first keeps its place.
-            if now is None or value > sign * now.value + 1e-13 * abs(value):
-                best[side] = found
-    assert best[0] is not None
-    assert best[1] is not None
-    return best[0], best[1]
+            if best is None or value > sign * best.value + 1e-13 * abs(value):
+                best = Found(sign * value, zone.start + (zone.end - zone.start) * place)
+    assert best is not None
+    return best
 
 
-def _refined(
-    motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", sign: float
-) -> tuple[float, float]:
+def _humps(values: "Any", top: float) -> "list[int]":
+    """Samples about which the function may rise to `top` or above."""
     import numpy as np
 
-    place, value = 0.0, float(values[0])
-    flat = float(values.max()) == float(values.min())
-    inner = np.concatenate(([-np.inf], values, [-np.inf]))
-    # Every hump is refined: between two samples a lower one may rise above the highest sample.
-    tops = np.flatnonzero((inner[1:-1] >= inner[:-2]) & (inner[1:-1] >= inner[2:]))
-    for top in [0] if flat else tops.tolist():
-        found = _climbed(motion, function, index, t, values, top, sign, flat)
-        if found[1] > value:
-            place, value = found
-    return place, value
+    padded = np.concatenate(([-np.inf], values, [-np.inf]))
+    before, after = padded[:-2], padded[2:]
+    # a plateau counts by its ends
+    humps = np.flatnonzero((values >= before) & (values >= after) & ((values > before) | (values > after)))
+    found = []
+    for i in humps.tolist():
+        # At an end of the zone the parabola is the one through the three samples next to it.
+        middle = min(max(i, 1), values.size - 2)
+        bend = abs(values[middle - 1] - 2.0 * values[middle] + values[middle + 1]) if values.size > 2 else 0.0
+        if values[i] == top or values[i] + bend >= top:
+            found.append(i)
+    return found
 
 
 def _climbed(
-    motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", top: int, sign: float, flat: bool
+    motion: "Motion", function: "Law", index: int, t: "Any", values: "Any", top: int, sign: float
 ) -> tuple[float, float]:
     """The top of one hump, by cutting the interval about the highest sample in 16 again and again."""
     import numpy as np
 
-    place, value = float(t[top]), float(values[top])
+    place, value = float(t[top]), sign * float(values[top])
+    if t.size == 2:
+        return place, value
     low, high = float(t[max(top - 1, 0)]), float(t[min(top + 1, t.size - 1)])
-    for _ in range(0 if flat else ROUNDS):
+    while high - low > NARROW:
         grid = np.linspace(low, high, 17)
         tried = sign * np.asarray(function(*motion.in_zone(index, grid, 2)), dtype=float)
         top = int(np.argmax(tried))
         if tried[top] > value:
             place, value = float(grid[top]), float(tried[top])
         low, high = float(grid[max(top - 1, 0)]), float(grid[min(top + 1, 16)])
-        if high - low < 1e-9:
-            break
     return place, value
 
 

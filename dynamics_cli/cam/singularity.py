@@ -95,7 +95,7 @@ class Form:
             gate = delta(1, theta - motion.joints[index]) - delta(1, theta - motion.joints[index + 1])
             if gate:
                 total += gate * motion.at(theta, 0)[0]
-        return total
+        return float(total)
 
     def disagreement(self, count: int = 360) -> float:
         """Greatest difference from the motion itself over a turn, as a share of the stroke."""

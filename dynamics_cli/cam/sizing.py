@@ -76,7 +76,7 @@ def size_slide(
     wanted = None if least_radius is None else least_radius + roller
 
     def height(e: float) -> float:
-        return max(a - e * c1, b + e * c2, floor)
+        return float(max(a - e * c1, b + e * c2, floor))
 
     if follower.offset is None:
         e, d, binding = size.best_slide(a, b, c1, c2)
@@ -284,7 +284,7 @@ def _arm_radius_for(motion: "Any", follower: "Any", radius: float, least_radius:
     def short(prime: float) -> bool:
         geometry = Geometry(followers.OscillatingRoller(prime, 0.0, follower.arm, follower.pivot_distance), rotation)
         value, _ = analyse(geometry, motion).curvature.largest()
-        return value * (least_radius + follower.roller_radius) > 1.0
+        return bool(value * (least_radius + follower.roller_radius) > 1.0)
 
     if not short(radius):
         return radius

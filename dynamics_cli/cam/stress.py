@@ -4,8 +4,12 @@ from math import pi, sqrt
 
 from dynamics_cli.cam.force_records import Contact
 from dynamics_cli.cam.motion import Motion
-from dynamics_cli.cam.searching import Found, least_and_greatest
+from dynamics_cli.cam.searching import Found, greatest
 from dynamics_cli.errors import require
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 class Load:
@@ -18,9 +22,9 @@ class Load:
         self.inertia = mass * omega * omega
         self.mass = mass
 
-    def force(self, s: "object", s2: "object") -> "object":
+    def force(self, s: "Any", s2: "Any") -> "Any":
         """The force, from lift and second derivative."""
-        return self.rate * s + self.steady + self.inertia * s2  # type: ignore[operator]
+        return self.rate * s + self.steady + self.inertia * s2
 
 
 def stress(loads: Load, contact: Contact) -> Found:
@@ -56,39 +60,40 @@ def stress(loads: Load, contact: Contact) -> Found:
     give += (1.0 - contact.follower_poisson * contact.follower_poisson) / contact.follower_modulus
     curved = _relative_curvature(contact)
 
-    def squared(s: "object", s1: "object", s2: "object") -> "object":
+    def squared(s: "Any", s1: "Any", s2: "Any") -> "Any":
         import numpy as np
 
-        curvature, lean = curved(s, s1, s2)  # type: ignore[operator]
+        curvature, lean = curved(s, s1, s2)
         normal = np.maximum(loads.force(s, s2), 0.0) * lean
         return normal * curvature / (pi * contact.width * give)
 
-    _, found = least_and_greatest(loads.motion, squared)
+    found = greatest(loads.motion, squared)
     return Found(sqrt(found.value), found.at)
 
 
-def _relative_curvature(contact: Contact) -> "object":
+def _relative_curvature(contact: Contact) -> "Any":
     """Sum of the curvatures of cam and follower, and 1/cos φ, as a function of s and its derivatives."""
     import numpy as np
 
     base, roller, offset = contact.base_radius, contact.roller_radius, contact.offset
 
-    def flat(s: "object", s1: "object", s2: "object") -> "tuple[object, object]":
-        radius = base + s + s2  # type: ignore[operator]
+    def flat(s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, Any]":
+        radius = base + s + s2
         _require_convex(radius)
         return 1.0 / radius, 1.0
 
-    def rolling(s: "object", s1: "object", s2: "object") -> "tuple[object, object]":
-        prime = base + roller  # type: ignore[operator]
+    def rolling(s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, Any]":
+        assert roller is not None
+        prime = base + roller
         require(abs(offset) < prime, "the offset {0:.6g} m passes the cam", offset, code="offset")
         x = sqrt((prime - offset) * (prime + offset)) + s
-        y = s1 - offset  # type: ignore[operator]
+        y = s1 - offset
         w = np.hypot(x, y)
         # Curvature of the pitch curve; the cam's is κ/(1 − R κ), so that 1/ρ_cam + 1/R = 1/(R (1 − R κ)).
         pitch = (w * w + y * s1 - x * s2) / (w * w * w)
         left = 1.0 - roller * pitch
         _require_convex(left)
-        return 1.0 / (roller * left), w / x  # type: ignore[operator]
+        return 1.0 / (roller * left), w / x
 
     if roller is None:
         require(
@@ -102,7 +107,7 @@ def _relative_curvature(contact: Contact) -> "object":
     return rolling
 
 
-def _require_convex(radius: "object") -> None:
+def _require_convex(radius: "Any") -> None:
     worst = float(getattr(radius, "min", lambda: radius)())
     require(
         worst > 0.0,

@@ -143,7 +143,7 @@ def _corner(geometry: Geometry, motion: "Any", low: float, high: float) -> "tupl
 
 
 def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
-    """The lift at which the follower rests on a point of the cam (the second of a pair: its negative); -inf where it misses.
+    """The lift at which the follower rests on a point of the cam, the second of a pair its negative.
 
     Parameters
     ----------
@@ -185,8 +185,8 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
 def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
     """The greatest lift that an undercut costs, or None where there is no undercut.
 
-    The cut cam is what no position of the follower has taken away. Put back on it, the follower rests on the corner where
-    the curve cuts itself (or on what is left of the curve), lower than the program has it.
+    The cut cam is what no position of the follower has taken away. Put back on it, the follower rests on the corner
+    where the curve cuts itself (or on what is left of the curve), lower than the program has it.
 
     Parameters
     ----------
@@ -203,7 +203,7 @@ def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
     Notes
     -----
     Corners are found to rounding by Newton's method, whatever their size. Where undercuts run into each other so that
-    no corner of one of them is left, the loss comes from 1440 points of what is left, low by up to their spacing squared.
+    no corner of one of them is left, the loss comes from 1440 points of what is left, high by up to their spacing.
     """
     stretches = backward_stretches(geometry, motion)
     if not stretches:

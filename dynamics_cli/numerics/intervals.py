@@ -41,10 +41,11 @@ class Interval:
     __radd__ = __add__
 
     def __sub__(self, other: "Any") -> "Interval":
-        return self + (-other)
+        opposite: Any = -other
+        return self.__add__(opposite)
 
     def __rsub__(self, other: "Any") -> "Interval":
-        return (-self) + other
+        return self.__neg__().__add__(other)
 
     def __mul__(self, other: "Any") -> "Interval":
         if isinstance(other, Interval):

@@ -50,7 +50,8 @@ def whole_design() -> None:
         print(f"  {name:<48s} {1e3 * seconds:8.2f} ms")
     print(f"  {'together':<48s} {1e3 * total:8.2f} ms")
     print(
-        f"  {'smallest size, two limits':<48s} {1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006))):8.2f} ms"
+        f"  {'smallest size, two limits':<48s} "
+        f"{1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006))):8.2f} ms"
     )
 
 
@@ -77,7 +78,8 @@ def files() -> None:
         made = export(NOTHING, program=CYCLE, follower=ROLLER, form=Form(form), tolerance=tolerance)
         seconds = best(lambda: export(NOTHING, program=CYCLE, follower=ROLLER, form=Form(form), tolerance=tolerance), 3)  # noqa: B023
         print(
-            f"  {form:<7s} {tolerance:7.0e} m  {made.pieces:5d} pieces  proved {made.deviation:.3g} m  {1e3 * seconds:7.1f} ms"
+            f"  {form:<7s} {tolerance:7.0e} m  {made.pieces:5d} pieces  "
+            f"proved {made.deviation:.3g} m  {1e3 * seconds:7.1f} ms"
         )
 
 
@@ -101,7 +103,8 @@ def peer() -> None:
     exact = best(lambda: motion_of(NOTHING, PEER).at(np.arange(count) * (2 * np.pi / count)))
     whole = best(lambda: profile(NOTHING, program=PEER, follower=followers.Roller(0.05, 0.01), points=count))
     print(
-        f"  mechanism: motions at {count} angles {1e3 * seconds:.2f} ms; here {1e3 * exact:.2f} ms, profile {1e3 * whole:.2f} ms"
+        f"  mechanism: motions at {count} angles {1e3 * seconds:.2f} ms; "
+        f"here {1e3 * exact:.2f} ms, profile {1e3 * whole:.2f} ms"
     )
     lift, h = motion_of(NOTHING, PEER), 2 * np.pi / count
     theta = np.arange(count) * h

@@ -131,7 +131,8 @@ def test_a_micrometre_in_a_file_that_is_read_back(tmp_path: Path, form: str, mos
 
 def test_a_nanometre_takes_no_more_than_110_cubics() -> None:
     made = export(NOTHING, program=CYCLE, follower=ROLLER, form=Form("cubics"), tolerance=1e-9)
-    assert made.pieces <= 110 and made.deviation <= 1e-9
+    assert made.pieces <= 110
+    assert made.deviation <= 1e-9
     assert all(isinstance(piece, Cubic) for piece in made.shape.outlines[0].pieces)
 
 
@@ -155,7 +156,9 @@ def test_random_cams_stay_within_what_is_proved(kind: str, seed: int, form: str)
         made = export(NOTHING, program=program, follower=follower, rotation=rotation, form=Form(form),
                       tolerance=2e-6, start_angle=0.3)  # fmt: skip
     except InadmissibleError as error:
-        assert error.code in ("undercut", "velocity-jump", "face-too-fast", "no-triangle", "pivot-inside")
+        known = ("undercut", "face-too-fast", "no-triangle", "pivot-inside")
+        if error.code not in known:
+            raise
         return
     assert made.deviation <= 2e-6
     outline = made.shape.outlines[0]
@@ -235,7 +238,8 @@ def test_an_arm_has_a_table_of_swings(tmp_path: Path) -> None:
     file = tmp_path / "arm.mc"
     done = run(
         "cam", "export", "--program", SWING, "--follower", "oscillating-roller", "--base-radius", "30 mm",
-        "--roller-radius", "8 mm", "--arm", "80 mm", "--pivot-distance", "100 mm", "--points", "6", "--drawing", str(file),
+        "--roller-radius", "8 mm", "--arm", "80 mm", "--pivot-distance", "100 mm", "--points", "6",
+        "--drawing", str(file),
     )  # fmt: skip
     assert done.status == 0, done.err
     assert "SlavePos [deg]" in file.read_text()

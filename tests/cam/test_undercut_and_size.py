@@ -15,6 +15,9 @@ from dynamics_cli.cam.program import motion_of
 from dynamics_cli.cam.undercut import _curve, lift_lost, seat
 from dynamics_cli.errors import InadmissibleError
 
+ARM = followers.OscillatingRoller(0.01, 0.005, 0.05, 0.1)
+TOO_FAST = "rise 30 deg in 90 deg; return in 20 deg; dwell"
+
 
 def lost_by_grid(geometry: Geometry, motion, stretches) -> float:
     """The loss from a fine grid: the follower lowered onto every point that no position of it cuts away."""
@@ -51,7 +54,8 @@ def lost_by_grid(geometry: Geometry, motion, stretches) -> float:
 def test_the_lift_lost_is_that_of_a_follower_lowered_onto_what_is_left(program, follower, rotation) -> None:
     motion, geometry = motion_of(NOTHING, program), Geometry(follower, rotation)
     found = lift_lost(geometry, motion)
-    assert found is not None and found.lift > 0.0
+    assert found is not None
+    assert found.lift > 0.0
     by_grid = lost_by_grid(geometry, motion, found.stretches)
     # a grid has less left than there is, by its spacing
     assert found.lift <= by_grid * (1.0 + 1e-9)
@@ -60,7 +64,8 @@ def test_the_lift_lost_is_that_of_a_follower_lowered_onto_what_is_left(program, 
 
 def test_published_loss_of_a_deep_undercut() -> None:
     found = check(NOTHING, program=STEEP, follower=followers.Roller(0.015, 0.015))
-    assert found.undercut_stretches == 2 and not found.fits
+    assert found.undercut_stretches == 2
+    assert not found.fits
     assert found.lift_lost == pytest.approx(0.42e-3, abs=0.005e-3)
     assert found.least_convex_radius == pytest.approx(-3.7e-3, abs=0.05e-3)
 
@@ -71,9 +76,10 @@ def test_an_undercut_between_samples_is_seen(depth: float) -> None:
                      rise_limit=radians(89.0), return_limit=radians(89.0)).base_radius  # fmt: skip
     sharp = check(NOTHING, program=STEEP, follower=followers.Roller(base - depth, 0.015))
     round_ = check(NOTHING, program=STEEP, follower=followers.Roller(base + depth, 0.015))
-    assert sharp.undercut and not round_.undercut
-    assert sharp.undercut_stretches == 2 and round_.undercut_stretches == 0
-    assert 0.0 <= sharp.lift_lost < depth and round_.lift_lost is None
+    assert (sharp.undercut, round_.undercut) == (True, False)
+    assert (sharp.undercut_stretches, round_.undercut_stretches) == (2, 0)
+    assert 0.0 <= sharp.lift_lost < depth
+    assert round_.lift_lost is None
     # a table of 360 points shows none of it
     points = profile(NOTHING, program=STEEP, follower=followers.Roller(base - depth, 0.015)).points.arrays
     radii = points["radius_of_curvature"]
@@ -169,12 +175,12 @@ def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
         ("limit", lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006), rise_limit=0.0)),
         ("limit-binds", lambda: size.size(NOTHING, program=SWING, follower=size.OscillatingRoller(0.006, 0.1, 0.05))),
         ("offset", lambda: check(NOTHING, program=CYCLE, follower=followers.Roller(0.01, 0.005, 0.016))),
-        ("no-triangle", lambda: check(NOTHING, program=SWING, follower=followers.OscillatingRoller(0.01, 0.005, 0.05, 0.1))),
+        ("no-triangle", lambda: check(NOTHING, program=SWING, follower=ARM)),
         ("pivot-inside", lambda: check(NOTHING, program=SWING, follower=followers.OscillatingFlat(0.05, 0.04))),
         ("lift-kind", lambda: check(NOTHING, program=CYCLE, follower=followers.OscillatingFlat(0.02, 0.08))),
         ("lift-kind", lambda: check(NOTHING, program=SWING, follower=followers.FlatFace(0.02))),
         ("face-too-fast", lambda: check(
-            NOTHING, program="rise 30 deg in 90 deg; return in 20 deg; dwell", follower=followers.OscillatingFlat(0.03, 0.1))),
+            NOTHING, program=TOO_FAST, follower=followers.OscillatingFlat(0.03, 0.1))),
         ("flank", lambda: check(
             NOTHING, program=CYCLE, follower=followers.KnifeEdge(0.03), flank=followers.Flank("outer"))),
         ("spring", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), mass=0.2)),

@@ -9,6 +9,7 @@ Run: python tests/references/generate_cam_geometry_references.py
 """
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 from mpmath import acos, asin, atan2, cos, diff, exp, findroot, mp, mpc, mpf, nstr, pi, sin, sqrt
@@ -172,7 +173,7 @@ class Carried:
         """Radius of curvature of the cam, from two derivatives of its points' carrier."""
         if self.kind in ("FlatFace", "OscillatingFlat"):
             z1 = diff(lambda t: self.point(lift, t)[0], theta)
-            n, n1 = self.point(lift, theta)[1], diff(lambda t: self.point(lift, t)[1], theta)
+            n1 = diff(lambda t: self.point(lift, t)[1], theta)
             return (z1 / n1).real if abs(n1) else mpf(0)
 
         def carried(t):
@@ -204,8 +205,7 @@ def extreme(function, zones, sign):
                 candidates.append((sign * function(inner, root), root))
             except (ValueError, ZeroDivisionError):
                 pass
-        for end_place in (start, end):
-            candidates.append((sign * function(inner, end_place), end_place))
+        candidates.extend((sign * function(inner, end_place), end_place) for end_place in (start, end))
         found = max(candidates, key=lambda pair: pair[0])
         if best is None or found[0] > best[0]:
             best = found
@@ -217,10 +217,10 @@ LAW_BREAKS = {"modified-sine": (mpf(1) / 8, mpf(7) / 8)}
 
 def smooth_zones(lift):
     for zone in lift.zones:
-        start, end, law, low, high = zone
+        start, end, law, _, _ = zone
         cuts = [mpf(0), *LAW_BREAKS.get(law, ()), mpf(1)]
         inner = lift.within(zone)
-        for a, b in zip(cuts, cuts[1:], strict=False):
+        for a, b in pairwise(cuts):
             first, last = start + (end - start) * a, start + (end - start) * b
             if law == "modified-sine":
                 inner = _branch(zone, a)
@@ -228,7 +228,7 @@ def smooth_zones(lift):
 
 
 def _branch(zone, cut):
-    start, end, law, low, high = zone
+    start, end, _, low, high = zone
     k = 1 / (pi + 4)
 
     def law_of(x):

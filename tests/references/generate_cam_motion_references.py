@@ -126,7 +126,9 @@ LAWS: dict[str, Law] = {
     "linear": lambda x: (x, mpf(1), mpf(0), mpf(0)),
     "parabolic": scca(0, 1, 0),
     "cubic": rest_to_rest(3),
-    "harmonic": lambda x: ((1 - cos(pi * x)) / 2, pi / 2 * sin(pi * x), pi**2 / 2 * cos(pi * x), -(pi**3) / 2 * sin(pi * x)),
+    "harmonic": lambda x: (
+        (1 - cos(pi * x)) / 2, pi / 2 * sin(pi * x), pi**2 / 2 * cos(pi * x), -(pi**3) / 2 * sin(pi * x)
+    ),
     "double-harmonic": double_harmonic,
     "cycloidal": sines((1, 1 / (2 * pi))),
     "modified-trapezoid": scca(mpf(1) / 4, mpf(1) / 2, mpf(1) / 4),
@@ -275,7 +277,7 @@ def motions(generator: random.Random) -> list[dict[str, Any]]:
                     "task": "motion",
                     "kind": "hard" if hard else "ordinary",
                     "name": f"{segment[3]} in {program[:24]}… {number + 1}",
-                    "why": "a billionth of the span from a joint: the joint's own rounding in radians shows" if hard else "",
+                    "why": "a billionth of the span from a joint: its rounding in radians shows" if hard else "",
                     "inputs": {"program": program, "theta": repr(theta), "lift": segment[0].lstrip("-"),
                                "span": repr(float(end - start)), "law": segment[3]},
                     "results": results,
@@ -290,7 +292,7 @@ def main() -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "cam_motion.json"
     rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
     target.write_text(
-        '{"about": "Written by generate_cam_motion_references.py: SI inputs as doubles, results to 40 digits.",\n"cases": [\n'
+        '{"about": "Written by generate_cam_motion_references.py: SI inputs, 40-digit results.",\n"cases": [\n'
         + rows
         + "\n]}\n",
         encoding="utf-8",
