@@ -78,6 +78,8 @@ def _teeth(made: "PairData", z1: int, z2: int, internal: bool, helix_angle: floa
     own = _flank(0.5 * made.first_base_diameter, 0.5 * made.first_root_diameter, 0.5 * made.first_tip_diameter, one)
     ends = 0.5 * made.second_root_diameter, 0.5 * made.second_tip_diameter
     mate = _flank(0.5 * made.second_base_diameter, min(ends), max(ends), two)
+    # a ring's tooth is joined along its tip, which is its smaller radius
+    mate = mate[::-1] if internal else mate
     centre = -made.centre_distance if internal else made.centre_distance
     middle = two(r2) if internal else pi - two(r2)
     work = made.working_pressure_angle
