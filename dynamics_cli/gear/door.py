@@ -93,7 +93,7 @@ def _space_beside(gear: Gear, fillet: float) -> float:
         return -1.0
     space = pi / abs(gear.teeth) + gear.base_half_angle
     value = space - roll_less_arc(sqrt((ratio - 1.0) * (ratio + 1.0))) - size / base
-    return getattr(value, "value", value)  # type: ignore[no-any-return]
+    return getattr(value, "value", value)
 
 
 def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = INTERNAL_FILLET) -> Toothing:

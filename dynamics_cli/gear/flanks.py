@@ -204,9 +204,9 @@ class Chain:
 def flank(shape: ToothForm, tolerance: float) -> Chain:
     """Sample one flank so that no chord leaves the exact curve by more than `tolerance`, with the bound proved.
 
-    Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀), and by (u₁ − u₀)²·
-    r_b √(1 + u₁²)/8 or its triangle's height near the base circle. Trochoid: it turns one way only, so it lies in the triangle of its chord and
-    end tangents.
+    Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀); near the base circle by
+    (u₁ − u₀)²·r_b √(1 + u₁²)/8, or the height of the triangle of chord and end tangents. Trochoid: it turns one way
+    only, so it lies in that triangle.
     """
     import numpy as np
 

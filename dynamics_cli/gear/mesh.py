@@ -325,7 +325,7 @@ def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tup
 def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, error: object) -> Columns[ContactPoint]:
     import numpy as np
 
-    own: np.ndarray = lengths  # type: ignore[type-arg, assignment]
+    own: np.ndarray = lengths  # type: ignore[assignment]
     other = own + path.total if second.internal else path.total - own
     return Columns(
         ContactPoint,

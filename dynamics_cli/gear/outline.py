@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 # Coordinates are rounded like everything else; the bound of a chord counts that in.
 _ROUNDING = 8.0 * 2.0**-53
+# More would take minutes and gigabytes.
+MOST_POINTS = 2_000_000
 
 
 def chain_points(shape: ToothForm, chain: Chain, count: int) -> "tuple[Array, Array]":
@@ -40,7 +42,15 @@ def gear_outline(shape: ToothForm, tolerance: float, *, teeth: int | None = None
     """
     chain = flank(shape, tolerance)
     count = shape.teeth if teeth is None else teeth
-    require(count <= shape.teeth, "the gear has {0} teeth, not {1}", shape.teeth, count, code="teeth")
+    require(0 < count <= shape.teeth, "the gear has {0} teeth: {1} cannot be drawn", shape.teeth, count, code="teeth")
+    require(
+        2 * count * len(chain.angle) <= MOST_POINTS,
+        "{0} teeth need {1} points at this tolerance",
+        count,
+        2 * count * len(chain.angle),
+        code="too-many-points",
+        hint="draw fewer teeth with --only-teeth, or give a larger tolerance",
+    )
     xs, ys = chain_points(shape, chain, count)
     rows = [tuple(zip(x, y, strict=True)) for x, y in zip(xs.tolist(), ys.tolist(), strict=True)]
     closed = teeth is None

@@ -4,6 +4,7 @@ from math import cos, pi, sin
 
 from dynamics_cli.gear.planets import place_angle
 from dynamics_cli.gear.train_scene import Planetary, Stages
+from dynamics_cli.outlines import Arc, Points
 from dynamics_cli.pictures import Arrow, Axis, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from dynamics_cli.gear.mesh import MeshProof
     from dynamics_cli.gear.profile import GearProfile
     from dynamics_cli.gear.train import TrainMotion
-    from dynamics_cli.outlines import Arc, Outline
+    from dynamics_cli.outlines import Outline
 
 _MODULES = Axis("modules")
 _X, _Y = Axis("x", Coordinate), Axis("y", Coordinate)
@@ -111,16 +112,16 @@ def profile_picture(result: "GearProfile", **_: "Any") -> Picture:
 def _points(outline: "Outline") -> tuple[tuple[float, ...], tuple[float, ...]]:
     found: list[tuple[float, float]] = []
     for piece in outline.pieces:
-        if hasattr(piece, "points"):
+        if isinstance(piece, Points):
             found += piece.points
-        elif hasattr(piece, "bulge"):
+        elif isinstance(piece, Arc):
             found += _arc(piece)
         else:
             found += [piece.start, piece.end]
     return tuple(x for x, _ in found), tuple(y for _, y in found)
 
 
-def _arc(arc: "Arc") -> list[tuple[float, float]]:
+def _arc(arc: Arc) -> list[tuple[float, float]]:
     from math import atan, atan2
 
     (cx, cy), radius, turn = arc.centre, arc.radius, 4.0 * atan(arc.bulge)

@@ -206,7 +206,7 @@ def profile(
 
 def _result(outline: "Outline", points: int, form: ToothForm | None, tolerance: float | None) -> GearProfile:
     undercut = form.junction.undercut if form is not None and form.junction is not None else None
-    advice = ()
+    advice: tuple[Advice, ...] = ()
     if undercut and form is not None and form.junction is not None:
         advice = (_undercut_advice(form),)
     checks: tuple[Check, ...] = ()

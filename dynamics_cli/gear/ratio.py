@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.rational import Pair
 
 
+# Gears have fewer; more would take minutes.
+MOST_TEETH = 100_000
+
+
 @record
 class TrainFound:
     """One train.
@@ -175,6 +179,15 @@ def ratio(
 def _range(teeth: tuple[int, int]) -> range:
     low, high = teeth
     require(0 < low <= high, "{0}..{1} holds no tooth number", low, high, code="teeth")
+    require(
+        high - low < MOST_TEETH,
+        "{0}..{1} holds more than {2} tooth numbers",
+        low,
+        high,
+        MOST_TEETH,
+        code="too-many",
+        hint="give a narrower range",
+    )
     return range(low, high + 1)
 
 

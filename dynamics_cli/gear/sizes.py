@@ -23,7 +23,7 @@ _USUAL = 1.728
 
 def plain(x: float) -> float:
     """A tracked number as the double it is."""
-    return getattr(x, "value", x)  # type: ignore[no-any-return]
+    return getattr(x, "value", x)
 
 
 @record

@@ -187,7 +187,9 @@ def train(
         meshes=tuple(_mesh(mesh, index, motion, forces) for index, mesh in enumerate(known.meshes)),
         assembly=assembly,
         checks=_checks(known, shown),
-        advice=motion.advice() + forces.advice() + (assembly_advice(arrangement) if assembly else ()),
+        advice=motion.advice()
+        + forces.advice()
+        + (assembly_advice(arrangement) if isinstance(arrangement, Planetary) else ()),
         numerics=_numerics(ratio is not None),
     )
 

@@ -175,7 +175,7 @@ def root(cutter: Cutter) -> Root:
     # One Newton step in the numbers that came in carries their derivatives and rounding bounds through the root.
     own = _Corner(_bare(cutter))
     start = Tracked.inputs([delta])[0]
-    slope = own.residual(start).slopes[0]  # type: ignore[attr-defined]
+    slope = own.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
     delta = delta - curve.residual(delta) / slope
     roll = sqrt(maximum(curve.roll_squared(delta), 0.0))
     return Root(curve.radius(delta), roll, True, cutter.transverse_angle + delta, margin)

@@ -264,7 +264,7 @@ def _inverse_of_array(value: "Any") -> "Any":
     value = np.asarray(value, dtype=float)
     flat = np.ascontiguousarray(value).ravel()
     out = np.empty_like(flat)
-    room = np.empty((6, min(_BLOCK, flat.size)))
+    room = np.empty((7, min(_BLOCK, flat.size)))
     with np.errstate(all="ignore"):
         for start in range(0, flat.size, _BLOCK):
             _inverse_of_block(flat[start : start + _BLOCK], out[start : start + _BLOCK], room)
@@ -272,6 +272,8 @@ def _inverse_of_array(value: "Any") -> "Any":
 
 
 def _inverse_of_block(value: "Array", out: "Array", room: "Array") -> None:
+    import numpy as np
+
     above = value > MEETING
     if not above.any():
         _low_block(value, out, room)
@@ -279,11 +281,11 @@ def _inverse_of_block(value: "Array", out: "Array", room: "Array") -> None:
     if above.all():
         _high_block(value, out, room)
         return
-    for where, work in ((~above, _low_block), (above, _high_block)):
-        part = value[where]
-        made = part.copy()
-        work(part, made, room)
-        out[where] = made
+    # both forms everywhere cost less than picking places out and putting them back
+    _low_block(value, out, room)
+    other = room[6][: value.size]
+    _high_block(value, other, room)
+    np.copyto(out, other, where=above)
 
 
 def _high_block(value: "Array", out: "Array", room: "Array") -> None:
@@ -314,7 +316,7 @@ def _low_block(value: "Array", out: "Array", room: "Array") -> None:
         _low_block(part, out, room)
         np.copyto(out, np.where(scaled == 0.0, 0.0, _DOWN * out), where=small)
         return
-    y, guess, high, cube, total, s = (row[: value.size] for row in room)
+    y, guess, high, cube, total, s = (row[: value.size] for row in room[:6])
     np.multiply(value, 3.0, out=y)
     bits = guess.view(np.int64)
     np.floor_divide(y.view(np.int64), 3, out=bits)

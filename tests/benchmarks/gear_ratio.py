@@ -18,9 +18,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from dynamics_cli.gear.ratio import ratio  # noqa: E402
-from dynamics_cli.gear.train import train  # noqa: E402
-from dynamics_cli.gear.train_scene import Mesh, Network  # noqa: E402
+from dynamics_cli.gear.ratio import ratio
+from dynamics_cli.gear.train import train
+from dynamics_cli.gear.train_scene import Mesh, Network
 
 SIDEREAL = (3652422, 273217)
 PI = (314159265358979, 10**14)

@@ -258,6 +258,8 @@ def test_a_sharp_corner_and_a_full_round() -> None:
         ({"teeth": 30, "root_radius_factor": 0.6}, "tip-radius"),
         ({"teeth": 30, "tolerance": 1e-15}, "tolerance"),
         ({"teeth": 30, "only_teeth": 31}, "teeth"),
+        ({"teeth": 30, "only_teeth": 0}, "teeth"),
+        ({"teeth": 1_000_000}, "too-many-points"),
         ({"teeth": 2}, "teeth"),
         ({"teeth": 0, "rack": True}, "teeth"),
         ({"teeth": 5, "rack": True, "internal": True}, "rack"),

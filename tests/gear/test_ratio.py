@@ -152,6 +152,7 @@ def test_three_stages_are_quick() -> None:
         ({"target": (3, 1), "distance_tolerance": 0.03}, "centre-distance"),
         ({"target": (3, 1), "tooth_sum": 5}, "constraints"),
         ({"target": (1, 1), "stages": 1, "teeth": (12, 12), "coprime": True}, "constraints"),
+        ({"target": (3, 1), "stages": 1, "teeth": (12, 99_999_999)}, "too-many"),
     ],
 )
 def test_what_cannot_be_is_refused(arguments: dict, code: str) -> None:

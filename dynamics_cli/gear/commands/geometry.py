@@ -64,6 +64,7 @@ INVOLUTE = Task(
         'dynamics gear involute --diameter "45.6 mm" --base-diameter "33.8289 mm" '
         '--known-thickness "6.0227 mm" --known-diameter "36 mm" --points 5',
     ),
+    plot=HERE + "pair_pictures:involute_curve",
     table="points",
     arrays=False,
 )
@@ -91,6 +92,7 @@ PAIR = Task(
         'dynamics gear pair --first-teeth 17 --second-teeth 43 --module "2 mm" --centre-distance "61 mm" '
         "--split balanced-sliding",
     ),
+    plot=HERE + "pair_pictures:pair",
     table="points",
     arrays=False,
 )
