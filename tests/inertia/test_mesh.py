@@ -81,6 +81,20 @@ class TestFiles:
         path.write_text((path.read_text() + (tmp_path / "other.stl").read_text()).upper())
         assert solid(str(path)).volume == 7.0
 
+    @pytest.mark.parametrize("name", ["vertex", "outer loop", "solid facet normal", "Émile", ""])
+    def test_a_solid_may_have_any_name(self, tmp_path: Path, name: str) -> None:
+        path = Path(stl(tmp_path, BOX, binary=False))
+        path.write_text(path.read_text().replace("recipe", name), encoding="utf-8")
+        assert solid(str(path)).volume == 6.0
+
+    def test_a_text_of_many_chunks(self, tmp_path: Path) -> None:
+        corners = torus(80, 60)
+        path = tmp_path / "torus.stl"
+        write_stl(path, [tuple(tuple(p) for p in t) for t in corners.tolist()], binary=False)
+        assert path.stat().st_size > 2**21
+        whole = np.concatenate([block.T for block in open_mesh(str(path)).blocks()])
+        assert (whole.reshape(-1, 3, 3) == corners).all()
+
     def test_windows_line_ends(self, tmp_path: Path) -> None:
         path = Path(stl(tmp_path, BOX, binary=False))
         path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
