@@ -2,6 +2,7 @@
 
 import math
 import struct
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -80,6 +81,20 @@ class TestFiles:
         write_stl(tmp_path / "other.stl", other, binary=False)
         path.write_text((path.read_text() + (tmp_path / "other.stl").read_text()).upper())
         assert solid(str(path)).volume == 7.0
+
+    @pytest.mark.parametrize("name", ["vertex", "outer loop", "solid facet normal", "Émile", ""])
+    def test_a_solid_may_have_any_name(self, tmp_path: Path, name: str) -> None:
+        path = Path(stl(tmp_path, BOX, binary=False))
+        path.write_text(path.read_text().replace("recipe", name), encoding="utf-8")
+        assert solid(str(path)).volume == 6.0
+
+    def test_a_text_of_many_chunks(self, tmp_path: Path) -> None:
+        corners = torus(80, 60)
+        path = tmp_path / "torus.stl"
+        write_stl(path, [tuple(tuple(p) for p in t) for t in corners.tolist()], binary=False)
+        assert path.stat().st_size > 2**21
+        whole = np.concatenate([block.T for block in open_mesh(str(path)).blocks()])
+        assert (whole.reshape(-1, 3, 3) == corners).all()
 
     def test_windows_line_ends(self, tmp_path: Path) -> None:
         path = Path(stl(tmp_path, BOX, binary=False))
@@ -478,3 +493,29 @@ class TestPicture:
         name = write_array(tmp_path / "torus.stl", torus(300, 40))
         wire = outlines(name, 1e-3)
         assert DRAWN / 2 < len(wire) / 5 <= DRAWN
+
+
+class TestLimits:
+    def test_finer_balls_tend_to_the_ball_by_the_square_of_the_mesh(self, tmp_path: Path) -> None:
+        volume, moment = 4.0 * math.pi / 3.0, 8.0 * math.pi / 15.0
+        errors = []
+        for level in (2, 3, 4):
+            made = solid(stl(tmp_path, ball(level), binary=False))
+            assert made.volume is not None
+            errors.append((1.0 - made.volume / volume, 1.0 - made.moments.xx / moment))
+        for coarse, fine in pairwise(errors):
+            assert fine == pytest.approx((coarse[0] / 4.0, coarse[1] / 4.0), rel=0.1)
+
+    def test_a_thin_solid_wall_tends_to_the_shell(self, tmp_path: Path) -> None:
+        # all faces of a cube are as far from its centre, so a scaled copy leaves a wall of one thickness
+        cube = prism([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], 2.0)
+        outer = [tuple(tuple(x - 1.0 for x in p) for p in t) for t in cube]
+        shell = solid(stl(tmp_path, outer), amount=OfMass(1.0), thickness=1e-3)
+        gaps = []
+        for wall in (1e-2, 1e-3):
+            inner = [tuple(tuple((1.0 - wall) * x for x in p) for p in (a, c, b)) for a, b, c in outer]
+            made = solid(stl(tmp_path, [*outer, *inner], binary=False), amount=OfMass(1.0))
+            gaps.append(1.0 - made.moments.zz / shell.moments.zz)
+        # a wall inward of the triangles is half a thickness nearer, and moments go by the square
+        assert gaps[0] == pytest.approx(1e-2, rel=0.05)
+        assert gaps[1] == pytest.approx(1e-3, rel=0.05)

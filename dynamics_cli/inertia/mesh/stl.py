@@ -19,6 +19,7 @@ BLOCK = 8192
 HEADER, RECORD = 84, 50
 _READ = 8 * BLOCK
 _TEXT = 1 << 20
+_END = b"endfacet"
 
 
 class Source:
@@ -84,44 +85,60 @@ class TextStl(Source):
 
     def blocks(self) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
-        import re
-
-        corner = re.compile(rb"vertex([^\r\n]*)", re.IGNORECASE)
-        facet = re.compile(rb"end\s*facet", re.IGNORECASE)
         done = 0
         rest = b""
         with open(self.name, "rb") as file:
             while chunk := file.read(_TEXT):
-                text = rest + chunk
-                ends = [match.end() for match in facet.finditer(text)]
-                if not ends:
+                text = rest + chunk.lower()
+                end = text.rfind(_END)
+                if end < 0:
                     require(len(text) < 8 * _TEXT, "no facet ends within {0} bytes", len(text), code="stl")
                     rest = text
                     continue
-                rest = text[ends[-1] :]
-                lines = corner.findall(text[: ends[-1]])
-                numbers = _numbers(b" ".join(lines))
+                rest = text[end + len(_END) :]
+                count, columns = _facets(_nameless(text[: end + len(_END)]))
                 require(
-                    len(lines) == 3 * len(ends) and numbers.size == 9 * len(ends),
+                    columns is not None,
                     "facets {0} to {1} of the text are not three corners of three numbers each",
                     done + 1,
-                    done + len(ends),
+                    done + count,
                     code="stl",
                     hint="export the file again, as binary STL if you can",
                 )
-                done += len(ends)
-                columns = numbers.reshape(-1, 9).T + 0.0
-                for start in range(0, len(ends), BLOCK):
+                assert columns is not None
+                done += count
+                for start in range(0, count, BLOCK):
                     yield np.ascontiguousarray(columns[:, start : start + BLOCK])
         require(
-            b"endsolid" in rest.lower(),
+            b"endsolid" in rest,
             "the text ends after {0} triangles without endsolid: it is cut off",
             done,
             code="truncated",
             hint="copy or export the file again",
         )
-        require(corner.search(rest) is None, "the last facet is not finished", code="truncated")
+        require(b"vertex" not in _nameless(rest), "the last facet is not finished", code="truncated")
         self.count = done
+
+
+def _nameless(text: bytes) -> bytes:
+    """A text without the lines that name solids: a name may be any word."""
+    kept, at = [], 0
+    while (found := text.find(b"solid", at)) >= 0:
+        kept.append(text[at:found].removesuffix(b"end"))
+        line = text.find(b"\n", found)
+        at = len(text) if line < 0 else line
+    return b"".join([*kept, text[at:]])
+
+
+def _facets(text: bytes) -> "tuple[int, Block | None]":
+    """The number of facets in a text, and their corner coordinates as columns, if each has three corners."""
+    count = text.count(_END)
+    loops = text.split(b"loop")
+    inner = loops[1::2]
+    if len(loops) != 2 * count + 1 or any(loop.count(b"vertex") != 3 for loop in inner):
+        return count, None
+    numbers = _numbers(b" ".join(inner).replace(b"end", b" ").replace(b"vertex", b" "))
+    return count, numbers.reshape(-1, 9).T + 0.0 if numbers.size == 9 * count else None
 
 
 class Corners(Source):

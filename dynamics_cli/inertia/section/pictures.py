@@ -60,7 +60,7 @@ def _mohr(answer: "SectionProperties") -> Panel:
     """The circle of (I, product) over all directions: its diameter joins the points of x and of y."""
     at, main = answer.centroidal, answer.principal
     centre, radius = 0.5 * (main.i1 + main.i2), 0.5 * (main.i1 - main.i2)
-    items = (
+    items: tuple[Curve | Mark, ...] = (
         Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()], "all directions"),
         Curve([at.ix, at.iy], [at.ixy, -at.ixy], "x and y", "dashed"),
         *_marks(answer, radius),
