@@ -38,8 +38,6 @@ from dynamics_cli.records import Advice, Numerics
 
 # What is this much smaller than what it is compared with is the rounding of the inputs, and absent.
 ABSENT = 1e-13
-# Rounding of the closed forms relative to the impulse, where K is not nearly singular.
-CLOSED = 1e-13
 
 
 class _Seen:
@@ -229,7 +227,7 @@ def _smooth(seen: _Seen, name: str, advice: tuple[Advice, ...]) -> SpatialImpact
         history="slip without friction" if before[0] or before[1] else "no slip",
         slip_impulse=impulse,
     )
-    numerics = Numerics(f"closed form of a {name}", bounds((one, two), CLOSED))
+    numerics = Numerics(f"closed form of a {name}", bounds((one, two), k, before, end))
     return certified(end, (one, two), seen.frame, k, before, 0.0, seen.contact, seen.law, numerics, advice)
 
 
@@ -269,7 +267,9 @@ def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Spa
         slip_impulse=path.first_slip,
     )
     turns = seen.turns and seen.friction > 0.0
-    numerics = Numerics("closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, CLOSED))
+    numerics = Numerics(
+        "closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, k, seen.before, end)
+    )
     advice = _neglects(("the turning of the slip out of its plane", turns))
     return certified(
         end, seen.bodies, seen.frame, k, seen.before, seen.friction, seen.contact, seen.law, numerics, advice
