@@ -67,7 +67,7 @@ def require_sizes(**given: object) -> None:
 
 
 def _require_size(name: str, value: object) -> None:
-    if value is None or isinstance(value, (str, bool)) or name.endswith(ANGLES):
+    if value is None or isinstance(value, (str, bool)):
         return
     fields = getattr(value, "fields", None)
     if fields is not None:
@@ -76,7 +76,7 @@ def _require_size(name: str, value: object) -> None:
     elif isinstance(value, tuple):
         for index, part in enumerate(value):
             _require_size(f"{name}[{index}]", part)
-    else:
+    elif not name.endswith(ANGLES):
         size: float = abs(value)  # type: ignore[arg-type]
         require(
             (size == 0.0) | ((size > SMALLEST) & (size < LARGEST)),

@@ -32,7 +32,7 @@ from dynamics_cli.impact.conventions import (
 from dynamics_cli.impact.diagnostics import plain, require_finite, single
 from dynamics_cli.impact.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
 from dynamics_cli.impact.planar_results import Alternative, Critical, PlanarImpact, after_impact
-from dynamics_cli.impact.springs import Hertz, Spring, contact_history
+from dynamics_cli.impact.springs import Hertz, Spring, contact_history, force_advice
 from dynamics_cli.numerics.elementary import absolute, hypot, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -86,7 +86,7 @@ def planar(
     contact_point : PlanarPosition
         Where the bodies touch, when bodies are placed by their centres [m].
     moment_restitution : Ratio
-        Brach's moment coefficient: 1 without a moment at the contact, 0 when it brings both bodies to one spin [-].
+        Brach's moment coefficient: 1 without a moment at the contact, 0 with one that makes the spins one [-].
     closing_speed : RoadSpeed
         Normal speed of approach at the contact, where it is known better than the velocities tell [m/s].
     force : Spring | Hertz
@@ -135,6 +135,12 @@ def planar(
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
+    require(
+        absolute(moment_restitution) <= 1.0,
+        "a moment restitution of {0:.6g} is none: it lies from -1, spins exchanged, by 0, one spin, to 1, no moment",
+        moment_restitution,
+        code="moment-restitution",
+    )
     meeting = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
     asked = LAWS[0] if law == "all" else law
     found = outcome(meeting, asked)
@@ -144,10 +150,8 @@ def planar(
     answer = _answer(found, asked, meeting, one, two, inward, axes, pdof_zero)
     alternatives, missing = _all_laws(meeting, one, two, inward, energetic) if law == "all" else ({}, ())
     duration, peak = contact_history(force, meeting, found, asked)
-    advice = (
-        contact_advice(contact) + missing + side_advice(one, two, towards) + lever_advice(one, two)
-        + restituted_advice(asked, moment_restitution)
-    )  # fmt: skip
+    advice = contact_advice(contact) + force_advice(force, duration, asked) + missing
+    advice += side_advice(one, two, towards) + lever_advice(one, two) + restituted_advice(asked, moment_restitution)
     checks = certificate(answer, found, asked, meeting, one, two, inward)
     return PlanarImpact(
         **{

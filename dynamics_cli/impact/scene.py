@@ -5,9 +5,10 @@ All models see the scene through one matrix K in the frame of its contact; each 
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.conventions import ByMass, BySpeed, ByWeight, Fixed, Restituted, direction_of, mass_of
+from dynamics_cli.impact.conventions import BySpeed, Fixed, Restituted, direction_of, mass_of
 from dynamics_cli.impact.hodograph import End
 from dynamics_cli.impact.path import Mobility, travel
+from dynamics_cli.impact.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
 from dynamics_cli.impact.space import (
     ZERO,
     Matrix,
@@ -22,10 +23,6 @@ from dynamics_cli.impact.space import (
     unit,
 )
 from dynamics_cli.impact.spatial import (
-    SPATIAL_LAW,
-    LeverInSpace,
-    PlacedInSpace,
-    SpatialLaw,
     answer_in_space,
     approach,
     certified,
@@ -35,174 +32,12 @@ from dynamics_cli.impact.spatial_results import SpatialImpact, bounds
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
-    AngularSpeed,
-    AngularVelocity,
-    Direction,
-    Distance,
-    Friction,
     Gravity,
-    Inertia,
-    InertiaTensor,
-    Position,
-    Restitution,
-    Velocity,
 )
-from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.records import Advice, Numerics
 
 # What is this much smaller than what it is compared with is the rounding of the inputs, and absent.
 ABSENT = 1e-13
-# Rounding of the closed forms relative to the impulse, where K is not nearly singular.
-CLOSED = 1e-13
-
-
-@record
-class ByTensor:
-    """Inertia about the mass centre by its tensor.
-
-    Parameters
-    ----------
-    inertia : InertiaTensor
-        Inertia about the mass centre, along the axes of the scene [kg·m²].
-    """
-
-    inertia: InertiaTensor
-
-
-@record
-class ByMoment:
-    """Inertia of a body that turns about z only, or about any axis alike.
-
-    Parameters
-    ----------
-    moment : Inertia
-        Moment of inertia about the axis through the mass centre that the body turns about [kg·m²].
-    """
-
-    moment: Inertia
-
-
-@record
-class ByRadius:
-    """The same by the radius of gyration.
-
-    Parameters
-    ----------
-    radius_of_gyration : Distance
-        Radius of gyration about the axis through the mass centre that the body turns about [m].
-    """
-
-    radius_of_gyration: Distance
-
-
-@record
-class ByComponents:
-    """A velocity by its components.
-
-    Parameters
-    ----------
-    velocity : Velocity
-        Velocity of the mass centre [m/s].
-    """
-
-    velocity: Velocity
-
-
-@record
-class SpinVector:
-    """An angular velocity by its components.
-
-    Parameters
-    ----------
-    spin : AngularVelocity
-        Angular velocity [rad/s].
-    """
-
-    spin: AngularVelocity
-
-
-@record
-class YawRate:
-    """An angular velocity about z.
-
-    Parameters
-    ----------
-    yaw_rate : AngularSpeed
-        Angular velocity about z, from x towards y [rad/s].
-    """
-
-    yaw_rate: AngularSpeed
-
-
-@record
-class SceneBody:
-    """A body of a scene.
-
-    Parameters
-    ----------
-    bulk : ByMass | ByWeight | Fixed
-        Its mass or its weight, or that it is fixed.
-    turning : ByTensor | ByMoment | ByRadius
-        Its inertia; a particle has none.
-    arm : LeverInSpace | PlacedInSpace
-        Where it is struck; a particle at itself.
-    motion : ByComponents | BySpeed
-        Its velocity before; at rest when left out.
-    rotation : SpinVector | YawRate
-        Its angular velocity before; none when left out.
-    nose : Direction
-        Direction of its nose, for PDOF; its direction of travel when left out.
-    """
-
-    bulk: ByMass | ByWeight | Fixed
-    turning: ByTensor | ByMoment | ByRadius | None = None
-    arm: LeverInSpace | PlacedInSpace | None = None
-    motion: ByComponents | BySpeed = ByComponents(ZERO)
-    rotation: SpinVector | YawRate = YawRate(0.0)
-    nose: Direction | None = None
-
-
-@record
-class SceneContact:
-    """The contact of a scene.
-
-    Parameters
-    ----------
-    normal : Direction
-        Contact normal from the first body to the second, of any length.
-    restitution : Restitution
-        Coefficient of restitution [-].
-    friction : Friction
-        Coefficient of friction; none when left out [-].
-    law : SpatialLaw
-        What ends the impact: stronge, newton or poisson.
-    point : Position
-        Where the bodies touch, when bodies are placed by their centres [m].
-    """
-
-    normal: Direction
-    restitution: Restitution
-    friction: Friction = 0.0
-    law: SpatialLaw = SPATIAL_LAW
-    point: Position | None = None
-
-
-@record
-class Scene:
-    """Two bodies and a contact.
-
-    Parameters
-    ----------
-    first : SceneBody
-        The first body.
-    second : SceneBody
-        The second body.
-    contact : SceneContact
-        Their contact.
-    """
-
-    first: SceneBody
-    second: SceneBody
-    contact: SceneContact
 
 
 class _Seen:
@@ -392,7 +227,7 @@ def _smooth(seen: _Seen, name: str, advice: tuple[Advice, ...]) -> SpatialImpact
         history="slip without friction" if before[0] or before[1] else "no slip",
         slip_impulse=impulse,
     )
-    numerics = Numerics(f"closed form of a {name}", bounds((one, two), CLOSED))
+    numerics = Numerics(f"closed form of a {name}", bounds((one, two), k, before, end))
     return certified(end, (one, two), seen.frame, k, before, 0.0, seen.contact, seen.law, numerics, advice)
 
 
@@ -432,7 +267,9 @@ def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Spa
         slip_impulse=path.first_slip,
     )
     turns = seen.turns and seen.friction > 0.0
-    numerics = Numerics("closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, CLOSED))
+    numerics = Numerics(
+        "closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, k, seen.before, end)
+    )
     advice = _neglects(("the turning of the slip out of its plane", turns))
     return certified(
         end, seen.bodies, seen.frame, k, seen.before, seen.friction, seen.contact, seen.law, numerics, advice

@@ -30,9 +30,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Choice, Numerics, record
 
-# Proved by the references: the march keeps the impulse to this, relative to its size.
-TOLERANCE = 1e-12
-
 
 class SpatialLaw(Choice):
     """What ends an impact in space; the default is Stronge's energetic restitution, which never gains energy.
@@ -180,7 +177,8 @@ def spatial(
     -----
     The slip turns while it lasts. Its equations are marched by Taylor series of order 24 in τ, dp_n = |u_t| dτ: regular
     where slip nearly stops, and where a contact jams, so that the normal velocity is not monotone. After slip has
-    stopped all is linear: it sticks, or slips along the one way out. Impulses are good to 1e-12 of their size.
+    stopped all is linear: it sticks, or slips along the one way out. The bound stated
+    grows with the rounding of the closing speed and of K.
 
     References
     ----------
@@ -215,7 +213,7 @@ def answer_in_space(
     k = mobility(bodies, frame)
     end = travel(k, before, friction, contact.restitution, law)
     how = f"Taylor series of order 24, {end.steps} steps of slip" if end.steps else "closed form: no slip to follow"
-    numerics = Numerics(how, bounds(bodies, TOLERANCE))
+    numerics = Numerics(how, bounds(bodies, k, before, end))
     return certified(end, bodies, frame, k, before, friction, contact, law, numerics, advice)
 
 

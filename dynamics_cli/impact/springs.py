@@ -9,7 +9,7 @@ from dynamics_cli.impact.laws import ON_THE_PATH, Meeting, Outcome
 from dynamics_cli.impact.path import travel
 from dynamics_cli.numerics.elementary import atan2, exp, log, sqrt
 from dynamics_cli.quantities import Distance, Pressure, Stiffness
-from dynamics_cli.records import record
+from dynamics_cli.records import Advice, record
 
 HALF_PI = 1.5707963267948966
 # ∫₀¹ dx/√(1 − x^(5/2)) = √π Γ(2/5)/(5/2 · Γ(9/10))
@@ -68,6 +68,15 @@ def contact_history(
     rows = [_history(hertz, *row) for row in zip(*(column.tolist() for column in columns), strict=True)]
     table = np.array(rows)
     return table[:, 0], table[:, 1]  # type: ignore[return-value]
+
+
+def force_advice(force: Spring | Hertz | None, duration: float | None, law: str) -> tuple[Advice, ...]:
+    """Say so when a law knows no path along which a force could grow and fall."""
+    if force is None or duration is not None:
+        return ()
+    text = f"{law} gives impulses only, no path: there is no duration and no peak force by it"
+    mend = "--law stronge"
+    return tuple(Advice("no-path", text, "note", mend, result=name) for name in ("duration", "peak_force"))
 
 
 def _stiffness(force: Spring | Hertz) -> float:

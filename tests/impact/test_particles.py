@@ -356,3 +356,18 @@ def test_hunt_crossley_without_loss_is_hertz_and_knows_its_slope() -> None:
     for refused in (0.0, 0.0999):
         with pytest.raises(InadmissibleError, match=r"restitutions from 0\.1"):
             push(loss, refused)
+
+
+def test_sizes_no_calculation_can_carry_are_refused_by_name() -> None:
+    with pytest.raises(InadmissibleError, match=r"swing\.impact_distance is 1e-150"):
+        pendulum(shot_mass=0.01, block=Block(ByMass(3.0)), swing=Hinged(0.3, 1.1, 0.5, 1e-150))
+    with pytest.raises(InadmissibleError, match=r"first\.bulk\.mass is 1e\+60"):
+        hit(1e60, 1.0, 1.0, 0.0, 0.5)
+    # an angle may be as small as it likes
+    tiny = oblique(
+        first=Moving(ByMass(1.0), BySpeed(1.0, 1e-300)),
+        second=Met(ByMass(1.0)),
+        line=Normal(0.0),
+        contact=Restituted(0.5),
+    )
+    assert tiny.impulse == 0.75

@@ -220,6 +220,13 @@ def test_energetic_contacts_say_so() -> None:
 
 
 class TestStiffness:
+    @pytest.mark.parametrize("law", ["brach", "kudlich-slibar"])
+    def test_laws_without_a_path_have_no_duration(self, law: str) -> None:
+        document = answer(*CALL, "--law", law, "--contact-stiffness", "10 N/mm")
+        assert document["results"]["duration"] is None
+        assert document["results"]["peak_force"] is None
+        assert {one["code"] for one in document["warnings"]} == {"no-path"}
+
     def test_a_spring_gives_half_a_period(self) -> None:
         found = bounce(ball((0.0, -2.0)), 0.0, 1.0, force=Spring(400.0))
         assert found.duration == pytest.approx(math.pi / 20.0, rel=1e-14)
@@ -355,6 +362,11 @@ class TestRefusals:
         assert [one["code"] for one in document["warnings"]] == ["far-contact"]
         document = answer(*without("--first-lever"), "--first-lever", "0, 1 m")
         assert [one["code"] for one in document["warnings"]] == ["contact-behind"]
+
+    def test_moment_restitution_has_a_range(self) -> None:
+        assert (
+            run(*CALL, "--law", "brach", "--moment-restitution", "1.5", "--json").error["code"] == "moment-restitution"
+        )
 
     def test_moment_restitution_goes_with_brach(self) -> None:
         document = answer(*CALL, "--moment-restitution", "0.5")

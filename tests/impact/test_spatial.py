@@ -15,14 +15,13 @@ from dynamics_cli.impact import path
 from dynamics_cli.impact.conventions import ByMass, Fixed, Restituted
 from dynamics_cli.impact.hodograph import stick_ratio, travel, way_out
 from dynamics_cli.impact.spatial import (
-    TOLERANCE,
     BodyInSpace,
     LeverInSpace,
     SpatialLaw,
     TargetInSpace,
     spatial,
 )
-from dynamics_cli.impact.spatial_results import SpatialImpact
+from dynamics_cli.impact.spatial_results import ROUNDINGS, SpatialImpact
 
 FILE = "impact_spatial.json"
 LAWS = ("stronge", "newton", "poisson")
@@ -42,9 +41,12 @@ def test_impulses_are_right_within_the_stated_tolerance(case: dict[str, Any]) ->
     found = kernel(case)
     exact = [mpf(case["results"][f"impulse[{i}]"]) for i in range(3)]
     size = mp.sqrt(sum(x * x for x in exact))
-    # what the references show is far within what is stated
-    assert max(abs(mpf(a) - b) for a, b in zip(found.impulse, exact, strict=True)) <= 0.01 * TOLERANCE * size
-    assert abs(mpf(found.compression) - mpf(case["results"]["compression"])) <= 0.01 * TOLERANCE * size
+    k, u = case["inputs"]["mobility"], case["inputs"]["velocity"]
+    stretch = max(1.0, max(float(k[i][i]) for i in range(3)) * float(size) / -float(u[2]))
+    # K and the velocity are given here: their roundings, for which the rest of the bound is, are not in this error
+    limit = 0.05 * ROUNDINGS * stretch * size
+    assert max(abs(mpf(a) - b) for a, b in zip(found.impulse, exact, strict=True)) <= limit
+    assert abs(mpf(found.compression) - mpf(case["results"]["compression"])) <= limit
 
 
 def test_the_references_are_hard_enough() -> None:
@@ -254,4 +256,10 @@ class TestRefusals:
 
     def test_bounds_are_stated(self) -> None:
         bounds = answer(*CALL)["numerics"]["error_bound"]
-        assert bounds["impulse_magnitude"]["relative"] <= 2e-12
+        assert 1e-14 <= bounds["impulse_magnitude"]["relative"] <= 2e-12
+
+    def test_a_closing_speed_of_last_bits_widens_the_bound(self) -> None:
+        words = list(CALL)
+        words[words.index("--first-velocity") + 1] = "300, 1, -1e-9 m/s"
+        bound = answer(*words)["numerics"]["error_bound"]["impulse_magnitude"]["relative"]
+        assert bound >= 300.0 / 1e-9 * 1e-16
