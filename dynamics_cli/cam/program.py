@@ -249,19 +249,19 @@ def _levels(steps: "Sequence[Step]", swing: bool) -> "list[float]":
         )
         require(
             amount is None or amount > 0.0,
-            "segment {0} has a lift of {1:.6g}: a {2} goes a positive way",
+            "segment {0} has a lift of {1}: a {2} goes a positive way",
             number,
-            amount,
+            _shown(amount or 0.0, swing),
             segment.move,
             code="lift",
         )
-        levels.append(_next_level(now, step, amount, number))
-    _require_closed(levels)
+        levels.append(_next_level(now, step, amount, number, swing))
+    _require_closed(levels, swing)
     levels[-1] = 0.0
     return levels
 
 
-def _next_level(now: float, step: Step, amount: float | None, number: int) -> float:
+def _next_level(now: float, step: Step, amount: float | None, number: int, swing: bool) -> float:
     rising = step.segment.move == "rise"
     if amount is not None:
         then = now + amount if rising else now - amount
@@ -270,23 +270,28 @@ def _next_level(now: float, step: Step, amount: float | None, number: int) -> fl
     then = 0.0 if step.level is None else step.level
     require(
         then > now if rising else then < now,
-        "segment {0} is a {1} from {2:.6g} to {3:.6g}",
+        "segment {0} is a {1} from {2} to {3}",
         number,
         step.segment.move,
-        now,
-        then,
+        _shown(now, swing),
+        _shown(then, swing),
         code="lift",
         hint="a dwell stays, a rise goes up and a return goes down",
     )
     return then
 
 
-def _require_closed(levels: "list[float]") -> None:
+def _shown(level: float, swing: bool) -> str:
+    """A level as the trade reads it."""
+    return f"{level * 180.0 / pi:.6g} deg" if swing else f"{level * 1e3:.6g} mm"
+
+
+def _require_closed(levels: "list[float]", swing: bool) -> None:
     most = max(abs(level) for level in levels)
     require(
         abs(levels[-1]) <= 1e-12 * most,
-        "the program ends {0:.6g} from where it began: the cam would have a step",
-        levels[-1],
+        "the program ends {0} from where it began: the cam would have a step",
+        _shown(levels[-1], swing),
         code="not-closed",
         hint="add a return" if levels[-1] > 0.0 else "add a rise",
     )

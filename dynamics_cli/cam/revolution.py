@@ -162,7 +162,8 @@ def _table(found: Motion, count: int) -> "tuple[Any, Any]":
     for column, value in zip(values, last, strict=True):
         column[-1] = value
     names = ("swing" if found.swing else "lift", *NAMES[1:])
-    columns = dict(zip(names, values, strict=True))
+    # minus zero is zero
+    columns = {name: column + 0.0 for name, column in zip(names, values, strict=True)}
     if found.swing:
         return None, Columns(SwingPoint, angle=angles, **columns)
     return Columns(MotionPoint, angle=angles, **columns), None

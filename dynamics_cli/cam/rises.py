@@ -1,6 +1,6 @@
 """One rise at chosen angles, per radian and in time."""
 
-from math import inf
+from math import inf, pi
 
 from dynamics_cli.cam.choosing import Condition, SplinePoint, area_checks, chosen
 from dynamics_cli.cam.laws import Law, LawName
@@ -25,6 +25,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
 MOST_POINTS = 100_000
+DEGREES = 180.0 / pi
 METHOD = "closed form from the nearer end: lift and velocity within 1e-15 of the peak, acceleration 5e-15, jerk 5e-14"
 
 
@@ -177,7 +178,11 @@ def rise(
     """
     require(lift > 0.0, "a lift of {0:.6g} m is no rise", lift, code="lift", hint="a dwell needs no law")
     require(
-        span > 0.0, "a span of {0:.6g} rad leaves no room for the rise", span, code="span", hint="give a positive span"
+        span > 0.0,
+        "a span of {0:.6g} deg leaves no room for the rise",
+        span * DEGREES,
+        code="span",
+        hint="give a positive span",
     )
     require(1e-100 < lift < 1e100 and 1e-50 < span < 1e50, "lift or span is beyond what any cam has", code="range")
     require(
@@ -212,9 +217,9 @@ def _point(
 ) -> RisePoint:
     require(
         0.0 <= angle <= span,
-        "the angle {0:.6g} rad is not within the span, 0 to {1:.6g} rad",
-        angle,
-        span,
+        "the angle {0:.6g} deg is not within the span, 0 to {1:.6g} deg",
+        angle * DEGREES,
+        span * DEGREES,
         code="angle",
         hint="angles count from the start of the rise",
     )
@@ -224,7 +229,7 @@ def _point(
     side = -side if falling and 0.0 < x < 1.0 else side
     f, *slopes = _measured(law, (span - angle) / span if falling else x, (span - angle) / span, x, falling, side)
     signs = (-1.0, 1.0, -1.0) if falling else (1.0, 1.0, 1.0)
-    v, a, j = (sign * slope * scale for sign, slope, scale in zip(signs, slopes, scales[1:], strict=True))
+    v, a, j = (sign * slope * scale + 0.0 for sign, slope, scale in zip(signs, slopes, scales[1:], strict=True))
     s = lift * f
     if omega is None:
         return RisePoint(angle, s, v, a, j)
@@ -248,7 +253,7 @@ def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "
             found.append(
                 Advice(
                     code="infinite-" + DERIVATIVES[order],
-                    message=f"the {DERIVATIVES[continuity(law)[0] + 1]} jumps at {place:.6g} rad: "
+                    message=f"the {DERIVATIVES[continuity(law)[0] + 1]} jumps at {place * DEGREES:.6g} deg: "
                     f"the {DERIVATIVES[order]} has no greatest value",
                     severity="serious" if order < 3 else "caution",
                     mend="take a law of higher continuity, such as cycloidal or 3-4-5",

@@ -103,7 +103,7 @@ class Form:
         least, most = motion.stroke
         size = max(abs(least), abs(most)) or 1.0
         angles = [motion.start + 2.0 * pi * (i + 0.4142135) / count for i in range(count)]
-        return max(abs(self.at(angle) - motion.at(angle, 0)[0]) for angle in angles) / size
+        return float(max(abs(self.at(angle) - motion.at(angle, 0)[0]) for angle in angles) / size)
 
     def written(self) -> str:
         """The form in words: millimetres (or degrees) and degrees, as the book writes it."""

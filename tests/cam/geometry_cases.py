@@ -25,9 +25,9 @@ STEEP = "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloida
 SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
 
 
-def cases() -> list[dict[str, Any]]:
+def cases(task: str = "profile") -> list[dict[str, Any]]:
     path = HERE.parent / "references" / "cam_geometry.json"
-    return json.loads(path.read_text(encoding="utf-8"))["cases"]  # type: ignore[no-any-return]
+    return [case for case in json.loads(path.read_text(encoding="utf-8"))["cases"] if case["task"] == task]
 
 
 def follower_of(tree: dict[str, str]) -> Any:

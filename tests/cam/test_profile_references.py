@@ -6,6 +6,7 @@ import pytest
 from geometry_cases import NOTHING, cases, follower_of
 from mpmath import mp, mpf
 
+from dynamics_cli.cam import size
 from dynamics_cli.cam.followers import Flank, Rotation
 from dynamics_cli.cam.profile import profile
 
@@ -77,3 +78,23 @@ def test_the_table_agrees_with_itself(case: dict) -> None:
     for index in range(len(arrays["x"])):
         x, y = float(arrays["x"][index]), float(arrays["y"][index])
         assert hypot(x, y) == pytest.approx(float(arrays["radius"][index]), rel=1e-15, abs=1e-300)
+
+
+SIZES = cases("size")
+
+
+@pytest.mark.parametrize("case", SIZES, ids=[case["name"] for case in SIZES])
+def test_sizes_are_within_1e_12(case: dict) -> None:
+    mp.dps = 50
+    given = case["inputs"]
+    tree = given["follower"]
+    follower = getattr(size, tree["record"])(**{k: float(v) for k, v in tree.items() if k != "record"})
+    limits = {key: float(value) for key, value in given.items() if key.endswith(("_limit", "_radius"))}
+    made = size.size(NOTHING, program=given["program"], follower=follower, **limits)
+    start = mpf(case["results"].get("start_radius", case["results"]["base_radius"]))
+    for name, text in case["results"].items():
+        assert abs(mpf(getattr(made, name)) - mpf(text)) <= mpf("1e-12") * abs(start), name
+    bound = made.numerics.bounds[0]
+    assert bound.result == "base_radius"
+    reference = mpf(case["results"]["base_radius"])
+    assert abs(mpf(made.base_radius) - reference) <= mpf(bound.bound) * abs(reference)

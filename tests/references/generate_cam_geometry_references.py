@@ -12,7 +12,7 @@ import json
 from itertools import pairwise
 from pathlib import Path
 
-from mpmath import acos, asin, atan2, cos, diff, exp, findroot, mp, mpc, mpf, nstr, pi, sin, sqrt
+from mpmath import acos, asin, atan2, cos, diff, exp, findroot, mp, mpc, mpf, nstr, pi, sin, sqrt, tan
 
 mp.dps = 60
 HERE = Path(__file__).resolve().parent
@@ -467,29 +467,117 @@ def answers(segments, follower, turn, side, swing):
     return out
 
 
+SIZES = [
+    ("two limits", "", CYCLE, "0.006", "0.5", "0.5", None),
+    ("unequal limits", "", RISES, "0.008", "0.35", "0.6", None),
+    ("in line", "", CYCLE, "0.006", "0.5", "0.4", "0"),
+    ("offset given", "", RISES, "0.006", "0.5", "0.4", "0.004"),
+    (
+        "wide limits that differ",
+        "the nearest point may be a foot in place of the apex",
+        RISES,
+        "0.0001",
+        "1.5",
+        "1.3",
+        None,
+    ),
+    (
+        "limits of a tenth of a degree",
+        "the cam is hundreds of times its lift",
+        CYCLE,
+        "0.006",
+        "0.0017",
+        "0.0017",
+        None,
+    ),
+    (
+        "a rise of a nanometre beside one of millimetres",
+        "the steepest place is within 1.7e-6 rad",
+        TINY,
+        "0.0001",
+        "0.5",
+        "0.5",
+        None,
+    ),
+    ("fall below the base circle", "the lift is negative and the floor counts", BELOW, "0.001", "0.6", "0.6", None),
+]
+FLATS = [
+    ("flat face", "", CYCLE, "0.004"),
+    ("flat face, steep", "", STEEP, "0.001"),
+    ("flat face without a least radius", "the curve comes to a point", RISES, "0"),
+    ("flat face, rise in 0.01 deg", "s″ is large where the lift is ten nanometres", SHORT, "0.002"),
+]
+
+
+def size_answers(segments, roller_radius, rise, back, offset):
+    lift = Lift([(span, law, mpf(float(to))) for span, law, to in segments])
+    zones = list(smooth_zones(lift))
+    c1, c2 = 1 / tan(mpf(float(rise))), 1 / tan(mpf(float(back)))
+    a = extreme(lambda s, t: diff(s, t) * c1 - s(t), zones, 1)
+    b = extreme(lambda s, t: -diff(s, t) * c2 - s(t), zones, 1)
+    if offset is not None:
+        e = mpf(float(offset))
+        d = max(a - e * c1, b + e * c2)
+    else:
+        # the nearest of: both feet where they keep the other line, and the apex
+        choices = [((a - b) / (c1 + c2), (a * c2 + b * c1) / (c1 + c2))]
+        foot = (a * c1 / (1 + c1**2), a / (1 + c1**2))
+        if foot[1] - foot[0] * c2 >= b:
+            choices.append(foot)
+        foot = (-b * c2 / (1 + c2**2), b / (1 + c2**2))
+        if foot[1] + foot[0] * c1 >= a:
+            choices.append(foot)
+        e, d = min(choices, key=lambda pair: pair[0] ** 2 + pair[1] ** 2)
+    radius = sqrt(e**2 + d**2)
+    return {"base_radius": radius - mpf(float(roller_radius)), "offset": e, "start_radius": radius}
+
+
+def size_cases():
+    for name, why, segments, roller_radius, rise, back, offset in SIZES:
+        mp.dps = 60
+        follower = {"record": "Roller", "roller_radius": roller_radius} | ({} if offset is None else {"offset": offset})
+        inputs = {
+            "program": program_text(segments, *MM),
+            "follower": follower,
+            "rise_limit": rise,
+            "return_limit": back,
+        }
+        yield name, why, inputs, size_answers(segments, roller_radius, rise, back, offset)
+    for name, why, segments, least in FLATS:
+        mp.dps = 60
+        lift = Lift([(span, law, mpf(float(to))) for span, law, to in segments])
+        low = extreme(lambda s, t: s(t) + diff(s, t, 2), list(smooth_zones(lift)), -1)
+        inputs = {"program": program_text(segments, *MM), "follower": {"record": "FlatFace"}, "least_radius": least}
+        yield name, why, inputs, {"base_radius": mpf(float(least)) - low}
+
+
+def written(task, name, why, inputs, results):
+    return {
+        "task": task,
+        "kind": "hard" if why else "ordinary",
+        "name": name,
+        **({"why": why} if why else {}),
+        "inputs": inputs,
+        "results": {key: nstr(value, 40, min_fixed=1, max_fixed=0) for key, value in results.items()},
+    }
+
+
 def main():
-    cases = []
+    cases = [written("size", *case) for case in size_cases()]
+    print(len(cases), "sizes")
     for name, why, segments, follower, turn, side in CASES:
         swing = follower["record"] in ("OscillatingRoller", "OscillatingFlat", "ConjugateOscillatingRoller")
         mp.dps = 60
         found = answers(segments, follower, turn, side, swing)
         text = program_text(segments, *(("deg", 1) if swing else MM))
-        cases.append(
-            {
-                "task": "profile",
-                "kind": "hard" if why else "ordinary",
-                "name": name,
-                **({"why": why} if why else {}),
-                "inputs": {
-                    "program": text,
-                    "follower": follower,
-                    "rotation": "counter-clockwise" if turn > 0 else "clockwise",
-                    "flank": "inner" if side > 0 else "outer",
-                    "points": COUNT,
-                },
-                "results": {key: nstr(value, 40, min_fixed=1, max_fixed=0) for key, value in found.items()},
-            }
-        )
+        inputs = {
+            "program": text,
+            "follower": follower,
+            "rotation": "counter-clockwise" if turn > 0 else "clockwise",
+            "flank": "inner" if side > 0 else "outer",
+            "points": COUNT,
+        }
+        cases.append(written("profile", name, why, inputs, found))
         print(name)
     (HERE / "cam_geometry.json").write_text(
         json.dumps({"cases": cases}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
