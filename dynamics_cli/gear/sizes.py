@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
+_FIELDS = tuple(Toothing.__annotations__)
 # Flanks that lean farther than this from their middle hold no pin of sensible size.
 _WIDEST = 1.5
 # Van Keuren's wire for external gears, in modules.
@@ -118,12 +119,12 @@ def thinned(gear: Toothing, allowance: float) -> float:
 
 def bare(gear: Toothing) -> Toothing:
     """The same gear in plain doubles, for choosing."""
-    return Toothing(**{name: plain(value) for name, value in gear.__dict__.items()})
+    return Toothing(*(plain(getattr(gear, name)) for name in _FIELDS))
 
 
 def with_shift(gear: Toothing, shift: float) -> Toothing:
     """The same blank cut with another profile shift."""
-    return Toothing(**{**gear.__dict__, "shift": shift})
+    return Toothing(*(shift if name == "shift" else getattr(gear, name) for name in _FIELDS))
 
 
 # ---- span ----
