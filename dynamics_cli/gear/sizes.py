@@ -119,12 +119,12 @@ def thinned(gear: Toothing, allowance: float) -> float:
 
 def bare(gear: Toothing) -> Toothing:
     """The same gear in plain doubles, for choosing."""
-    return Toothing(*(plain(getattr(gear, name)) for name in _FIELDS))
+    return Toothing(*(plain(getattr(gear, name)) for name in _FIELDS))  # type: ignore[arg-type]
 
 
 def with_shift(gear: Toothing, shift: float) -> Toothing:
     """The same blank cut with another profile shift."""
-    return Toothing(*(shift if name == "shift" else getattr(gear, name) for name in _FIELDS))
+    return Toothing(*(shift if name == "shift" else getattr(gear, name) for name in _FIELDS))  # type: ignore[arg-type]
 
 
 # ---- span ----
