@@ -9,13 +9,14 @@ from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.trochoid import Cutter
-from dynamics_cli.numerics.elementary import absolute, atan2, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.quantities import Angle, DiametralPitch, Module, Ratio, Size
 from dynamics_cli.records import Advice, Choice, record
 
 FULL_DEPTH = 20.0 * pi / 180.0
-INCH = 0.0254
+# Modules between these [m] keep every length of a gear within the range of doubles.
+SMALLEST, LARGEST = 1e-12, 1e3
 # ISO 54, in mm: the series to prefer, and the second.
 SERIES_I = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
 SERIES_II = (1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 6.5, 7, 9, 11, 14, 18, 22, 28, 36, 45)
@@ -291,6 +292,13 @@ class Gear:
         return atan2(sin(self.rack.pressure_angle), cos(self.rack.pressure_angle) * cos(self.helix_angle))
 
     @property
+    def transverse_cosine(self) -> float:
+        """Cos α_t, from the sides of its triangle: accurate also for steep helices."""
+        along = cos(self.rack.pressure_angle) * cos(self.helix_angle)
+        across = sin(self.rack.pressure_angle)
+        return along / sqrt(across * across + along * along)
+
+    @property
     def base_helix_angle(self) -> float:
         """β_b: sin β_b = sin β·cos α_n."""
         sine, cosine = sin(self.rack.pressure_angle), cos(self.rack.pressure_angle)
@@ -305,7 +313,7 @@ class Gear:
     @property
     def base_diameter(self) -> float:
         """d_b = d·cos α_t."""
-        return self.reference_diameter * cos(self.transverse_angle)
+        return self.reference_diameter * self.transverse_cosine
 
     @property
     def tip_diameter(self) -> float:
@@ -326,7 +334,10 @@ class Gear:
     def base_half_angle(self) -> float:
         """ψ_b: half the angle of a tooth on the base circle; of ISO's sign, negative for an internal gear."""
         across = 0.5 * pi + 2.0 * self.shift * tan(self.rack.pressure_angle)
-        return across / self.teeth + involute(self.transverse_angle)
+        tangent = tan(self.rack.pressure_angle) / cos(self.helix_angle)
+        # near 90° the tangent says more than the angle
+        own = involute(self.transverse_angle) if tangent < 1.0 else tangent - atan(tangent)
+        return across / self.teeth + own
 
     @property
     def cutter(self) -> Cutter:
@@ -378,6 +389,21 @@ class Gear:
         return diameter * (self.base_half_angle - roll_less_arc(self.roll(diameter)))
 
 
+def module_of(pitch: "Pitch", helix_angle: float) -> float:
+    """The normal module of what was given; refuses a size no gear has, where doubles would leave their range."""
+    lean = absolute(helix_angle)
+    require(lean < 0.5 * pi, "a helix angle of {0:.6g} rad never winds", helix_angle, code="helix-angle")
+    module = pitch.normal(cos(lean))
+    require(
+        (module > SMALLEST) & (module < LARGEST),
+        "a module of {0:.6g} mm makes no teeth",
+        1e3 * module,
+        code="module",
+        hint="modules from 1e-9 mm to 1e6 mm are taken",
+    )
+    return module
+
+
 def signed_gear(
     teeth: int,
     module: float,
@@ -391,7 +417,6 @@ def signed_gear(
 ) -> Gear:
     """A gear from numbers in the user's convention; `tip_change` is in modules and negative shortens."""
     require(teeth >= 1, "{0} teeth make no gear", teeth, code="teeth")
-    require(module > 0.0, "a module of {0:.6g} mm makes no teeth", 1e3 * module, code="module")
     lean = absolute(helix_angle)
     require(lean < 0.5 * pi, "a helix angle of {0:.6g} rad never winds", helix_angle, code="helix-angle")
     own = -shift if internal and sign == "outward" else shift

@@ -97,6 +97,8 @@ def glossary(*terms: Text) -> Glossary:
 
 def _matching(term: str) -> "list[tuple[str, ...]]":
     """The entry of that very name, else those whose name, symbol or other names hold the words."""
+    if not term:
+        return []
     names = [entry for entry in TERMS if term == entry[0] or term in entry[2].lower().split(", ")]
     if names:
         return names

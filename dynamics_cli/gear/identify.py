@@ -3,7 +3,7 @@
 from math import pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.gear import INCH, SERIES_I, SERIES_II
+from dynamics_cli.gear.gear import SERIES_I, SERIES_II
 from dynamics_cli.gear.toothing import Toothing
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.quantities import Angle, Coordinate, Count, Module, Ratio, Size, Text
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
+INCH = 0.0254
 SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
 DIAMETRAL_PITCHES = (
     1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
@@ -224,17 +225,22 @@ def _candidates(
     pitch: float | None,
     room: float,
 ) -> "Iterator[Candidate]":
-    from dynamics_cli.gear.sizes import shift_from_span
+    from dynamics_cli.gear.sizes import span_length
 
+    bare = []
+    for degrees in PRESSURE_ANGLES:
+        angle = degrees * pi / 180.0
+        unit = Toothing(teeth, False, 1.0, angle, helix_angle, 0.0, 1.0, 1.0)
+        # of module one and without shift: m times this, and 2 x m sin α more, is a span
+        bare.append((degrees, angle, sum(span_length(unit, one.over) for one in spans) / len(spans)))
+    read = sum(one.length for one in spans) / len(spans)
     for name, module in _sizes():
-        for degrees in PRESSURE_ANGLES:
-            angle = degrees * pi / 180.0
+        for degrees, angle, length in bare:
             own = pi * module * cos(angle)
             error = None if pitch is None else pitch - own
             if error is not None and abs(error) > 6.0 * room:
                 continue
-            gear = Toothing(teeth, False, module, angle, helix_angle, 0.0, 1.0, 1.0)
-            shift = sum(shift_from_span(gear, one.over, one.length) for one in spans) / len(spans)
+            shift = (read / module - length) / (2.0 * sin(angle))
             if abs(shift) > 2.5:
                 continue
             addendum = None

@@ -14,7 +14,7 @@ from dynamics_cli.gear.engagement import (
     specific_sliding,
 )
 from dynamics_cli.gear.forces import BearingLoad, Bearings, ToothForces, bearing_loads, loss_factor, tooth_forces
-from dynamics_cli.gear.gear import Hand, Pitch, Profile, Sign, basic_rack, module_advice, signed_gear
+from dynamics_cli.gear.gear import Hand, Pitch, Profile, Sign, basic_rack, module_advice, module_of, signed_gear
 from dynamics_cli.gear.interference import Verdict, verdicts
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.pair_data import ContactPoint, Mate, PairData
@@ -146,7 +146,7 @@ def pair(
     lean = absolute(helix_angle)
     angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
     rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = pitch.normal(cos(lean))
+    module = module_of(pitch, lean)
     gears = [
         signed_gear(
             mate.teeth,
@@ -350,8 +350,10 @@ def _advice(
         Advice(
             "interference",
             f"{verdict.kind}: {-1e3 * plain(verdict.margin):.4g} mm too far",
-            "serious" if not verdict.kind.startswith("root") else "caution",
-            "change the profile shifts, shorten the tips, or choose other tooth numbers",
+            "caution" if verdict.kind.startswith(("root", "trimming")) else "serious",
+            "put the pinion in along its axis"
+            if verdict.kind.startswith("trimming")
+            else "change the profile shifts, shorten the tips, or choose other tooth numbers",
         )
         for verdict in found
         if not verdict.free

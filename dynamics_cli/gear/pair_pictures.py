@@ -87,7 +87,7 @@ def _teeth(made: "PairData", z1: int, z2: int, internal: bool, helix_angle: floa
     line = Curve(
         [r1 - s * sin(work) for s in ends_of_path], [s * cos(work) for s in ends_of_path], "path of contact", "thin"
     )
-    items = [
+    items: list[Any] = [
         _outline(0.0, own, -one(r1), 2.0 * pi / z1, "first", 0),
         _outline(centre, mate, middle, 2.0 * pi / z2, "second", 1),
         _arc(0.0, r1, 0.0, 3.0 * pi / z1),
@@ -112,7 +112,7 @@ def _sliding(made: "PairData", internal: bool) -> "tuple[Panel, Panel]":
     other = -pitch.second_curvature if internal else pitch.second_curvature
     steps = [start.path + (end.path - start.path) * k / (4 * POINTS) for k in range(4 * POINTS + 1)]
     slope = 2.0 * (1.0 + 1.0 / u) / made.first_working_diameter
-    bands = tuple(Band(point.path, point.path, point.point) for point in made.points)
+    bands: tuple[Any, ...] = tuple(Band(point.path, point.path, point.point) for point in made.points)
     factor = Panel(
         PATH,
         Axis("sliding over pitch line velocity", Ratio),

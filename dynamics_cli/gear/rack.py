@@ -3,11 +3,11 @@
 from math import pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.gear import Pitch, Profile, basic_rack, module_advice, signed_gear
+from dynamics_cli.gear.gear import Pitch, Profile, basic_rack, module_advice, module_of, signed_gear
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.single import normal_pressure_angle
 from dynamics_cli.gear.trochoid import root
-from dynamics_cli.numerics.elementary import absolute, cos, sin, tan
+from dynamics_cli.numerics.elementary import absolute, sin, tan
 from dynamics_cli.quantities import Angle, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Teeth, Torque
 from dynamics_cli.records import Advice, record
 
@@ -171,7 +171,7 @@ def rack(
     lean = absolute(helix_angle)
     angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
     basic = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = pitch.normal(cos(lean))
+    module = module_of(pitch, lean)
     gear = signed_gear(teeth, module, basic, helix_angle=lean, shift=profile_shift, tip_change=-tip_shortening / module)
     thickness = gear.tip_thickness
     require(thickness >= 0.0, "the gear's teeth are pointed below their tips", code="pointed", hint="lower the shift")

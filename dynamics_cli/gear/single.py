@@ -13,6 +13,7 @@ from dynamics_cli.gear.gear import (
     SpurPitch,
     basic_rack,
     module_advice,
+    module_of,
     signed_gear,
 )
 from dynamics_cli.gear.limits import LEAST_TIP, least_shift, plain, pointed_shift
@@ -209,7 +210,7 @@ def spur(
     33.829
     """
     rack = basic_rack(profile, pressure_angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = pitch.normal(1.0)
+    module = module_of(pitch, 0.0)
     gear = signed_gear(
         teeth,
         module,
@@ -310,7 +311,7 @@ def helical(
     require(lean < 0.5 * pi, "a helix angle of {0:.6g} rad never winds", helix_angle, code="helix-angle")
     angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
     rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = pitch.normal(cos(lean))
+    module = module_of(pitch, lean)
     gear = signed_gear(
         teeth,
         module,
@@ -437,18 +438,16 @@ def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
     """The tip thickness again from the tooth thickness at the reference circle."""
     from dynamics_cli.numerics.involute import involute
 
-    thickness = gear.thickness(gear.reference_diameter) / gear.reference_diameter if _reaches(gear) else None
-    if thickness is None:
+    steepness = tan(plain(gear.transverse_angle))
+    if steepness > 10.0:
         return ()
-    angle = atan(roll)
-    again = gear.tip_diameter * (thickness + involute(gear.transverse_angle) - involute(angle))
-    residual = absolute(plain(again) - plain(tip_thickness)) / plain(gear.module)
-    tolerance = 1e-13 * (abs(gear.teeth) + 10.0)
+    turn = involute(plain(gear.transverse_angle)) - involute(atan(plain(roll)))
+    across = 0.5 * pi + 2.0 * plain(gear.shift) * tan(plain(gear.rack.pressure_angle))
+    again = plain(gear.tip_diameter) * (across / gear.teeth + turn)
+    residual = absolute(again - plain(tip_thickness)) / plain(gear.module)
+    size = abs(plain(gear.tip_diameter)) / plain(gear.module)
+    tolerance = 1e-13 * (size + 10.0) * (1.0 + steepness * steepness)
     return (Check("tooth thickness at the tip", residual <= tolerance, residual, tolerance),)
-
-
-def _reaches(gear: Gear) -> bool:
-    return abs(plain(gear.reference_diameter)) >= abs(plain(gear.base_diameter))
 
 
 def _advice(

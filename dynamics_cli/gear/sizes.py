@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
+_FIELDS = tuple(Toothing.__annotations__)
 # Flanks that lean farther than this from their middle hold no pin of sensible size.
 _WIDEST = 1.5
 # Van Keuren's wire for external gears, in modules.
@@ -116,9 +117,14 @@ def thinned(gear: Toothing, allowance: float) -> float:
     return gear.shift - change if gear.internal else gear.shift + change
 
 
+def bare(gear: Toothing) -> Toothing:
+    """The same gear in plain doubles, for choosing."""
+    return Toothing(*(plain(getattr(gear, name)) for name in _FIELDS))  # type: ignore[arg-type]
+
+
 def with_shift(gear: Toothing, shift: float) -> Toothing:
     """The same blank cut with another profile shift."""
-    return Toothing(**{**gear.__dict__, "shift": shift})
+    return Toothing(*(shift if name == "shift" else getattr(gear, name) for name in _FIELDS))  # type: ignore[arg-type]
 
 
 # ---- span ----
@@ -165,11 +171,12 @@ def ideal_over(gear: Toothing) -> float:
 def spans_that_serve(gear: Toothing) -> list[int]:
     """Every number of teeth whose span touches on the flanks."""
     low, high = _flank(gear)
-    return [
-        over
-        for over in range(1, max(gear.teeth // 2, int(2.0 * plain(ideal_over(gear)))) + 2)
-        if low <= plain(span_contact(gear, span_length(gear, over))) <= high and plain(span_length(gear, over)) > 0.0
-    ]
+    most = max(gear.teeth // 2, int(2.0 * ideal_over(gear)))
+    return [over for over in range(1, most + 2) if _touches(gear, span_length(gear, over), low, high)]
+
+
+def _touches(gear: Toothing, length: float, low: float, high: float) -> bool:
+    return length > 0.0 and low <= span_contact(gear, length) <= high
 
 
 def _flank(gear: Toothing) -> tuple[float, float]:
@@ -188,7 +195,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
         hint="measure between balls",
     )
     ideal = ideal_over(gear)
-    serving = spans_that_serve(gear)
+    serving = spans_that_serve(bare(gear))
     chosen = over
     if chosen is None:
         require(bool(serving), "no span touches on the flanks", code="span-off-flank", hint="measure over pins")
@@ -375,12 +382,13 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     chosen = pin
     if chosen is None:
         near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
-        chosen = next((one for one in standard_pins(near) if _serves(gear, one)), None)
+        own = bare(gear)
+        chosen = next((one for one in standard_pins(near) if _serves(own, one)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:
         require(chosen > 0.0, "a pin of {0:.6g} mm is none", 1e3 * chosen, code="pin")
-        trouble = pin_trouble(gear, chosen)
+        trouble = pin_trouble(bare(gear), plain(chosen))
         if trouble is not None:
             words, numbers = trouble
             require(

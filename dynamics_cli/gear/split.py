@@ -106,7 +106,7 @@ def _balanced(
 
     own = bare(first), bare(second), plain(distance), plain(angle), plain(total)
     grid = [-1.0 + 0.05 * k for k in range(61)]
-    values = []
+    values: list[float | None] = []
     for shift in grid:
         try:
             values.append(difference(shift, *own))

@@ -1,7 +1,7 @@
 """The terms of gearing: a table of words."""
 
 # term; symbol; other names; formula; meaning
-TERMS = (
+TERMS: tuple[tuple[str, ...], ...] = (
     ("addendum", "h_a", "head", "h_a = (h_a* + x + k)·m_n", "how far a tooth rises above its reference circle"),
     ("angle of action", "φ_α", "", "φ_α = g_α/r_b", "how far a gear turns while one of its teeth is in contact"),
     ("angle of approach", "φ_f", "", "φ_f = g_f/r_b", "how far a gear turns from first contact to the pitch point"),

@@ -6,6 +6,25 @@ from dynamics_cli.numerics.elementary import atan2, cos, sin, sqrt
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.records import record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from functools import cached_property as once
+else:
+    # functools would cost a shell user more than it saves; a tracked number costs a thousand times a float.
+    class once:  # noqa: N801
+        """A property that is calculated once."""
+
+        def __init__(self, method):
+            self.method = method
+            self.name = method.__name__
+            self.__doc__ = method.__doc__
+
+        def __get__(self, instance, owner):
+            if instance is None:
+                return self
+            value = instance.__dict__[self.name] = self.method(instance)
+            return value
+
 
 @record
 class Toothing:
@@ -43,43 +62,43 @@ class Toothing:
     root: float
     form: float | None = None
 
-    @property
+    @once
     def transverse_angle(self) -> float:
         """Transverse pressure angle α_t."""
         return atan2(sin(self.pressure_angle), cos(self.pressure_angle) * cos(self.helix_angle))
 
-    @property
+    @once
     def pitch_radius(self) -> float:
         """Pitch radius r."""
         return self.teeth * self.module / (2.0 * cos(self.helix_angle))
 
-    @property
+    @once
     def base_radius(self) -> float:
         """Base radius r_b."""
         return self.pitch_radius * cos(self.transverse_angle)
 
-    @property
+    @once
     def base_helix_cosine(self) -> float:
         """The cosine of the base helix angle, cos β_b = √(1 − (sin β cos α_n)²)."""
         across = sin(self.helix_angle) * cos(self.pressure_angle)
         return sqrt((1.0 - across) * (1.0 + across))
 
-    @property
+    @once
     def pitch_involute(self) -> float:
         """The involute of the pressure angle, inv α_t."""
         return involute(self.transverse_angle)
 
-    @property
+    @once
     def shift_angle(self) -> float:
         """2 x tan α_n/z: what the profile shift adds to half the tooth (or to half the space of an internal gear)."""
         return 2.0 * self.shift * sin(self.pressure_angle) / (cos(self.pressure_angle) * self.teeth)
 
-    @property
+    @once
     def solid_half(self) -> float:
         """Half angle at the base circle of what the involutes bound: the tooth, or an internal gear's space."""
         return 0.5 * pi / self.teeth + self.shift_angle + self.pitch_involute
 
-    @property
+    @once
     def hollow_half(self) -> float:
         """Half angle at the base circle of what lies between: the space, or an internal gear's tooth."""
         return 0.5 * pi / self.teeth - self.shift_angle - self.pitch_involute

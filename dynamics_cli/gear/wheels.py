@@ -161,7 +161,7 @@ def wheels(
     wraps: tuple[float | None, float | None] = (None, None)
     if belt:
         distance, span, wraps = _belt(first, second, centre_distance, drive)
-        length = 2.0 * span + first * wraps[0] + second * wraps[1]  # type: ignore[operator]
+        length = 2.0 * span + first * wraps[0] + second * wraps[1]
         if friction is not None:
             least = wraps[0] if plain(wraps[0]) <= plain(wraps[1]) else wraps[1]
             tension = exp(friction * least)
@@ -229,7 +229,7 @@ def _rolling(first: float, second: float, distance: float | None, drive: str) ->
         code="equal-wheels",
     )
     require(
-        distance is None or absolute(distance - apart) <= 1e-9 * (first + second),  # type: ignore[operator]
+        distance is None or absolute(distance - apart) <= 1e-9 * (first + second),
         "rolling wheels of these diameters are {0:.9g} mm apart, not {1:.9g} mm",
         1e3 * plain(apart),
         None if distance is None else 1e3 * plain(distance),

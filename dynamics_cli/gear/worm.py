@@ -291,6 +291,13 @@ def worm(
         hint="give the worm a larger diameter, or a smaller lead angle",
     )
     shift = profile_shift * module
+    require(
+        wheel + 2.0 * (shift - ded) > 0.0,
+        "the wheel's root would have a diameter of {0:.6g} mm",
+        1e3 * (wheel + 2.0 * (shift - ded)),
+        code="no-wheel-root",
+        hint="give it more teeth, or a larger profile shift",
+    )
     rho = atan(friction / cos(pressure_angle))
     require(
         gamma + rho < 0.5 * pi,
@@ -322,7 +329,7 @@ def worm(
         wheel_diameter=wheel,
         throat_diameter=wheel + 2.0 * (add + shift),
         wheel_outer_diameter=wheel + 2.0 * (add + shift) + module,
-        wheel_root_diameter=absolute(wheel + 2.0 * (shift - ded)),
+        wheel_root_diameter=wheel + 2.0 * (shift - ded),
         throat_radius=0.5 * diameter - add,
         face_width=2.0 * module * sqrt(diameter / module + 1.0),
         friction_angle=rho,

@@ -135,10 +135,10 @@ def involute(phi: float) -> float:
             return _near(phi)
         return math.tan(phi) - phi
     if hasattr(phi, "dtype"):
-        return _involute_of_array(phi)
+        return _involute_of_array(phi)  # type: ignore[no-any-return]
     if isinstance(phi, int):
         return involute(float(phi))
-    return _involute_in_other_numbers(phi)
+    return _involute_in_other_numbers(phi)  # type: ignore[no-any-return]
 
 
 def _near(phi: float) -> float:
@@ -217,10 +217,10 @@ def inverse_involute(value: float) -> float:
     if type(value) is float:
         return _inverse(value)
     if hasattr(value, "dtype"):
-        return _inverse_of_array(value)
+        return _inverse_of_array(value)  # type: ignore[no-any-return]
     if isinstance(value, int):
         return _inverse(float(value))
-    return _inverse_in_other_numbers(value)
+    return _inverse_in_other_numbers(value)  # type: ignore[no-any-return]
 
 
 def _inverse(value: float) -> float:
