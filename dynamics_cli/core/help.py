@@ -1,6 +1,6 @@
 """Help, from the signature and the docstrings that stand beside it."""
 
-from dynamics_cli.core.specification import REQUIRED, Leaf, Option, Record
+from dynamics_cli.core.specification import REQUIRED, Leaf, Option, Record, Tagged
 from dynamics_cli.core.task import Task
 
 TYPE_CHECKING = False
@@ -62,6 +62,8 @@ def _default(option: Option) -> str:
     leaf = option.leaf
     if leaf is not None and leaf.kind.default:
         return leaf.kind.default
+    if leaf is not None and leaf.kind.form == "range":
+        return "..".join(map(str, option.default))  # type: ignore[call-overload]
     if (leaf is not None and leaf.kind.form == "fraction") or not isinstance(option.default, float):
         return str(option.default)
     unit = leaf.kind.unit if leaf is not None else ""
@@ -91,6 +93,8 @@ def _describe(
     item = getattr(node, "item", node)
     members = getattr(item, "members", ())
     records = members.values() if isinstance(members, dict) else members
+    if isinstance(item, Tagged):
+        made.setdefault((*prefix, item.key), f"One of {', '.join(item.members)}")
     if isinstance(item, Leaf):
         text = texts.get(key) or texts.get(key + "_")
         if text:

@@ -327,7 +327,7 @@ def _spread_options(
     elif isinstance(node, Tagged):
         key_path = (*prefix, node.key)
         key_name = kebab("_".join(key_path))
-        found[key_name] = Option(key_name, key_path, Leaf(PLAIN_TEXT), default=REQUIRED, required=required)
+        found[key_name] = Option(key_name, key_path, _tag_leaf(node), default=REQUIRED, required=required)
         for member in node.members.values():
             _record_options(member, prefix, found, inside, False)
     else:
@@ -339,6 +339,11 @@ def _spread_options(
             group = kebab(item[0].cls.__name__) if len(item) == 1 else name
             group = kebab("_".join((*prefix, group)))
             found[group] = Option(group, path, None, group=name, default=(), required=False)
+
+
+def _tag_leaf(node: Tagged) -> Leaf:
+    """The leaf of the option that chooses among tagged records: their names are its values."""
+    return Leaf(PLAIN_TEXT, type(node.key, (Choice,), {"names": tuple(node.members)}))
 
 
 def _record_options(
