@@ -7,14 +7,19 @@ from dynamics_cli.inertia.parts import Part, Walk, each_number
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point
 from dynamics_cli.inertia.report import reported
 from dynamics_cli.inertia.rotation import Turn, matrix_of
+from dynamics_cli.inertia.spread import plain
 from dynamics_cli.quantities import PartPosition, Text
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.inertia.compose import Composed
 
-# Beyond this many parts the rounding bound is left out: it would take longer than the answer.
+# Beyond this many numbers the derivatives by all of them are left out, and beyond this many parts the rounding bound:
+# they would take longer than the answer.
+MOST_SLOPES = 150
 BOUNDED_PARTS = 2000
 
 
@@ -100,6 +105,8 @@ def body(
     AxisMoments(xx=0.0, yy=12.0, zz=12.0)
     """
     whole = compose_scene(scene)
+    if not whole.sloped:
+        about_point, turn, shaft = each_number((about_point, turn, shaft), plain, _tracked())
     words, point = named_point(about, about_point, whole.origins)
     view = View(
         words,
@@ -112,18 +119,44 @@ def body(
     return reported(whole, view)
 
 
-def compose_scene(scene: Assembly) -> "Composed":
-    """Put an assembly together, on numbers that carry their rounding where there are not too many."""
+def _tracked() -> type:
     from dynamics_cli.numerics.tracked import Tracked
 
-    parts = scene.parts
-    bounded = _count(parts) <= BOUNDED_PARTS
-    if bounded:
-        parts = each_number(parts, lambda x: Tracked(x, 0.0, ()))
-    walk = Walk()
+    return Tracked
+
+
+def compose_scene(scene: Assembly) -> "Composed":
+    """Put an assembly together; tracked numbers carry their rounding along, and their slopes where these are few."""
+    parts, width = _carried(scene.parts)
+    walk = Walk(width)
     walk.into(parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     require(walk.leaves, "the assembly has no body", code="empty")
-    return composed(walk, tracked=bounded)
+    return composed(walk, asked=_width(scene.parts) is not None)
+
+
+def _carried(parts: "tuple[Part, ...]") -> "tuple[tuple[Part, ...], int | None]":
+    """The parts with as much on their numbers as is worth its time, and how many slopes that is (None: bare)."""
+    from dynamics_cli.numerics.tracked import Tracked
+
+    width = _width(parts)
+    if width is None or width <= MOST_SLOPES:
+        return parts, width
+    if _count(parts) > BOUNDED_PARTS:
+        return each_number(parts, plain, Tracked), None
+    return each_number(parts, lambda x: Tracked(x.value, 0.0, ()), Tracked), 0
+
+
+def _width(tree: "Any") -> int | None:
+    """How many slopes the first tracked number of a tree has; None when its numbers are bare."""
+    if hasattr(tree, "slopes"):
+        return len(tree.slopes)
+    if isinstance(tree, tuple):
+        found = map(_width, tree)
+    elif hasattr(tree, "fields"):
+        found = map(_width, (getattr(tree, name) for name in tree.fields))
+    else:
+        return None
+    return next((width for width in found if width is not None), None)
 
 
 def _count(parts: "tuple[Part, ...]") -> int:

@@ -148,7 +148,7 @@ def compare(scene: Pair, /) -> Compared:
         "tensor_distance": _distance(rows),
     }
     bounds: list[ErrorBound] = []
-    scalars = {name: stated(name, value, bounds) for name, value in found.items()}
+    scalars = found if a.sloped else {name: stated(name, value, bounds) for name, value in found.items()}
     return Compared(
         **scalars,
         centroid_shift=shift,

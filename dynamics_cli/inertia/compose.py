@@ -28,16 +28,17 @@ if TYPE_CHECKING:
 class Composed:
     """An assembly as one lump in its own frame, its principal second moments, and the lumps of its leaves."""
 
-    def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, bounded: bool) -> None:
+    def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, asked: bool) -> None:
+        self.sloped = bool(walk.width)
+        self.unbounded = asked and walk.width is None
         self.leaves = walk.leaves
         self.origins = walk.origins
         self.lump = lump
         self.spread = spread
         self.pieces = pieces
-        self.bounded = bounded
 
 
-def composed(walk: "Walk", *, tracked: bool) -> Composed:
+def composed(walk: "Walk", *, asked: bool) -> Composed:
     """Put the leaves of a walk together.
 
     Raises
@@ -56,7 +57,7 @@ def composed(walk: "Walk", *, tracked: bool) -> Composed:
     spread = _second_pass(leaves, base, first)  # type: ignore[arg-type]
     lump = Lump(whole.mass, centroid, whole.second)
     placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
-    return Composed(walk, lump, spread, placed, bounded=tracked)
+    return Composed(walk, lump, spread, placed, asked=asked)
 
 
 def _piece(leaf: "Leaf", base: "Vector", frame: "Matrix") -> Lump:

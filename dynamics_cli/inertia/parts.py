@@ -92,9 +92,13 @@ class Leaf:
 
 
 class Walk:
-    """Gathers the leaves of an assembly and the origins of its named parts."""
+    """Gathers the leaves of an assembly and the origins of its named parts.
 
-    def __init__(self) -> None:
+    `width` is how many slopes its numbers have, None when they are bare.
+    """
+
+    def __init__(self, width: int | None = None) -> None:
+        self.width = width
         self.leaves: list[Leaf] = []
         self.origins: dict[str, Vector] = {}
 
@@ -109,7 +113,7 @@ class Walk:
                 turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
             self._name(part, own, place)
             kept = -sign if part.subtract else sign
-            lump, measure = lump_of(part, own)
+            lump, measure = lump_of(part, own, self.width)
             if lump is not None:
                 self.leaves.append(Leaf(own, part, lump, place, turn, kept, measure))
             else:
@@ -135,7 +139,7 @@ class Walk:
         self.origins[own] = place
 
 
-def lump_of(part: Part, own: str) -> "tuple[Lump | None, Any]":
+def lump_of(part: Part, own: str, width: int | None) -> "tuple[Lump | None, Any]":
     """What a part itself weighs, in its own axes, and its measure by dimension; None when it is only an assembly."""
     given = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
     require(
@@ -150,7 +154,7 @@ def lump_of(part: Part, own: str) -> "tuple[Lump | None, Any]":
     if part.shape is not None:
         return _shaped(part, own)
     if part.mesh:
-        return _meshed(part, own)
+        return _meshed(part, own, width)
     if part.amount is None:
         return None, None
     return _weighed(part, own)
@@ -217,7 +221,7 @@ def _weighed(part: Part, own: str) -> "tuple[Lump, Any]":
     return Lump(mass, middle, second_of(part.tensor)), None
 
 
-def _meshed(part: Part, own: str) -> "tuple[Lump, Any]":
+def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
     from dynamics_cli.inertia.mesh.lift import Lift
     from dynamics_cli.inertia.mesh.measured import measured, require_closed
 
@@ -231,11 +235,11 @@ def _meshed(part: Part, own: str) -> "tuple[Lump, Any]":
     found = measured(part.mesh, shell=False)
     require_closed(found, allowed=False)
     require(found.moments.measure != 0.0, "the mesh of {0} encloses nothing", own, code="no-volume")
-    lift = Lift(found, part.length_unit, 0)  # type: ignore[arg-type]
+    lift = Lift(found, part.length_unit, width or 0)  # type: ignore[arg-type]
     volume = lift.measure()
     mass = mass_of(_amount(part, own), volume, 3, own)
     lump = Lump(mass, lift.centroid(), lift.second(mass / volume))
-    if hasattr(part.position[0], "error"):
+    if width is not None:
         return lump, (3, volume)
     return each_number(lump, plain, type(volume)), (3, plain(volume))
 

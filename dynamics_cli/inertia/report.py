@@ -25,7 +25,9 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     answer = properties(whole.lump, view, spread=whole.spread, **measures)
     rows, cancels = _shares(whole, view, answer)
     bounds: list[ErrorBound] = []
-    values = {name: stated(name, getattr(answer, name), bounds) for name in answer.fields}  # type: ignore[attr-defined]
+    values = dict(answer.__dict__)
+    if not whole.sloped:
+        values = {name: stated(name, value, bounds) for name, value in values.items()}  # type: ignore[attr-defined]
     values |= {
         "parts": rows,
         "cancellation": cancels,
@@ -126,6 +128,6 @@ def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ..
                 mend="use a hollow shape with its wall thickness instead of a solid less a solid",
             )
         )
-    if not whole.bounded:
+    if whole.unbounded:
         found.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
     return tuple(found)

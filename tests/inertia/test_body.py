@@ -15,12 +15,13 @@ from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.amount import OfDensity, OfMass
 from dynamics_cli.inertia.assembly import Assembly, body
 from dynamics_cli.inertia.compare import Pair, compare
-from dynamics_cli.inertia.parts import Part
+from dynamics_cli.inertia.parts import Part, each_number
 from dynamics_cli.inertia.properties import MassProperties
 from dynamics_cli.inertia.report import bare
 from dynamics_cli.inertia.rotation import AxisAngle, ByMatrix, ByQuaternion, Euler, departure, matrix_of
 from dynamics_cli.inertia.shape import shape
 from dynamics_cli.inertia.shapes import Block, Cylinder, Disk, HollowSphere, Rod, Sphere
+from dynamics_cli.numerics.tracked import Tracked
 
 ROOT = Path(__file__).parents[2]
 STEEL = OfDensity(7850.0)
@@ -343,7 +344,10 @@ def test_hostile_scenes_are_refused_in_order(tmp_path: Path, tree: Any, status: 
 
 
 def test_many_parts_are_answered_without_a_bound() -> None:
-    found = body(Assembly(parts=parts(5, 2100)))
+    def tracked(x: float) -> Tracked:
+        return Tracked(x, 0.0, (0.0,) * 200)
+
+    found = body(each_number(Assembly(parts=parts(5, 2100)), tracked))
     assert found.advice[0].code == "no-bound"
     assert found.mass == pytest.approx(sum(part.amount.mass for part in parts(5, 2100)), rel=1e-13)  # type: ignore[union-attr]
 

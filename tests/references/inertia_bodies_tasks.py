@@ -106,5 +106,5 @@ def answers(task: str, inputs: dict[str, Any]) -> tuple[Any, Any]:
         given = {name: plain(value) for name, value in inputs.items()}
         return torque(**given), torque(**{name: tracked(value) for name, value in given.items()})
     scene = Assembly(parts=tuple(part_of(item) for item in inputs["parts"]))
-    whole = compose_scene(scene)
+    whole = compose_scene(tracked(scene))
     return body(scene), _Whole(whole.lump, whole.spread)

@@ -102,7 +102,6 @@ BODY = Task(
         assumptions=("parts are rigid and of one density each", "a hole lies within its body"),
     ),
     arrays=False,
-    tracked=False,
     table="parts",
     writers=WRITERS,
     plot=HERE + "pictures:body_picture",
@@ -123,7 +122,6 @@ COMPARE = Task(
         method="composition of each; Jacobi rotations",
     ),
     arrays=False,
-    tracked=False,
     table="moments",
     examples=("dynamics inertia compare examples/compare_plates.toml",),
 )
