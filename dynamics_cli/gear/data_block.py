@@ -3,9 +3,10 @@
 from math import pi
 
 from dynamics_cli.gear.gear import FULL_DEPTH, Hand, Pitch, Profile, Sign
+from dynamics_cli.gear.gear_data import GearData
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.measure import Measurements, measure
-from dynamics_cli.gear.single import GearData, helical
+from dynamics_cli.gear.single import helical
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Teeth, Text
 from dynamics_cli.records import Advice, record
 

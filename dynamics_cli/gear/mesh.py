@@ -398,6 +398,7 @@ def _tips_meet(overlap: float) -> tuple[Advice, ...]:
 
 
 def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:
+    # absolute bounds are in the unit shown, at most a thousand to the metre
     # α_w = acos(Σr_b/a): a rounding of a is worth cot α_w of it
     angle = path.pressure_angle
     spread = 8.0 * 2.0**-53 / max(tan(angle), 1e-8)
@@ -407,9 +408,9 @@ def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:
         "profiles turned point by point",
         (
             ErrorBound("centre_distance", 2.0**-49),
-            ErrorBound("working_pressure_angle", spread + 2.0**-50, relative=False),
+            ErrorBound("working_pressure_angle", spread / max(angle, 1e-8) + 2.0**-50),
             ErrorBound("contact_ratio", loose),
             ErrorBound("nominal_contact_ratio", loose),
-            ErrorBound("backlash", 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
+            ErrorBound("backlash", 1e3 * 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
         ),
     )

@@ -22,6 +22,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.gear.pair_data import Mate
 
+ROUNDING = 1e-15
+
 
 class Split(Choice):
     """How the sum of profile shifts is divided between two gears."""
@@ -139,7 +141,8 @@ def _tipped(
     if tips == "clearance":
         shifted = reference_distance(first, second) + first.module * (first.shift + second.shift)
         change = (mesh.centre_distance - shifted) / first.module
-        if plain(change) >= 0.0:
+        # at the reference distance what is left is rounding
+        if plain(change) >= -ROUNDING * abs(plain(mesh.centre_distance)) / plain(first.module):
             change = None
     made = []
     for gear, mate in ((first, one), (second, two)):

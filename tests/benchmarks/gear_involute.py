@@ -1,4 +1,4 @@
-"""Inverse involute: time and error of the series beside Newton, brentq, scipy's vectorised root, py_gearworks.
+"""Inverse involute: time and error of the series beside Newton, brentq and scipy's vectorised root.
 
 Run: python tests/benchmarks/gear_involute.py. Peers that are not installed are left out. All in one run; times are
 processor time, the best of several, over a million angles; errors in units of the last place against 60 digits.
@@ -117,12 +117,6 @@ def main() -> None:
         each = best(lambda: [brent(v) for v in some[:300]], 3) / 300 * 1e9
         print(f"one at a time: brentq {each:.0f} ns, {each / one:.1f} ×")
         methods["brentq"] = lambda values: np.array([brent(float(v)) for v in values])
-    try:
-        from py_gearworks.core import inverse_involute as theirs  # type: ignore[import-not-found]
-    except ImportError:
-        print("py_gearworks: not installed, or without an inverse involute of its own")
-    else:
-        methods["py_gearworks"] = lambda values: np.array([theirs(float(v)) for v in values])
     print(f"\n{'largest error, ulp':32s} " + " ".join(f"{name:>18s}" for name in BANDS))
     for name, method in methods.items():
         cells = []

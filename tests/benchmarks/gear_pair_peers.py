@@ -84,7 +84,7 @@ def main() -> None:
                         one.base_half_angle,
                         two.base_half_angle,
                         2 * float(pi) / two.teeth,
-                    )  # fmt: skip
+                    )
                 )
 
             found, took = timed(theirs)

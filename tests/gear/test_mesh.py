@@ -232,3 +232,44 @@ def test_what_cannot_be_is_refused(arguments: dict, code: str) -> None:
     with pytest.raises(InadmissibleError) as caught:
         mesh(pitch=M2, **arguments)
     assert caught.value.code == code
+
+
+@pytest.mark.parametrize(
+    ("z1", "z2", "x1", "x2", "internal"),
+    [(12, 24, 0.6, 0.36, False), (17, 51, 0.0, 0.0, False), (30, 90, -0.2, 0.3, False), (25, 70, 0.1, -0.2, True)],
+)
+def test_the_stated_bounds_hold(z1: int, z2: int, x1: float, x2: float, internal: bool) -> None:
+    """Against 50 digits from the same doubles: distance, working angle, nominal contact ratio, no backlash."""
+    from mpmath import acos, cos, findroot, mp, mpf, pi, sqrt, tan
+
+    mp.dps = 50
+    answer = mesh(
+        first_teeth=z1,
+        second_teeth=z2,
+        pitch=M2,
+        first_profile_shift=x1,
+        second_profile_shift=x2,
+        internal=internal,
+        points=10,
+    )
+    m, alpha = mpf(2 * MM), mpf(20.0 * math.pi / 180.0)
+    sign = -1 if internal else 1
+    teeth, shifts = z1 + sign * z2, mpf(x1) + mpf(x2)
+    inv = tan(alpha) - alpha + 2 * shifts * tan(alpha) / teeth
+    working = findroot(lambda a: tan(a) - a - inv, mpf(answer.working_pressure_angle))
+    b1, b2 = z1 * m * cos(alpha) / 2, z2 * m * cos(alpha) / 2
+    distance = abs(b1 + sign * b2) / cos(working)
+    a1 = z1 * m / 2 + m * (1 + mpf(x1))
+    a2 = z2 * m / 2 + sign * m * (1 + mpf(x2))
+    assert acos(abs(b1 + sign * b2) / distance) - working < mpf(10) ** -40
+    reach = sqrt(a1**2 - b1**2) + sign * sqrt(a2**2 - b2**2) - sign * distance * mp.sin(working)
+    ratio = reach / (2 * pi * b1 / z1)
+    bounds = {one.result: one.bound for one in answer.numerics.bounds}
+    for name, wanted in (
+        ("centre_distance", distance),
+        ("working_pressure_angle", working),
+        ("nominal_contact_ratio", ratio),
+    ):
+        assert abs(mpf(getattr(answer, name)) / wanted - 1) <= bounds[name], name
+        assert bounds[name] < 1e-13, name
+    assert abs(answer.backlash) <= bounds["backlash"]
