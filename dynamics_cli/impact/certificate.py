@@ -22,8 +22,10 @@ def certificate(
     states = (one, answer.first), (two, answer.second)
     checks = _momentum(states, size)
     checks += _turning(states, answer.moment_impulse, size)
-    checks += _kinematics(states, found, inward)
-    work = found.scale + absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
+    # what the impulse moves at the contact in the direction that gives way most: all its parts are rounded beside it
+    moved = (m.mobility.tangential + m.mobility.normal) * size
+    checks += _kinematics(states, found, inward, moved)
+    work = found.scale + moved * size + absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -found.lost, work)
     if not plain(m.restitution) > 1.0:
@@ -63,9 +65,11 @@ def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | No
     return checks
 
 
-def _kinematics(states: "tuple[tuple[Solid, AfterPlanar], ...]", found: Outcome, inward: Pair) -> tuple[Check, ...]:
+def _kinematics(
+    states: "tuple[tuple[Solid, AfterPlanar], ...]", found: Outcome, inward: Pair, least: float
+) -> tuple[Check, ...]:
     """Velocities after, taken to the contact, give the relative velocity the law ended with."""
-    speeds, relative = 0.0, [0.0, 0.0]
+    speeds, relative = least, [0.0, 0.0]
     for (body, end), way in zip(states, (1.0, -1.0), strict=True):
         x = end.velocity[0] - end.spin * body.lever[1]
         y = end.velocity[1] + end.spin * body.lever[0]

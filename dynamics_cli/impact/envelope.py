@@ -3,8 +3,10 @@
 from dynamics_cli.errors import require
 from dynamics_cli.impact.bodies import RigidBody, RigidTarget, Solid, cross, solid
 from dynamics_cli.impact.conventions import AXES, Axes, direction_of
+from dynamics_cli.impact.diagnostics import require_finite
 from dynamics_cli.impact.laws import LAW, ON_THE_PATH, Law, Meeting
 from dynamics_cli.impact.planar import meeting_of
+from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -257,6 +259,8 @@ def envelope(
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
     meeting = meeting_of(one, two, inward, closing_speed, 0.0, 0.0, 1.0)
+    size = max(absolute(meeting.approach), absolute(meeting.slip))
+    require_finite(8.0 * size * size / meeting.mobility.normal, "the energy of the impact")
     e = np.linspace(least_restitution, greatest_restitution, restitution_points)
     mu = np.linspace(least_friction, greatest_friction, friction_points)
     region = _Region(meeting, law, e, mu)
@@ -288,7 +292,9 @@ class _Region:
         function = impulses if self.law in ON_THE_PATH else ratio_impulses
         pn, pt = function(k.tangential, k.coupling, k.normal, k.determinant, m.slip, m.approach, mu, e, law=self.law)
         kx = k.coupling
-        lost = -pn * (m.approach + 0.5 * k.normal * pn + kx * pt) - pt * (m.slip + 0.5 * k.tangential * pt)
+        # beside points with an answer there may be points of any size without one
+        with np.errstate(all="ignore"):
+            lost = -pn * (m.approach + 0.5 * k.normal * pn + kx * pt) - pt * (m.slip + 0.5 * k.tangential * pt)
         if self.law != "stronge":
             gains = lost < -1e-12 * (np.abs(pn * m.approach) + np.abs(pt * m.slip))
             pn = np.where(gains, np.nan, pn)

@@ -5,7 +5,7 @@ u_t' = −μ K_tt u_t + k_tn |u_t|: regular where the slip nearly stops and turn
 not monotone (a contact that jams), so that neither step by impulse nor step by normal velocity would do.
 """
 
-from math import exp, inf, log, sqrt
+from math import exp, log, sqrt
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,8 +44,10 @@ def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "S
     x, y, v, p, fx, fy, w, h = ([value] for value in start)
     s = [sqrt(x[0] * x[0] + y[0] * y[0])]
     double = 0.5 / s[0]
+    # τ in units of its own, so that no coefficient leaves the range
+    unit = 1.0 / ((1.0 + friction) * max(k11, k22, k33))
     for i in range(order):
-        scale = 1.0 / (i + 1)
+        scale = unit / (i + 1)
         xi, yi, si = x[i], y[i], s[i]
         x.append((k13 * si - friction * (k11 * xi + k12 * yi)) * scale)
         y.append((k23 * si - friction * (k12 * xi + k22 * yi)) * scale)
@@ -66,7 +68,8 @@ def reach(coefficients: "Series", order: int, stride: float) -> float:
     """How far the series may go."""
     x, y = coefficients[X], coefficients[Y]
     size = max(abs(x[0]), abs(y[0]))
-    radius = inf
+    # where the slip hardly changes, no farther than compression and restitution can last
+    radius = 1e3 * (1.0 + abs(coefficients[V][0]) / size)
     for index in (order - 1, order):
         last = max(abs(x[index]), abs(y[index]))
         if last > 0.0:

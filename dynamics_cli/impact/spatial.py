@@ -249,7 +249,7 @@ def certified(
         hint="--law stronge never gains energy",
     )
     answer = report(end, bodies, frame, k, before, lost, law, numerics, contact_advice(contact) + advice)
-    checks = certificate(answer, end, bodies, frame, friction, restitution, law, before)
+    checks = certificate(answer, end, bodies, frame, k, friction, restitution, law, before)
     return SpatialImpact(**{**answer.__dict__, "checks": checks})
 
 

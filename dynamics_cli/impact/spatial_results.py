@@ -238,6 +238,7 @@ def certificate(
     end: End,
     bodies: tuple[SolidInSpace, SolidInSpace],
     frame: Matrix,
+    k: Matrix,
     friction: float,
     restitution: float,
     law: str,
@@ -249,8 +250,10 @@ def certificate(
     checks = _momentum(states, size)
     for state, name in zip(states, ("first", "second"), strict=True):
         checks += _turning(*state, name, size)
-    checks += _contact(states, end, frame, before)
-    work = end.work + end.heat + abs(answer.first.energy_change) + abs(answer.second.energy_change)
+    # what the impulse moves at the contact in the direction that gives way most: all its parts are rounded beside it
+    moved = max(k[0][0], k[1][1], k[2][2]) * size
+    checks += _contact(states, end, frame, before, moved)
+    work = end.work + end.heat + moved * size + abs(answer.first.energy_change) + abs(answer.second.energy_change)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
     if restitution <= 1.0:
@@ -292,11 +295,11 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     return balance(f"angular momentum of the {name} about the contact", sqrt(dot(apart, apart)), 0.0, scale)
 
 
-def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector) -> tuple[Check, ...]:
+def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector, least: float) -> tuple[Check, ...]:
     """Velocities after, taken to the contact, give the relative velocity that the path ended with."""
     moved = [add(after.velocity, cross(after.spin, body.lever)) for body, after in states]
     relative = subtract(moved[0], moved[1])
-    speeds = abs(before[2]) + hypot(before[0], before[1])
+    speeds = least + abs(before[2]) + hypot(before[0], before[1])
     for (body, after), velocity in zip(states, moved, strict=True):
         reach = sqrt(dot(body.lever, body.lever))
         speeds += sqrt(dot(velocity, velocity)) + reach * (

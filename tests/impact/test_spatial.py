@@ -263,3 +263,24 @@ class TestRefusals:
         words[words.index("--first-velocity") + 1] = "300, 1, -1e-9 m/s"
         bound = answer(*words)["numerics"]["error_bound"]["impulse_magnitude"]["relative"]
         assert bound >= 300.0 / 1e-9 * 1e-16
+
+    @pytest.mark.parametrize(
+        ("mass", "lever", "velocity", "friction"),
+        [
+            ("1e-30 kg", "1, 2, 0 m", "1, 1, 2 m/s", "100"),
+            ("1 kg", "1, 2, 3 m", "1, 1, 2 m/s", "1e200"),
+            ("1 kg", "1, 0, 0 m", "1, 1, 2 m/s", "1e-300"),
+            ("1 kg", "1, 2, 3 m", "1, 1e-9, 0 m/s", "1e-300"),
+            ("1e30 kg", "1, 2, 3 m", "1e-9, 1, 2 m/s", "0.3"),
+            ("1 kg", "1e9, 2, 3 m", "1, 1, 2 m/s", "0.3"),
+        ],
+    )
+    def test_sizes_far_from_one(self, mass: str, lever: str, velocity: str, friction: str) -> None:
+        size = float(mass.split()[0])
+        inertia = f"[[{size}, 0, 0], [0, {1.2 * size}, 0], [0, 0, {1.1 * size}]] kg*m^2"
+        document = answer(
+            "impact", "spatial", "--first-mass", mass, "--first-inertia", inertia,
+            "--first-lever", lever, "--first-velocity", velocity, "--second-fixed", "--normal", "1, 0, 0",
+            "--friction", friction, "--restitution", "0.4",
+        )  # fmt: skip
+        assert document["results"]["normal_impulse"]["value"] > 0.0
