@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.section.contours import Hole, Piece
 from dynamics_cli.inertia.section.pictures import section_picture
-from dynamics_cli.inertia.section.task import section
+from dynamics_cli.inertia.section.task import Drawn, section
 from dynamics_cli.pictures import Arrow, Curve, Mark
 
 U = 2.0**-53
@@ -201,7 +201,7 @@ def test_the_command_answers_in_units() -> None:
 def test_the_picture_shows_contours_axes_and_mohrs_circle() -> None:
     holes = (Hole(diameter=4.0, x=4.0, y=30.0),)
     made = section(polygon=ELL, holes=holes)
-    shape, mohr = section_picture(made, polygon=ELL, holes=holes).panels
+    shape, mohr = section_picture(made, Drawn(polygon=ELL, holes=holes)).panels
     curves = [item for item in shape.items if isinstance(item, Curve)]
     assert [curve.style for curve in curves] == ["solid", "dashed"]
     assert (curves[0].x[0], curves[0].y[0]) == (curves[0].x[-1], curves[0].y[-1])

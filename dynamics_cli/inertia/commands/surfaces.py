@@ -34,7 +34,7 @@ SECTION = Task(
     "Area, centroid, second moments, principal axes and section moduli of a plane section with holes.",
     Model(
         "exact area integrals",
-        "dynamics_cli.inertia.section.task:section",
+        "dynamics_cli.inertia.section.task:section_of",
         source=BOOK + "chapter 7 and appendix II; Mohr's circle: section 7.9",
         formula="{area|A} = ½·Σ (xᵢ·yⱼ − xⱼ·yᵢ), Ix = Σ (xᵢ·yⱼ − xⱼ·yᵢ)·(yᵢ² + yᵢ·yⱼ + yⱼ²)/12 − A·ȳ², "
         "{principal.i1|I₁} = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²)",
@@ -46,6 +46,7 @@ SECTION = Task(
     plot="dynamics_cli.inertia.section.pictures:section_picture",
     examples=(
         'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
+        "dynamics inertia section examples/channel.toml",
         'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',
         'dynamics inertia section --piece "width=50 mm, height=30 mm" '
         """--hole 'polygon="-10, -5, 10, -5, 0, 10 mm"' --digits 8""",

@@ -9,7 +9,7 @@ from dynamics_cli.quantities import Coordinate, SecondMoment
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.section.contours import Hole, Piece
-    from dynamics_cli.inertia.section.task import SectionProperties
+    from dynamics_cli.inertia.section.task import Drawn, SectionProperties
 
 STEPS = 96
 # Points of Mohr's circle this close, as a share of its radius, share a name.
@@ -17,16 +17,10 @@ CLOSE = 0.06
 MATERIAL, CUT, AXES = 0, 1, 2
 
 
-def section_picture(
-    answer: "SectionProperties",
-    *,
-    polygon: "tuple[float, ...]" = (),
-    pieces: "tuple[Piece, ...]" = (),
-    holes: "tuple[Hole, ...]" = (),
-    **_: object,
-) -> Picture:
+def section_picture(answer: "SectionProperties", drawn: "Drawn") -> Picture:
     """The section and its principal axes; Mohr's circle."""
-    return Picture((_shape(answer, polygon, pieces, holes), _mohr(answer)), "section", columns=2)
+    shape = _shape(answer, drawn.polygon, drawn.pieces, drawn.holes)
+    return Picture((shape, _mohr(answer)), "section", columns=2)
 
 
 def _shape(

@@ -170,6 +170,41 @@ class SectionProperties:
     numerics: Numerics | None = None
 
 
+@record
+class Drawn:
+    """A section as drawn: in a file, or by options.
+
+    Parameters
+    ----------
+    polygon : tuple of Coordinate
+        Corners x1, y1, x2, y2, … of the outline in order, either way round [m].
+    pieces : tuple of Piece
+        Material, as further polygons, circles and rectangles.
+    holes : tuple of Hole
+        Holes, as polygons, circles and rectangles within the material.
+    """
+
+    polygon: tuple[Coordinate, ...] = ()
+    pieces: tuple[Piece, ...] = ()
+    holes: tuple[Hole, ...] = ()
+
+
+def section_of(drawn: Drawn, /) -> SectionProperties:
+    """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a section as drawn.
+
+    Parameters
+    ----------
+    drawn : Drawn
+        The section, from a file or by options.
+
+    Returns
+    -------
+    SectionProperties
+        As `section` gives them, which says how.
+    """
+    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes)
+
+
 def section(
     *, polygon: tuple[Coordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
 ) -> SectionProperties:
