@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 # Arrays of more points leave the processor's cache, which costs more than twice the time a point.
 LARGEST_BLOCK = 1 << 13
+# Sets of points whose results are kept.
+MOST_KNOWN = 4096
 # A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
 _PIVOT = 1e-12
 
@@ -43,6 +45,8 @@ class Space:
         self.heavy = any(made.std == np.inf for made in self.distributions)
         self.results: list[str] = []
         self.points = 0
+        # A model that is asked case by case is dear, and its results are often asked for at the same points.
+        self._known: dict[bytes, Array] | None = None if getattr(model, "arrays", True) else {}
 
     @property
     def size(self) -> int:
@@ -66,7 +70,15 @@ class Space:
         if count > LARGEST_BLOCK:
             parts = [self.evaluate(z[:, i : i + LARGEST_BLOCK]) for i in range(0, count, LARGEST_BLOCK)]
             return np.concatenate(parts, axis=1)
-        return self.evaluate_inputs(self.inputs(z), count)
+        if self._known is None:
+            return self.evaluate_inputs(self.inputs(z), count)
+        key = z.tobytes()
+        made = self._known.get(key)
+        if made is None:
+            made = self.evaluate_inputs(self.inputs(z), count)
+            if len(self._known) < MOST_KNOWN:
+                self._known[key] = made
+        return made
 
     def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
         """Every result at so many cases of the inputs."""
