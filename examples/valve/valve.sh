@@ -8,7 +8,7 @@ dynamics cam size valve.toml --follower roller --roller-radius "9 mm" --rise-lim
 dynamics cam check valve.toml --follower roller --base-radius "28 mm" --roller-radius "9 mm" --json |
     jq -r '.results | "fits: \(.fits), undercut: \(.undercut), pressure angle to \(.largest_pressure_angle.value * 100 | round / 100) deg, " +
         "least radius \(.least_convex_radius.value * 100 | round / 100) mm"'
-dynamics cam force valve.toml --mass "0.12 kg" --spring-rate "30 N/mm" --preload "250 N" --shaft-speed "3000 rpm" --json |
+dynamics cam force valve.toml --mass "0.12 kg" --spring-rate "30 N/mm" --preload "300 N" --shaft-speed "3000 rpm" --json |
     jq -r '.results | "jump speed \(.jump_speed.value | round) \(.jump_speed.unit), contact force \(.least_force.value | round) to \(.greatest_force.value | round) \(.greatest_force.unit)"'
 dynamics cam export valve.toml --follower roller --base-radius "28 mm" --roller-radius "9 mm" --tolerance "1 um" \
     --drawing "$work/valve.dxf" --json > "$work/valve.json"
