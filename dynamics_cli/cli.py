@@ -83,6 +83,10 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
             from dynamics_cli.errors import OutputError
 
             raise OutputError(f"cannot read or write: {error.strerror or error}") from error
+        except RecursionError:
+            raise UsageError(
+                "the input is nested too deeply", code="nested", hint="some dozens of levels work"
+            ) from None
         except Exception as error:
             if terminal.environ.get(DEBUG_VARIABLE):
                 raise

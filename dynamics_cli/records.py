@@ -131,7 +131,7 @@ class Advice:
 
 @record
 class ErrorBound:
-    """A bound that a solver or an exact calculation states for one of its results; absolute ones in the unit shown."""
+    """A bound that a solver states for one of its results; absolute ones in SI, or in the unit the result carries."""
 
     result: str
     bound: float

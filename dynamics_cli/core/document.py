@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.quantities import Kind
+    from dynamics_cli.records import ErrorBound
 
 UNIT_ROUNDOFF = 2.0**-53
 # Below these a bound is said as a share of the number, else in the number's own unit.
@@ -31,6 +32,7 @@ class _Walk:
         self.answer = answer
         self.cells: dict[str, _Cells] = {}
         self.bounds: dict[str, dict[str, Any] | None] = {}
+        self.shown: dict[str, Shown] = {}
         self.conditions: dict[str, dict[str, float]] = {}
         self.input_rounding: dict[str, dict[str, Any]] = {}
         self.checks: list[Check] = []
@@ -120,7 +122,7 @@ class _Walk:
         return out
 
     def _scalar(self, value: "Any", kind: "Kind", address: str, *, table: bool) -> "dict[str, Any]":
-        shown = self.display.of(address, kind)
+        shown = self.shown[address] = self.display.of(address, kind)
         number = plain(value)
         _finite(number, address)
         out = _quantity(shown.value(number), shown.text)
@@ -149,7 +151,7 @@ class _Walk:
         self.input_rounding[address] = {"relative": round_up(total * UNIT_ROUNDOFF)}
 
     def _vector(self, value: "Any", kind: "Kind", address: str) -> "dict[str, Any]":
-        shown = self.display.of(address, kind)
+        shown = self.shown[address] = self.display.of(address, kind)
 
         def show(part: "Any") -> "Any":
             if isinstance(part, tuple | list):
@@ -247,14 +249,24 @@ def _stated_bounds(walk: _Walk) -> None:
             message = f"no bound can be stated for the rounding of {address}: it may exceed the result itself"
             walk.advice.append(Advice("no-bound", message))
     for bound in walk.numerics.bounds if walk.numerics else ():
-        stated = {"relative" if bound.relative else "absolute": round_up(bound.bound)}
-        walk.bounds[bound.result] = stated if math.isfinite(bound.bound) else None
+        walk.bounds[bound.result] = _stated_bound(walk, bound) if math.isfinite(bound.bound) else None
     totals: dict[str, float] = {}
     for condition in walk.numerics.conditions if walk.numerics else ():
         walk.conditions.setdefault(condition.result, {})[condition.parameter] = round_condition(condition.value)
         totals[condition.result] = totals.get(condition.result, 0.0) + abs(condition.value)
     for name, total in totals.items():
         walk.input_rounding[name] = {"relative": round_up(total * UNIT_ROUNDOFF)}
+
+
+def _stated_bound(walk: _Walk, bound: "ErrorBound") -> "dict[str, Any]":
+    """A solver's bound; an absolute one, in SI, in the unit that its result is shown in."""
+    shown = walk.shown.get(bound.result)
+    if bound.relative:
+        return {"relative": round_up(bound.bound)}
+    if shown is None:
+        return {"absolute": round_up(bound.bound)}
+    stated: dict[str, Any] = {"absolute": round_up(shown.width(bound.bound))}
+    return {**stated, "unit": shown.bound_unit} if shown.bound_unit else stated
 
 
 def _check(check: Check) -> "dict[str, Any]":

@@ -342,3 +342,24 @@ class TestSchemas:
             jsonschema.validate(value, inputs)
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate(1.5, inputs)
+
+
+class TestStatedBounds:
+    def test_absolute_ones_are_shown_in_the_unit_of_their_result(self) -> None:
+        from dynamics_cli.core.document import _stated_bound, _Walk
+        from dynamics_cli.core.shown import Display
+        from dynamics_cli.quantities import Size
+        from dynamics_cli.records import ErrorBound
+
+        walk = _Walk(Display("si", {}), None)  # type: ignore[arg-type]
+        walk._scalar(0.012, Size, "width", table=True)  # type: ignore[arg-type]
+        assert _stated_bound(walk, ErrorBound("width", 1e-9, relative=False)) == {"absolute": 1.1e-6, "unit": "mm"}
+        assert _stated_bound(walk, ErrorBound("width", 1e-9)) == {"relative": 1.1e-9}
+        assert _stated_bound(walk, ErrorBound("other", 1e-9, relative=False)) == {"absolute": 1.1e-9}
+
+
+def test_scenes_nested_beyond_reason_are_refused(tmp_path: Path) -> None:
+    scene = tmp_path / "deep.json"
+    scene.write_text('{"parts": [' * 400 + '{"shape": "ball", "radius": "1 m"}' + "]}" * 400)
+    outcome = run("toy", "assembly", str(scene), "--json")
+    assert (outcome.status, outcome.error["code"]) == (2, "nested")

@@ -77,6 +77,7 @@ year | year | year years yr yrs | | Julian year, 365.25 d
 mph | mile / hour | mph MPH | | mile per hour
 kph | kilometer / hour | kph KPH kmh kmph | | kilometre per hour
 fps | foot / second | fps | | foot per second
+DP | 1 / inch | DP | | diametral pitch, teeth per inch
 knot | knot | knot knots kn kt kts | | knot, 1852 m/h
 gn | g_0 | gn g_n g_0 g0 gee gees | | standard gravity, 9.80665 m/s^2
 Gal | galileo | Gal galileo | | galileo, 1 cm/s²
