@@ -411,6 +411,6 @@ def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:
             ErrorBound("working_pressure_angle", spread / max(angle, 1e-8) + 2.0**-50),
             ErrorBound("contact_ratio", loose),
             ErrorBound("nominal_contact_ratio", loose),
-            ErrorBound("backlash", 1e3 * 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
+            ErrorBound("backlash", 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
         ),
     )
