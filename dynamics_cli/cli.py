@@ -20,7 +20,7 @@ FAMILIES: "dict[str, tuple[str, str]]" = {
     "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
     "impact": ("dynamics_cli.impact.commands", "Impacts, from two balls to a two-car crash with friction."),
     "inertia": ("dynamics_cli.inertia.commands", "Mass properties of shapes, assemblies, sections and meshes."),
-    "cam": ("dynamics_cli.cam.commands", "Cam motions, profiles, sizes and forces, with proved deviations."),
+    "cam": ("dynamics_cli.cam.commands", "Cam motions, profiles, sizes, forces and files for machines."),
     "gear": ("dynamics_cli.gear.commands", "Gear geometry, measurement, pairs, trains and ratios."),
     "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
 }
