@@ -292,7 +292,9 @@ else:
     SwingAcceleration = Kind(
         "angle per angle squared", "1/rad", example="0.5 1/rad", about="an arm's angle per cam angle squared"
     )
-    SwingJerk = Kind("angle per angle cubed", "1/rad^2", example="2 1/rad^2", about="an arm's angle per cam angle cubed")
+    SwingJerk = Kind(
+        "angle per angle cubed", "1/rad^2", example="2 1/rad^2", about="an arm's angle per cam angle cubed"
+    )
     Frequency = Kind(
         "frequency", "Hz", si="Hz", us="Hz", low=0.0, example="50 Hz", about="events per time (not an angular velocity)"
     )
