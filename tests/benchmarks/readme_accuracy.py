@@ -30,7 +30,8 @@ def table() -> list[str]:
     document = run("accuracy")
     rows = document["results"]["methods"]  # type: ignore[index]
     several = {row["question"] for row in rows if "(chosen)" not in row["method"]}
-    lines = ["| question | method | time, chosen = 1 | worst relative error | no answer |", "|---|---|---:|---:|---:|"]
+    head = "| question | method | time, chosen = 1 | worst relative error | no answer |"
+    lines = [head, "|---|---|---:|---:|---:|"]
     for row in rows:
         if row["question"] not in several:
             continue
