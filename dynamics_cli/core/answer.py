@@ -1,13 +1,16 @@
 """One case answered: the model chosen, the physics called with tracked numbers, the record it returned."""
 
 from dynamics_cli.core.bound import Fields
+from dynamics_cli.core.specification import Leaf, Record
 from dynamics_cli.core.task import Model, Task, load
 from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from typing import Any
+
+    from dynamics_cli.quantities import Kind
 
 
 class Answer:
@@ -76,3 +79,16 @@ def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
     numbers = Tracked.inputs([si for _, si in leaves])
     values = {address: number for (address, _), number in zip(leaves, numbers, strict=True)}
     return Answer(call_model(task, model, bound, values), model, why, leaves)
+
+
+def result_leaves(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":
+    """Every real number of a result record that is not within a table: address, kind, value."""
+    for field in spec.fields:
+        value = getattr(record, field.name)
+        own = f"{address}.{field.key}" if address else field.key
+        if value is None:
+            continue
+        if isinstance(field.node, Record):
+            yield from result_leaves(value, field.node, own)
+        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in ("scalar", "slope"):
+            yield own, field.node.kind, value

@@ -1,9 +1,9 @@
 """`--limit "50 mph"`: a result against a limit; for certain inputs a plain check."""
 
+from dynamics_cli.core.answer import result_leaves
 from dynamics_cli.core.grammar import read_scalar
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
-from dynamics_cli.core.specification import Leaf
 from dynamics_cli.errors import DynamicsError, UsageError
 
 TYPE_CHECKING = False
@@ -36,21 +36,18 @@ def add_limits(
 
 def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list[tuple[str, Kind, float, Reading]]":
     """Each limit as read: the result's name and kind, its value, and the limit."""
-    scalars = {
-        field.key: field.node.kind
-        for field in task.specification.result.fields
-        if isinstance(field.node, Leaf) and field.node.kind.form in ("scalar", "slope")
-    }
-    if not scalars:
+    there = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
+    kinds = {name: kind for name, (kind, _) in there.items()}
+    if not kinds:
         raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
-    there = {key: kind for key, kind in scalars.items() if getattr(answered.record, key) is not None}
     found = []
     for name, text in settings.limit:
-        if name and name not in there:
-            why = f"{name!r} has no value here" if name in scalars else f"there is no result {name!r}"
-            raise UsageError(why, parameter="limit", hint=f"results are {', '.join(there)}", code="unknown-result")
-        key, limit = _limited(text, {name: there[name]} if name else there)
-        found.append((key, there[key], plain(getattr(answered.record, key)), limit))
+        if name and name not in kinds:
+            known = any(field.key == name for field in task.specification.result.fields)
+            why = f"{name!r} has no value here" if known else f"there is no result {name!r}"
+            raise UsageError(why, parameter="limit", hint=f"results are {', '.join(kinds)}", code="unknown-result")
+        key, limit = _limited(text, {name: kinds[name]} if name else kinds)
+        found.append((key, kinds[key], plain(there[key][1]), limit))
     return found
 
 

@@ -129,6 +129,9 @@ def _panel(axes: "Any", panel: "Panel", system: str) -> None:
     colours = iter(COLOURS * (1 + len(panel.items) // len(COLOURS)))
     for item in panel.items:
         _DRAW[type(item)](axes, item, x, y, colours)
+    if any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
+        # Room for words beside the outermost points.
+        axes.margins(x=0.2, y=0.12)
     if any(getattr(item, "label", "") and isinstance(item, Curve | Band) for item in panel.items):
         axes.legend(loc="best")
 

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 
+from dynamics_cli.core.answer import result_leaves
 from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain.carried import carried
-from dynamics_cli.core.uncertain.model import TaskModel, result_leaves
+from dynamics_cli.core.uncertain.model import TaskModel
 from dynamics_cli.core.uncertain.text import read_correlations
 from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, Propagation, Spread, propagate
 from dynamics_cli.errors import UsageError

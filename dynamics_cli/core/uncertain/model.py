@@ -2,20 +2,18 @@
 
 import numpy as np
 
-from dynamics_cli.core.answer import arguments
-from dynamics_cli.core.specification import Leaf, Record
+from dynamics_cli.core.answer import arguments, result_leaves
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
 
     from dynamics_cli.core.bound import Fields
     from dynamics_cli.core.task import Model, Task
-    from dynamics_cli.quantities import Kind
 
     Array = NDArray[Any]
 
@@ -38,19 +36,6 @@ class Sampled(np.ndarray):
     def apply(self, name: str, *arguments: "Any") -> "Any":
         """The elementary function `name`."""
         return _FUNCTIONS[name](*arguments)
-
-
-def result_leaves(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":
-    """Every real number of a result record that is not within a table: address, kind, value."""
-    for field in spec.fields:
-        value = getattr(record, field.name)
-        own = f"{address}.{field.key}" if address else field.key
-        if value is None:
-            continue
-        if isinstance(field.node, Record):
-            yield from result_leaves(value, field.node, own)
-        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in ("scalar", "slope"):
-            yield own, field.node.kind, value
 
 
 class TaskModel:
