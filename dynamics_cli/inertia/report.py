@@ -27,7 +27,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     bounds: list[ErrorBound] = []
     values = dict(answer.__dict__)
     if not whole.sloped:
-        values = {name: stated(name, value, bounds) for name, value in values.items()}  # type: ignore[attr-defined]
+        values = {name: stated(name, value, bounds) for name, value in values.items()}
     values |= {
         "parts": rows,
         "cancellation": cancels,
