@@ -50,6 +50,19 @@ class Untouchable:
     __hash__ = None  # type: ignore[assignment]
 
 
+def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
+    """Whether the call itself gives what a column at this address would."""
+    inner: Any = fixed
+    for step in address.split("."):
+        name = step.partition("[")[0]
+        if not isinstance(inner, dict):
+            return True
+        if name not in inner:
+            return False
+        inner = inner[name]
+    return True
+
+
 class Plan:
     """How rows of one make are answered: the template's inputs, where its numbers go, and the model."""
 
@@ -72,8 +85,7 @@ class Plan:
 
     def _slot(self, address: str, unit: "str | None") -> Slot:
         leaf = self._leaves[address]
-        top = address.partition(".")[0].partition("[")[0]
-        if top in self.case.fixed:
+        if _is_fixed(self.case.fixed, address):
             raise Unsuited(f"{address} is fixed by the call", set(self._leaves) - {address})
         if isinstance(leaf, VectorValue) and unit is not None and unit != leaf.unit:
             raise Unsuited(f"{address} has components in several units")
