@@ -16,13 +16,15 @@ CIRCLE = tuple(2.0 * pi * k / 90 for k in range(91))
 FAR = 8.0
 
 
-def profile_picture(result: "CamProfile", *, follower: "Any" = None, **_: object) -> Picture:
+def profile_picture(result: "CamProfile", scene: "Any" = None, *, follower: "Any" = None, **_: object) -> Picture:
     """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
 
     Parameters
     ----------
     result : CamProfile
         The profile.
+    scene : Program
+        The program from a file; the result already holds what it made.
     follower : Follower
         The follower, for its base circle and roller.
 
@@ -31,6 +33,7 @@ def profile_picture(result: "CamProfile", *, follower: "Any" = None, **_: object
     Picture
         Three panels.
     """
+    del scene
     arrays = {name: _closed(column.tolist()) for name, column in result.points.arrays.items()}
     items: list[Any] = [Curve(arrays["x"], arrays["y"], "cam", role=0)]
     roller = getattr(follower, "roller_radius", 0.0)

@@ -15,7 +15,7 @@ from dynamics_cli.cam.profile import profile
 def test_the_picture_shows_cam_pressure_angle_and_curvature() -> None:
     follower = followers.Roller(0.025, 0.006)
     made = profile(NOTHING, program=CYCLE, follower=follower, points=72)
-    picture = profile_picture(made, follower=follower)
+    picture = profile_picture(made, NOTHING, follower=follower)
     shape, pressure, bend = picture.panels
     assert shape.equal
     cam = shape.items[0]
