@@ -112,15 +112,19 @@ def _sliding(made: "PairData", internal: bool) -> "tuple[Panel, Panel]":
     other = -pitch.second_curvature if internal else pitch.second_curvature
     steps = [start.path + (end.path - start.path) * k / (4 * POINTS) for k in range(4 * POINTS + 1)]
     slope = 2.0 * (1.0 + 1.0 / u) / made.first_working_diameter
-    bands: tuple[Any, ...] = tuple(Band(point.path, point.path, point.point) for point in made.points)
+    # Lines without names: in the legend they would all look alike, so the points are named on the curve.
+    bands: tuple[Any, ...] = tuple(Band(point.path, point.path) for point in made.points)
+    names = tuple(Mark(point.path, slope * point.path, point.point) for point in made.points)
     factor = Panel(
         PATH,
         Axis("sliding over pitch line velocity", Ratio),
-        (Curve(steps, [slope * s for s in steps], role=0), *bands),
+        (Curve(steps, [slope * s for s in steps], role=0), *bands, *names),
     )
     own = [_bounded(s * (1.0 + 1.0 / u), pitch.first_curvature + s) for s in steps]
     mate = [_bounded(-s * (1.0 + u), other - s) for s in steps]
-    both = (Curve(steps, own, "first", role=0), Curve(steps, mate, "second", role=1), *bands)
+    reach = max(abs(value) for value in own + mate if isfinite(value))
+    low = tuple(Mark(point.path, -reach, point.point) for point in made.points)
+    both = (Curve(steps, own, "first", role=0), Curve(steps, mate, "second", role=1), *bands, *low)
     return factor, Panel(PATH, Axis("specific sliding", Ratio), both)
 
 

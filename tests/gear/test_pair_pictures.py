@@ -10,7 +10,7 @@ from dynamics_cli.gear.pair import pair
 from dynamics_cli.gear.pair_data import Mate
 from dynamics_cli.gear.pair_pictures import involute_curve
 from dynamics_cli.gear.pair_pictures import pair as pair_picture
-from dynamics_cli.pictures import Curve
+from dynamics_cli.pictures import Band, Curve, Mark
 
 TWO = NormalModule(0.002)
 
@@ -43,3 +43,13 @@ def test_the_involute_ends_where_it_was_asked_for() -> None:
     plain = involute_curve(involute_point(at=AtAngle(0.6))).panels[0].items[0]
     assert isinstance(plain, Curve)
     assert all(isfinite(y) for y in plain.y)
+
+
+def test_the_points_of_contact_are_named_on_the_curve_and_not_in_the_legend() -> None:
+    first, second = Mate(20, 0.3), Mate(31, 0.2)
+    made = pair(first=first, second=second, pitch=TWO)
+    for panel in pair_picture(made, first=first, second=second).panels[1:]:
+        marks = [item for item in panel.items if isinstance(item, Mark)]
+        assert [mark.label for mark in marks] == ["A", "B", "C", "D", "E"]
+        assert [mark.x for mark in marks] == [point.path for point in made.points]
+        assert all(not item.label for item in panel.items if isinstance(item, Band))
