@@ -217,7 +217,7 @@ def _weighed(part: Part, own: str) -> "tuple[Lump, Any]":
     middle = part.centroid or (0.0, 0.0, 0.0)
     if part.tensor is None:
         return Lump(mass, middle, NOTHING), None
-    require_tensor(part.tensor, MEASURED_TOLERANCE)
+    require_tensor(part.tensor, MEASURED_TOLERANCE, hint=f"check the tensor of {own}, which is about its mass centre")
     return Lump(mass, middle, second_of(part.tensor)), None
 
 
@@ -233,7 +233,7 @@ def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
         hint='length_unit = "mm", for example',
     )
     found = measured(part.mesh, shell=False)
-    require_closed(found, allowed=False)
+    require_closed(found, allowed=False, part=own)
     require(found.moments.measure != 0.0, "the mesh of {0} encloses nothing", own, code="no-volume")
     lift = Lift(found, part.length_unit, width or 0)  # type: ignore[arg-type]
     volume = lift.measure()

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 HALF_ROOT = 0.7071067811865476
 # A lamina's moments add up to within their rounding; a tensor printed with few digits needs more room.
 TOLERANCE = 1e-9
+# More than three printed digits leave open is no rounding any more.
+PRINTED = 1e-2
 
 
 @record
@@ -231,8 +233,15 @@ def _rows(turn: Turn) -> "Matrix":
     return columns  # type: ignore[return-value]
 
 
-def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tuple[float, ...], Matrix, str]":
+def require_tensor(
+    matrix: "Matrix",
+    tolerance: float = TOLERANCE,
+    *,
+    hint: str = "for a tensor printed with few digits give a larger tolerance",
+) -> "tuple[tuple[float, ...], Matrix, str]":
     """Principal moments (ascending), axes and words about them, of a tensor that a body can have.
+
+    The hint says how to mend moments that no body has, unless the other sign of the products does it.
 
     Raises
     ------
@@ -244,7 +253,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
     least, middle, most = values = found.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="a body has mass away from any axis")
     room = plain(tolerance) * most
-    hint = _other_sign(bare, room)  # type: ignore[arg-type]
+    other = _other_sign(bare, room)  # type: ignore[arg-type]
     require(
         least >= -room,
         "a principal moment is negative: {0:.6g}, {1:.6g}, {2:.6g} kg·m²",
@@ -252,7 +261,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
         middle,
         most,
         code="negative-moment",
-        hint=hint,
+        hint=other,
     )
     require(
         least + middle - most >= -room,
@@ -262,7 +271,7 @@ def require_tensor(matrix: "Matrix", tolerance: float = TOLERANCE) -> "tuple[tup
         most,
         (most - least - middle) / most,
         code="triangle-inequality",
-        hint=hint or "for a tensor printed with few digits give a larger tolerance",
+        hint=other or hint,
     )
     own = principal(second_of(bare))  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in matrix for x in row):
@@ -281,6 +290,16 @@ def _other_sign(matrix: "Matrix", room: float) -> str | None:
 
 
 def _advice(slack: float) -> tuple[Advice, ...]:
-    if abs(slack) > TOLERANCE:
+    if slack < -TOLERANCE:
+        return (
+            Advice(
+                "no-body",
+                f"no body has exactly these moments: I₃ exceeds I₁ + I₂ by {-slack:.3g} of itself, which the tolerance "
+                "allows",
+                severity="caution" if slack > -PRINTED else "serious",
+                mend="give the tensor with more digits",
+            ),
+        )
+    if slack > TOLERANCE:
         return ()
     return (Advice("lamina", "I₁ + I₂ = I₃: the body is a lamina across axis 3, or a rod", severity="note"),)

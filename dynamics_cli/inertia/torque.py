@@ -109,7 +109,7 @@ def torque(
     """
     from dynamics_cli.inertia.tensor import require_tensor
 
-    require_tensor(tensor)
+    require_tensor(tensor, hint="check the tensor: its moments, its units, and more digits for a lamina")
     momentum = times(tensor, angular_velocity)
     own = opposite(times(tensor, angular_acceleration))
     gyroscopic = _gyroscopic(tensor, angular_velocity)

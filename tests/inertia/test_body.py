@@ -10,11 +10,13 @@ import pytest
 from harness import answer, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from references.inertia_solids import ball, write_stl
 
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.amount import OfDensity, OfMass
 from dynamics_cli.inertia.assembly import Assembly, body
 from dynamics_cli.inertia.compare import Pair, compare
+from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.parts import Part, each_number
 from dynamics_cli.inertia.properties import MassProperties
 from dynamics_cli.inertia.report import bare
@@ -361,3 +363,13 @@ def test_a_mesh_part_is_what_the_mesh_is(tmp_path: Path) -> None:
         own, mesh = (r["principal_moments"][name]["value"] for r in (one, other))
         assert own == pytest.approx(mesh, rel=1e-13)
     assert one["mass"]["value"] == pytest.approx(other["mass"]["value"], rel=1e-15)
+
+
+def test_an_open_mesh_part_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "open.stl"
+    write_stl(path, ball(2)[:-1], binary=True)
+    hull = Part(name="hull", mesh=str(path), length_unit=LengthUnit("mm"), amount=STEEL)
+    with pytest.raises(InadmissibleError) as caught:
+        body(Assembly(parts=(hull,)))
+    assert "of hull" in caught.value.message
+    assert "inertia mesh" in str(caught.value.hint)

@@ -198,7 +198,26 @@ class TestSurfaces:
         # the face that is missing has an area of 1 (its legs are 2 and 1) of 22
         assert made.surface.closure == pytest.approx(1.0 / 21.0, rel=1e-12)
         assert [(advice.code, advice.severity) for advice in made.advice] == [("open-surface", "serious")]
-        assert not made.checks[0].passed
+        # a check is of our own work: what is wrong with the file is a warning
+        assert made.checks == ()
+
+    def test_the_command_answers_for_an_open_surface(self, tmp_path: Path) -> None:
+        name = stl(tmp_path, BOX[:-1])
+        found = answer("inertia", "mesh", name, "--length-unit", "m", "--material", "steel", "--allow-open")
+        assert found["results"]["surface"]["closed"] == "no"
+        assert [warning["code"] for warning in found["warnings"]] == ["open-surface"]
+
+    def test_a_shell_says_whether_it_is_closed(self, tmp_path: Path) -> None:
+        for made, closed in ((BOX, "yes"), (BOX[:-1], "no")):
+            found = solid(stl(tmp_path, made), amount=OfArealDensity(1.0))
+            assert found.surface is not None
+            assert found.surface.closed == closed
+
+    def test_a_surface_given_twice_is_warned_of_when_diagnosed(self, tmp_path: Path) -> None:
+        made = solid(stl(tmp_path, BOX + BOX), diagnose=True)
+        assert made.volume == 12.0
+        assert [advice.code for advice in made.advice] == ["duplicated"]
+        assert solid(stl(tmp_path, BOX), diagnose=True).advice == ()
 
     def test_opposite_faces_missing_have_no_closure_vector_and_are_found_all_the_same(self, tmp_path: Path) -> None:
         walls = BOX[4:]

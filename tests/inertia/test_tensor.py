@@ -102,7 +102,21 @@ def test_few_digits_need_a_tolerance() -> None:
     printed = Parts((1.33, 1.33, 2.67))
     with pytest.raises(InadmissibleError):
         tensor(inertia=printed)
-    assert tensor(inertia=printed, tolerance=0.01).slack < 0.0
+    made = tensor(inertia=printed, tolerance=0.01)
+    assert made.slack < 0.0
+    assert [(advice.code, advice.severity) for advice in made.advice] == [("no-body", "caution")]
+    far = tensor(inertia=Parts((1.0, 1.0, 9.0)), tolerance=2.0)
+    assert [(advice.code, advice.severity) for advice in far.advice] == [("no-body", "serious")]
+
+
+def test_no_tolerance_is_offered_where_there_is_none() -> None:
+    flat = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 3.0))
+    with pytest.raises(InadmissibleError) as caught:
+        torque(tensor=flat)
+    assert "tolerance" not in str(caught.value.hint)
+    with pytest.raises(InadmissibleError) as caught:
+        body(Assembly(parts=(Part(name="pump", amount=OfMass(1.0), tensor=flat),)))
+    assert "pump" in str(caught.value.hint)
 
 
 def test_second_moments_and_tensors_are_each_others() -> None:

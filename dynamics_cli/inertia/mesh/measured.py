@@ -27,7 +27,7 @@ class Measured:
         source = open_mesh(name)
         self.form = source.form
         self.single = source.single
-        self.sums, self.moments = first_pass(source, shell=shell, prove=not shell)
+        self.sums, self.moments = first_pass(source, shell=shell, prove=True)
         self.again = False
         self.faults: Faults | None = None
         if diagnosed:
@@ -67,8 +67,8 @@ def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
     return _LAST[key]
 
 
-def require_closed(found: Measured, *, allowed: bool) -> None:
-    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side."""
+def require_closed(found: Measured, *, allowed: bool, part: str = "") -> None:
+    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` says of which part."""
     places = ""
     if found.faults is not None:
         kept = found.faults
@@ -79,18 +79,22 @@ def require_closed(found: Measured, *, allowed: bool) -> None:
         )
     require(
         found.closed or allowed,
-        "the surface of {0} triangles is not closed: not every edge is met by one the other way{1}",
+        "the surface {2}of {0} triangles is not closed: not every edge is met by one the other way{1}",
         found.sums.count,
         places,
+        f"of {part}, " if part else "",
         code="open",
-        hint="mend the surface, or give --allow-open"
+        hint="mend the surface; dynamics inertia mesh FILE --diagnose names the faulty edges"
+        if part
+        else "mend the surface, or give --allow-open"
         if found.faults is not None
         else "--diagnose names the faulty edges; --allow-open answers all the same",
     )
     require(
         found.moments.measure >= 0.0 or not found.closed,
-        "the surface is inside out: it encloses {0:.6g} cubed units of length",
+        "the surface {1}is inside out: it encloses {0:.6g} cubed units of length",
         found.moments.measure,
+        f"of {part} " if part else "",
         code="inverted",
         hint="turn all triangles round (swap two corners of each)",
     )

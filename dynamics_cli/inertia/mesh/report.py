@@ -21,8 +21,8 @@ THICK = 0.05
 
 
 def checks_of(found: "Measured", shell: bool) -> tuple[Check, ...]:
-    """The proof that a solid is closed."""
-    if shell:
+    """The proof that a solid is closed; an open one that was allowed is warned of instead."""
+    if shell or not found.closed:
         return ()
     return (Check("every directed edge is met by one the other way", found.closed),)
 
@@ -73,6 +73,16 @@ def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Adv
                 "much is missing but bounds nothing; other reference points give other answers",
                 "serious",
                 "mend the surface; --diagnose names the faulty edges",
+            )
+        )
+    if found.faults is not None and found.faults.duplicated:
+        out.append(
+            Advice(
+                "duplicated",
+                f"{found.faults.duplicated} triangles have the corners of an earlier one: what is given twice the same "
+                "way round counts twice",
+                "serious",
+                "remove the copies",
             )
         )
     edge = (sums.area / sums.count * 2.3094) ** 0.5
