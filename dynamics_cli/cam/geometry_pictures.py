@@ -12,11 +12,15 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.profile import CamProfile
 
 CIRCLE = tuple(2.0 * pi * k / 90 for k in range(91))
+# Fewer points than this look like a polygon.
+SMOOTH = 360
 # Radii beyond this many times the cam are straight for the eye.
 FAR = 8.0
 
 
-def profile_picture(result: "CamProfile", scene: "Any" = None, *, follower: "Any" = None, **_: object) -> Picture:
+def profile_picture(
+    result: "CamProfile", scene: "Any" = None, *, program: str = "", follower: "Any" = None, **given: "Any"
+) -> Picture:
     """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
 
     Parameters
@@ -24,23 +28,34 @@ def profile_picture(result: "CamProfile", scene: "Any" = None, *, follower: "Any
     result : CamProfile
         The profile.
     scene : Program
-        The program from a file; the result already holds what it made.
+        The program from a file.
+    program : str
+        The program in one line.
     follower : Follower
         The follower, for its base circle and roller.
+    **given
+        The task's other parameters.
 
     Returns
     -------
     Picture
         Three panels.
     """
-    del scene
-    arrays = {name: _closed(column.tolist()) for name, column in result.points.arrays.items()}
+    given.pop("points", None)
+    table = result.points
+    if scene is not None and len(table) < SMOOTH:
+        from dynamics_cli.cam.profile import profile
+
+        table = profile(scene, program=program, follower=follower, points=SMOOTH, **given).points
+    arrays = {name: _closed(column.tolist()) for name, column in table.arrays.items()}
     items: list[Any] = [Curve(arrays["x"], arrays["y"], "cam", role=0)]
     roller = getattr(follower, "roller_radius", 0.0)
     if roller:
         items.append(Curve(arrays["pitch_x"], arrays["pitch_y"], "pitch curve", style="dashed", role=1))
         cx, cy = arrays["pitch_x"][0], arrays["pitch_y"][0]
         items.append(_circle(cx, cy, roller, "roller", 2))
+    elif result.face_width is not None and result.arm_start_angle is None:
+        items.append(_face(arrays, result))
     base = getattr(follower, "base_radius", 0.0)
     if base:
         items.append(_circle(0.0, 0.0, base, "base circle", 3))
@@ -53,7 +68,7 @@ def profile_picture(result: "CamProfile", scene: "Any" = None, *, follower: "Any
         (
             Curve(angle, arrays["pressure_angle"], role=0),
             Mark(result.largest_pressure_angle_at, result.largest_pressure_angle, "largest"),
-            Mark(result.least_pressure_angle_at, result.least_pressure_angle, "least"),
+            *_least(result),
             Band(0.0, 0.0, vertical=False),
         ),
         "Pressure angle",
@@ -70,6 +85,23 @@ def profile_picture(result: "CamProfile", scene: "Any" = None, *, follower: "Any
         "Radius of curvature of the cam",
     )
     return Picture((shape, pressure, bend), "Cam profile")
+
+
+def _least(result: "CamProfile") -> "tuple[Mark, ...]":
+    """No second mark on top of the first where the pressure angle is constant."""
+    if result.least_pressure_angle == result.largest_pressure_angle:
+        return ()
+    return (Mark(result.least_pressure_angle_at, result.least_pressure_angle, "least"),)
+
+
+def _face(arrays: "dict[str, list[float]]", result: "CamProfile") -> Curve:
+    """The flat face at the first angle, in the cam's frame, as wide as the contact wanders."""
+    at = complex(arrays["x"][0], arrays["y"][0])
+    touch = complex(arrays["contact_x"][0], arrays["contact_y"][0])
+    turn = at / touch if touch else 1.0 + 0.0j
+    low, high = result.face_low or 0.0, result.face_high or 0.0
+    ends = [complex(along, touch.imag) * turn for along in (low, high)]
+    return Curve([end.real for end in ends], [end.imag for end in ends], "face", role=2)
 
 
 def _closed(values: "list[float]") -> "list[float]":

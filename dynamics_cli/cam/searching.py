@@ -99,8 +99,10 @@ def _humps(values: "Any", top: float) -> "list[int]":
     for i in humps.tolist():
         # At an end of the zone the parabola is the one through the three samples next to it.
         middle = min(max(i, 1), values.size - 2)
-        bend = abs(values[middle - 1] - 2.0 * values[middle] + values[middle + 1]) if values.size > 2 else 0.0
-        if values[i] == top or values[i] + bend >= top:
+        # beside an infinite sample the bend is no number: that hump is climbed too
+        with np.errstate(invalid="ignore"):
+            bend = abs(values[middle - 1] - 2.0 * values[middle] + values[middle + 1]) if values.size > 2 else 0.0
+        if values[i] == top or not values[i] + bend < top:
             found.append(i)
     return found
 

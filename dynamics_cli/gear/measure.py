@@ -203,7 +203,7 @@ def measure(
         sign=shift_sign,
     )
     gear = toothing(made, tip_diameter=tip_diameter, fillet=fillet_of(made, root_radius_factor))
-    _require_allowances(upper_allowance, lower_allowance)
+    _require_allowances(upper_allowance, lower_allowance, gear)
     allowances = (upper_allowance, lower_allowance)
     advice: list[Advice] = []
     spanned = _if_possible("span", lambda: span(gear, over, allowances), over is not None, advice)

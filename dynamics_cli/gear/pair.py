@@ -267,6 +267,16 @@ def _result(
 
 def _backlash(mesh: Engagement, mates: tuple[Mate, Mate]) -> float:
     """j_wt of the centre distance, and of the thinner teeth carried to the working circle; refuses jammed teeth."""
+    for gear, mate in zip((mesh.first, mesh.second), mates, strict=True):
+        thickness = gear.module * (0.5 * pi + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
+        require(
+            mate.thinning < thickness,
+            "teeth of {0:.6g} mm normal thickness cannot be {1:.6g} mm thinner",
+            1e3 * plain(thickness),
+            1e3 * plain(mate.thinning),
+            code="thinning",
+            hint="thinning is the allowance of one tooth for backlash",
+        )
     thinner = (mates[0].thinning + mates[1].thinning) / cos(mesh.first.helix_angle)
     reach = mesh.centre_distance / reference_distance(mesh.first, mesh.second)
     total = mesh.backlash + thinner * reach

@@ -187,6 +187,15 @@ def rack(
     require(ratio > 0.0, "gear and rack never touch: the contact ratio would be {0:.6g}", ratio, code="open-mesh")
     transverse = pi * gear.transverse_module
     distance = radius + profile_shift * module
+    if datum_height is not None:
+        require(
+            datum_height > basic.dedendum * module,
+            "the rack's teeth reach {0:.6g} mm below its datum line, which is {1:.6g} mm above the back",
+            1e3 * plain(basic.dedendum * module),
+            1e3 * plain(datum_height),
+            code="datum-height",
+            hint="raise --datum-height",
+        )
     tangential = None if torque is None else torque / radius
     return RackData(
         pitch=transverse,

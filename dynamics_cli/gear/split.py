@@ -144,6 +144,16 @@ def _tipped(
         # at the reference distance what is left is rounding
         if plain(change) >= -ROUNDING * abs(plain(mesh.centre_distance)) / plain(first.module):
             change = None
+    if check and change is not None:
+        require(
+            first.rack.addendum + first.rack.dedendum + change > 0.0,
+            "this centre distance, with profile shifts that sum to {0:.6g}, shortens the tips by {1:.6g} modules: "
+            "no tooth is left",
+            plain(first.shift + second.shift),
+            -plain(change),
+            code="no-tooth",
+            hint="bring the gears closer together, or take more teeth or a larger module",
+        )
     made = []
     for gear, mate in ((first, one), (second, two)):
         own = with_shift(gear, gear.shift, 0.0 if change is None else change)

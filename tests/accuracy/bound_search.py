@@ -16,7 +16,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1])]
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from dynamics_cli import cli
 from dynamics_cli.core.answer import call_model, choose

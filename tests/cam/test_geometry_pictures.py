@@ -49,3 +49,25 @@ def test_the_page_turns_the_cam_once(program: str, follower, rotation: str) -> N
     assert len(move.split(";")) == 37
     assert all(re.fullmatch(r"-?[\d.]+ -?[\d.]+", pair) for pair in move.split(";"))
     assert "nan" not in page
+
+
+def test_a_short_table_does_not_make_the_picture_a_polygon() -> None:
+    follower = followers.Roller(0.025, 0.006)
+    made = profile(NOTHING, program=CYCLE, follower=follower, points=8, thickness=0.01)
+    shape, pressure, _ = profile_picture(
+        made, NOTHING, program=CYCLE, follower=follower, points=8, thickness=0.01
+    ).panels
+    assert len(shape.items[0].x) == 361
+    assert max(pressure.items[0].y) == pytest.approx(made.largest_pressure_angle, rel=1e-3)
+
+
+def test_a_flat_face_is_drawn_along_the_cam() -> None:
+    follower = followers.FlatFace(0.045)
+    made = profile(NOTHING, program=CYCLE, follower=follower, start_angle=0.5)
+    shape, pressure, _ = profile_picture(made, NOTHING, program=CYCLE, follower=follower, start_angle=0.5).panels
+    face = next(item for item in shape.items if getattr(item, "label", "") == "face")
+    (x0, x1), (y0, y1) = face.x, face.y
+    assert math.hypot(x1 - x0, y1 - y0) == pytest.approx(made.face_width, rel=1e-12)
+    # its distance from the axis is the base radius: it touches the cam at the first angle
+    assert abs(x0 * y1 - x1 * y0) / made.face_width == pytest.approx(0.045, rel=1e-12)
+    assert [item.label for item in pressure.items if hasattr(item, "label")].count("least") == 0
