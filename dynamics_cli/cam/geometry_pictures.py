@@ -146,6 +146,8 @@ def animation(result: "CamProfile") -> str:
     elif result.face_width is not None and result.arm_start_angle is None:
         shape = f'<path d="M {-1.2 * reach:.3f} 0 H {1.2 * reach:.3f}" class="f"/>'
         path = ";".join(f"0 {-1e3 * c.imag:.4f}" for c in centres)
+    elif result.arm_start_angle is not None:
+        shape = _rocker(points, turns, reach, loop)
     else:
         mark = 0.02 * reach
         shape = f'<path d="M 0 0 L {-mark:.3f} {-3 * mark:.3f} H {mark:.3f} Z" class="f"/>'
@@ -159,6 +161,18 @@ def animation(result: "CamProfile") -> str:
         f'<animateTransform attributeName="transform" type="rotate" from="{first:.6f}" to="{last:.6f}" {loop}/></g>\n'
         f'<g>{shape}<animateTransform attributeName="transform" type="translate" values="{path}" {loop}/></g>\n'
         "</svg>\n</body></html>\n"
+    )
+
+
+def _rocker(points: "list[complex]", turns: "list[complex]", reach: float, loop: str) -> str:
+    """The face of an arm, as a line that keeps to the cam's tangent where they touch."""
+    ways = [(points[(k + 1) % len(points)] - points[k - 1]) * turn for k, turn in enumerate(turns)]
+    first = _phase(ways[0])
+    angles = [first + _phase(way / ways[0]) if way and ways[0] else first for way in [*ways, ways[0]]]
+    values = ";".join(f"{-degrees(angle):.4f}" for angle in angles)
+    return (
+        f'<path d="M {-0.6 * reach:.3f} 0 H {0.6 * reach:.3f}" class="f">'
+        f'<animateTransform attributeName="transform" type="rotate" values="{values}" {loop}/></path>'
     )
 
 

@@ -1,5 +1,6 @@
 """Forces on a cam: closed forms, energy, the speed of jump, Hertz stress, durations, and what is refused."""
 
+import warnings
 from math import pi, sqrt
 
 import numpy as np
@@ -75,6 +76,13 @@ def test_without_a_downward_acceleration_or_mass_to_throw_nothing_jumps() -> Non
     found = at("dwell")
     assert found.jump_speed is None
     assert any(advice.code == "no-jump" and advice.result == "jump_speed" for advice in found.advice)
+
+
+def test_without_a_spring_every_speed_lifts_the_follower_and_nothing_warns() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = force(Program(), program=LINE, shaft_speed=0.0, mass=0.5)
+    assert found.jump_speed == 0.0
 
 
 def test_hertz_stress_on_an_eccentric_circle_in_closed_form() -> None:

@@ -15,7 +15,7 @@ from dynamics_cli.cam.profile import profile
 def test_the_picture_shows_cam_pressure_angle_and_curvature() -> None:
     follower = followers.Roller(0.025, 0.006)
     made = profile(NOTHING, program=CYCLE, follower=follower, points=72)
-    picture = profile_picture(made, NOTHING, follower=follower)
+    picture = profile_picture(made, NOTHING, program=CYCLE, follower=follower)
     shape, pressure, bend = picture.panels
     assert shape.equal
     cam = shape.items[0]
@@ -25,7 +25,7 @@ def test_the_picture_shows_cam_pressure_angle_and_curvature() -> None:
     assert {round(math.hypot(x, y - 0.031), 12) for x, y in zip(roller.x, roller.y, strict=True)} == {0.006}
     assert max(pressure.items[0].y) <= made.largest_pressure_angle
     assert pressure.items[0].x[-1] == pytest.approx(2 * math.pi)
-    assert len(bend.items[0].y) == 73
+    assert len(bend.items[0].y) == 361
 
 
 @pytest.mark.parametrize(
@@ -53,10 +53,8 @@ def test_the_page_turns_the_cam_once(program: str, follower, rotation: str) -> N
 
 def test_a_short_table_does_not_make_the_picture_a_polygon() -> None:
     follower = followers.Roller(0.025, 0.006)
-    made = profile(NOTHING, program=CYCLE, follower=follower, points=8, thickness=0.01)
-    shape, pressure, _ = profile_picture(
-        made, NOTHING, program=CYCLE, follower=follower, points=8, thickness=0.01
-    ).panels
+    made = profile(NOTHING, program=CYCLE, follower=follower, points=8)
+    shape, pressure, _ = profile_picture(made, NOTHING, program=CYCLE, follower=follower, points=8).panels
     assert len(shape.items[0].x) == 361
     assert max(pressure.items[0].y) == pytest.approx(made.largest_pressure_angle, rel=1e-3)
 
@@ -71,3 +69,15 @@ def test_a_flat_face_is_drawn_along_the_cam() -> None:
     # its distance from the axis is the base radius: it touches the cam at the first angle
     assert abs(x0 * y1 - x1 * y0) / made.face_width == pytest.approx(0.045, rel=1e-12)
     assert [item.label for item in pressure.items if hasattr(item, "label")].count("least") == 0
+
+
+def test_the_face_of_an_arm_leans_with_the_arm() -> None:
+    made = profile(NOTHING, program=SWING, follower=followers.OscillatingFlat(0.045, 0.1), points=360)
+    page = animation(made)
+    svg = ElementTree.fromstring(page[page.index("<svg") : page.index("</svg>") + 6])
+    face = next(node for node in svg.iter() if node.tag.endswith("path"))
+    angles = [float(value) for value in next(iter(face)).get("values").split(";")]
+    assert len(angles) == 361
+    assert angles[0] == angles[-1]
+    # the arm swings 15 degrees, and its face with it; the page takes chords for tangents
+    assert max(angles) - min(angles) == pytest.approx(15.0, abs=0.05)
