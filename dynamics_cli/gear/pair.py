@@ -20,7 +20,7 @@ from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.pair_data import ContactPoint, Mate, PairData
 from dynamics_cli.gear.single import normal_pressure_angle
 from dynamics_cli.gear.split import Split, Tips, engaged
-from dynamics_cli.numerics.elementary import absolute, cos, sqrt
+from dynamics_cli.numerics.elementary import absolute, cos, sqrt, tan
 from dynamics_cli.quantities import (
     Angle,
     Friction,

@@ -236,3 +236,15 @@ def test_the_refusal_says_by_how_much() -> None:
     mended = pair(first=Mate(40, -0.2), second=Mate(52, -0.2503), pitch=TWO)
     assert degrees(mended.working_pressure_angle) < 20.0
     assert sin(mended.working_pressure_angle) > 0.0
+
+
+def test_a_tooth_cannot_be_thinned_away() -> None:
+    thickness = 0.5 * pi * 0.002
+    assert pair(first=Mate(17, thinning=0.99 * thickness), second=Mate(40), pitch=TWO).circumferential_backlash > 0.0
+    with pytest.raises(InadmissibleError, match="cannot be"):
+        pair(first=Mate(17, thinning=1.01 * thickness), second=Mate(40), pitch=TWO)
+
+
+def test_a_distance_that_only_absurd_shifts_reach_is_refused_by_their_sum() -> None:
+    with pytest.raises(InadmissibleError, match="sum to 43.5"):
+        pair(first=Mate(17), second=Mate(40), pitch=TWO, centre_distance=0.1)
