@@ -19,6 +19,7 @@ from dynamics_cli.gear.sizes import (
     shift_from_span,
     span,
 )
+from dynamics_cli.gear.limits import plain
 from dynamics_cli.numerics.elementary import absolute, tan
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, record
@@ -227,7 +228,17 @@ def measure(
     )
 
 
-def _require_allowances(upper: float | None, lower: float | None) -> None:
+def _require_allowances(upper: float | None, lower: float | None, gear: "Toothing") -> None:
+    least = upper if lower is None else lower
+    if least is not None:
+        require(
+            least > -_thickness(gear),
+            "an allowance of {0:.6g} mm leaves nothing of teeth {1:.6g} mm thick",
+            1e3 * plain(least),
+            1e3 * plain(_thickness(gear)),
+            code="allowances",
+            hint="an allowance is a part of the tooth thickness, such as -0.05 mm",
+        )
     if upper is not None and lower is not None:
         require(
             lower <= upper,

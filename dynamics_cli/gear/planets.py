@@ -109,7 +109,8 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
     inner, outer = arrangement.planet_teeth
     if steps % count:
         number = written((steps, count))
-        fits = ", ".join(str(n) for n in range(2, 9) if steps % n == 0 and n <= ROOM) or "no small number of"
+        room = planetary_assembly(arrangement).most_planets
+        fits = ", ".join(str(n) for n in range(2, 9) if steps % n == 0 and n <= room) or "no small number of"
         simple = inner == outer
         ring = _nearest_ring(arrangement) if simple else None
         what = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"

@@ -265,3 +265,19 @@ def test_readings_that_identify_nothing_are_refused(arguments: dict, code: str) 
     with pytest.raises(InadmissibleError) as caught:
         identify(**arguments)
     assert caught.value.code == code
+
+
+@pytest.mark.parametrize("internal", [False, True])
+def test_an_allowance_greater_than_the_tooth_is_refused(internal: bool) -> None:
+    thickness = 0.5 * math.pi * 0.002
+    kept = -0.5 * thickness
+    measure(teeth=72, pitch=NormalModule(0.002), internal=internal, lower_allowance=kept)
+    for upper, lower in ((-1.01 * thickness, None), (0.0, -1.01 * thickness)):
+        with pytest.raises(InadmissibleError, match="leaves nothing"):
+            measure(
+                teeth=72,
+                pitch=NormalModule(0.002),
+                internal=internal,
+                upper_allowance=upper,
+                lower_allowance=lower,
+            )

@@ -231,3 +231,9 @@ def test_the_internal_record_keeps_iso_signs() -> None:
     assert ring.reference_diameter == -0.12
     assert ring.thickness(ring.reference_diameter) == pytest.approx(0.003 * pi / 2)
     assert degrees(ring.transverse_angle) == pytest.approx(20.0)
+
+
+def test_the_back_of_a_rack_lies_below_its_teeth() -> None:
+    assert rack(teeth=20, pitch=THREE, datum_height=0.0038).mounting_distance is not None
+    with pytest.raises(InadmissibleError, match="datum line"):
+        rack(teeth=20, pitch=THREE, datum_height=0.0037)

@@ -290,3 +290,11 @@ def test_neighbours_by_their_coordinates(planets: int) -> None:
     least = min(math.dist(a, b) for a, b in itertools.combinations(centres, 2))
     assert assembly.neighbour_clearance == pytest.approx(least - 28.0, rel=1e-12)
     assert assembly.neighbour_gap == pytest.approx(0.002 * (least - 28.0), rel=1e-12)
+
+
+def test_only_planets_that_have_room_are_offered() -> None:
+    answer = train(arrangement=Planetary(sun=24, ring=72, planets=5))
+    (uneven,) = (one for one in answer.advice if one.code == "uneven-planets")
+    assert answer.assembly is not None
+    assert answer.assembly.most_planets == 5
+    assert uneven.mend.startswith("2, 3, 4 planets fit")
