@@ -4,7 +4,7 @@ from dynamics_cli.inertia.lump import Lump, about, tensor_of, turned
 from dynamics_cli.inertia.properties import MassProperties, View, properties
 from dynamics_cli.inertia.results import Cancellation, PartShare
 from dynamics_cli.inertia.rollup import deviation
-from dynamics_cli.inertia.spread import plain
+from dynamics_cli.inertia.spread import SHOWN, plain
 from dynamics_cli.records import Advice, ErrorBound, Numerics
 
 TYPE_CHECKING = False
@@ -48,7 +48,8 @@ def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
     size = abs(value.value)
     if size == 0.0 and error > 0.0:
         return value
-    bounds.append(ErrorBound(name, (error / (size - error) if size > 2.0 * error else error / size) if error else 0.0))
+    own = (error / (size - error) if size > 2.0 * error else error / size) if error else 0.0
+    bounds.append(ErrorBound(name, own + SHOWN if size else 0.0))
     return value.value
 
 

@@ -9,6 +9,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.lump import Matrix, Vector
 
+# A stated bound covers the unit a number is shown in: the rounding of the unit's ratio, and of the product with it.
+SHOWN = (1.0 + 2.0**-40) * 2.0**-52
+
 
 class Spread:
     """Second moments along the principal axes, moments about them (smallest first), axes, what is undetermined."""

@@ -215,3 +215,19 @@ def test_the_picture_shows_contours_axes_and_mohrs_circle() -> None:
     middle = 0.5 * (marks["x"].x + marks["y"].x)
     reach = math.hypot(marks["x"].x - middle, marks["x"].y)
     assert reach == pytest.approx(marks["I1"].x - middle, rel=1e-14)
+
+
+@pytest.mark.parametrize("units", ["si", "us", "base"])
+def test_bounds_hold_in_the_units_shown(units: str) -> None:
+    """Showing a number in another unit rounds it again, which the bound of the number shown has to cover."""
+    ratio = {"si": mpf(1000), "us": mpf(1) / mpf("0.0254"), "base": mpf(1)}[units]
+    with mp.workdps(40):
+        for size in range(11, 60):
+            found = answer("inertia", "section", "--piece", f"diameter={size} mm", "--units", units)
+            diameter = mpf(size / 1000)
+            for name, true in (
+                ("area", mp.pi * diameter**2 / 4 * ratio**2),
+                ("perimeter", mp.pi * diameter * ratio),
+            ):
+                bound = found["numerics"]["error_bound"][name]["relative"]
+                assert abs(mpf(found["results"][name]["value"]) / true - 1) <= bound

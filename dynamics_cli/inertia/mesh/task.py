@@ -9,6 +9,7 @@ from dynamics_cli.inertia.mesh.report import advice_of, checks_of, surface_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point, properties
 from dynamics_cli.inertia.rotation import Turn, matrix_of
+from dynamics_cli.inertia.spread import SHOWN
 from dynamics_cli.quantities import InputFile, PartPosition, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
@@ -170,7 +171,7 @@ def _plain(made: MassProperties) -> MassProperties:
 def _floats(thing: "Any", address: str, bounds: list[ErrorBound]) -> "Any":
     if hasattr(thing, "slopes"):
         if thing.value and thing.error < 0.5 * abs(thing.value):
-            bounds.append(ErrorBound(address, thing.error / (abs(thing.value) - thing.error)))
+            bounds.append(ErrorBound(address, thing.error / (abs(thing.value) - thing.error) + SHOWN))
         return thing.value
     if isinstance(thing, tuple):
         inner: list[ErrorBound] = []

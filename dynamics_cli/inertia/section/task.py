@@ -6,6 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, principal, root
 from dynamics_cli.inertia.section.simple import require_sound
+from dynamics_cli.inertia.spread import SHOWN
 from dynamics_cli.quantities import (
     Angle,
     Area,
@@ -362,14 +363,14 @@ def _over(moment: "tuple[int, int]", area: "tuple[int, int]") -> float:
 
 
 def _bounds() -> "list[ErrorBound]":
-    """One rounding of an exact ratio; a few where an angle, or many lengths, come in."""
-    once = UNIT_ROUNDOFF * (1.0 + 2.0**-40)
+    """One rounding of an exact ratio, and what showing it adds; a few where an angle, or many lengths, come in."""
+    once = UNIT_ROUNDOFF * (1.0 + 2.0**-40) + SHOWN
     names = ["area", "x", "y", "principal.i1", "principal.i2"]
     names += [f"{group}.{part}" for group in ("centroidal", "about_origin") for part in PlaneMoments.fields]  # type: ignore[attr-defined]
     names += [f"gyration.{part}" for part in Gyration.fields]  # type: ignore[attr-defined]
     names += [f"moduli.{part}" for part in ("x_top", "x_bottom", "y_right", "y_left")]
     out = [ErrorBound(name, once) for name in names]
-    out += [ErrorBound(name, 4.0 * UNIT_ROUNDOFF) for name in ("perimeter", "principal.angle")]
+    out += [ErrorBound(name, 4.0 * UNIT_ROUNDOFF + SHOWN) for name in ("perimeter", "principal.angle")]
     # an axis turned by the error of its angle moves a far fibre by as much of its distance
     out += [ErrorBound(f"moduli.{part}", 16.0 * UNIT_ROUNDOFF) for part in ("first_least", "second_least")]
     return out
