@@ -16,7 +16,8 @@ from typing import Any
 
 from mpmath import cos, factorial, lu_solve, matrix, mp, mpf, pi, sin
 
-mp.dps = 60
+# values near the end of a rise are differences: a tenth power of 1e-15 must keep 40 digits
+mp.dps = 200
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Value = tuple[Any, Any, Any, Any]
 Law = Callable[[Any], Value]
@@ -72,7 +73,7 @@ def polynomial(conditions: list[tuple[Any, int, Any]]) -> Law:
         for i in range(order, n):
             system[row, i] = factorial(i) / factorial(i - order) * mpf(x) ** (i - order)
         right[row] = value
-    with mp.workdps(100):
+    with mp.workdps(240):
         c = lu_solve(system, right)
 
     def law(x: Any) -> Value:

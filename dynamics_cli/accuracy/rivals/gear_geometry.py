@@ -67,7 +67,7 @@ def pair_by_book(
     *, first: "Any", second: "Any", pitch: "Any", pressure_angle: float, helix_angle: float, internal: bool, tips: str,
     centre_distance: "float | None" = None,
 ) -> "dict[str, float]":  # fmt: skip
-    """inv α_w from tan α − α, solved by Newton, and a from it."""
+    """The working angle from tan α − α by Newton, and a from it."""
     if centre_distance is not None:
         raise ArithmeticError
     transverse = atan(tan(pressure_angle) / cos(helix_angle))

@@ -100,6 +100,6 @@ def ridders(value: float) -> "dict[str, float]":
 
 def by_brentq(value: float) -> "dict[str, float]":
     """The bracketed method of scipy, to its finest tolerance."""
-    from scipy.optimize import brentq  # type: ignore[import-untyped]
+    from scipy.optimize import brentq
 
     return {"phi": brentq(_residual, 0.0, 0.5 * pi, (value,), 1e-300, 9e-16, 1000)}

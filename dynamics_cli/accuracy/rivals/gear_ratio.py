@@ -98,7 +98,7 @@ def greedy(wanted: Wanted) -> "Fraction":
     for remaining in range(wanted.stages, 0, -1):
         aim = left if remaining == 1 else Fraction(float(left) ** (1.0 / remaining))
         pairs = (Fraction(min(max(round(aim * own), low), high), own) for own in range(low, high + 1))
-        pair = min(pairs, key=lambda one: abs(one - aim))  # noqa: B023
+        pair = min(pairs, key=lambda one: abs(one - aim))
         made *= pair
         left /= pair
     return made
