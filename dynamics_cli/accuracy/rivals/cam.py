@@ -3,6 +3,8 @@
 from dynamics_cli.accuracy.questions import Comparison
 
 LAWS = "dynamics_cli.accuracy.rivals.cam_laws:"
+EXTREMES = "dynamics_cli.accuracy.rivals.cam_extremes:"
+POINTS = "dynamics_cli.accuracy.rivals.cam_points:"
 MOTIONS = "dynamics_cli.accuracy.rivals.cam_motions:"
 
 QUESTIONS = (
@@ -10,4 +12,6 @@ QUESTIONS = (
     Comparison("cam", "rise", "cam law, relative", LAWS + "compare_relative"),
     Comparison("cam", "rise", "cam polynomial", MOTIONS + "compare_polynomials"),
     Comparison("cam", "motion", "cam motion", MOTIONS + "compare_motions"),
+    Comparison("cam", "profile", "cam extremes", EXTREMES + "compare"),
+    Comparison("cam", "profile", "cam points", POINTS + "compare"),
 )
