@@ -1,4 +1,4 @@
-"""Rise laws: folded about the middle and factored, as one formula expanded about zero, and differentiated in numbers."""
+"""Rise laws: folded about the middle and factored, as one formula about zero, and differentiated in numbers."""
 
 from decimal import Decimal
 from math import cos, pi, sin
@@ -82,7 +82,10 @@ def expanded(case: Case) -> "Callable[[], Values]":
 
 
 def _one_formula(
-    x: float, powers: "Sequence[float]", sines: "Sequence[tuple[float, float]]", cosines: "Sequence[tuple[float, float]]"
+    x: float,
+    powers: "Sequence[float]",
+    sines: "Sequence[tuple[float, float]]",
+    cosines: "Sequence[tuple[float, float]]",
 ) -> "list[float]":
     found = []
     turns: tuple[tuple[Any, Any, float, float], ...] = (

@@ -71,7 +71,7 @@ def _power(x: float, power: int, order: int) -> float:
     factor = 1.0
     for lower in range(order):
         factor *= power - lower
-    return factor * x ** (power - order)  # type: ignore[no-any-return]
+    return factor * x ** (power - order)
 
 
 def polynomial_peaks(case: "Case") -> "list[float]":

@@ -25,7 +25,7 @@ def envelope(geometry: "Geometry", motion: "Any") -> "tuple[Any, Any]":
     """The program's own: the point of contact in closed form."""
     from dynamics_cli.cam.contact import curve
 
-    return curve(geometry, motion, _angles())  # type: ignore[no-any-return]
+    return curve(geometry, motion, _angles())
 
 
 def _pitch(geometry: "Geometry", motion: "Any", theta: "Any") -> "tuple[Any, Any]":
