@@ -10,7 +10,7 @@ SIZES = "dynamics_cli.accuracy.rivals.cam_sizes:"
 MOTIONS = "dynamics_cli.accuracy.rivals.cam_motions:"
 
 QUESTIONS = (
-    Comparison("cam", "rise", "cam law, by its peak", LAWS + "compare"),
+    Comparison("cam", "rise", "cam law, by its peak", LAWS + "compare", peers=("mechanism",)),
     Comparison("cam", "rise", "cam law, relative", LAWS + "compare_relative"),
     Comparison("cam", "rise", "cam polynomial", MOTIONS + "compare_polynomials"),
     Comparison("cam", "motion", "cam motion", MOTIONS + "compare_motions"),

@@ -139,9 +139,31 @@ METHODS: "tuple[Answer, ...]" = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def by_mechanism(case: Case) -> "Callable[[], Values]":
+    """PyPI's `mechanism`, a rise and a fall over one turn: harmonic and cycloidal laws alone."""
+    from math import degrees
+
+    from mechanism.cams import Cam  # type: ignore[import-not-found]
+
+    _, lift, span, at = _given(case)
+    name = case.inputs["law"]
+    # a hundredth of a radian is as fine a step as is worth a table of the whole turn
+    if name not in ("harmonic", "cycloidal") or at < 0.01:
+        raise ArithmeticError
+    moves = [("Rise", lift, degrees(span)), ("Fall", lift, 360.0 - degrees(span))]
+
+    def answer() -> "Values":
+        # its angles are multiples of a step: the second of them is the one that is wanted
+        found = getattr(Cam(motion=moves, degrees=True, omega=1.0, h=at), name)
+        return tuple(float(values[1]) for values in (found.S, found.V, found.A, found.J))
+
+    return answer
+
+
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Every method on every law; errors in shares of the law's peak of that derivative."""
-    return compared(name, "rise", METHODS, peaks, hard=hard, full=full, timed=timed)
+    methods = (*METHODS, ("mechanism, a table of the turn", by_mechanism)) if "mechanism" in peers else METHODS
+    return compared(name, "rise", methods, peaks, hard=hard, full=full, timed=timed)
 
 
 def compare_relative(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":

@@ -37,7 +37,11 @@ QUESTIONS = (
     Comparison("gear", "ratio", "gear ratio", RIVALS + "gear_ratio:compare"),
     _sizes("spur", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
     _sizes("helical", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
-    _sizes("pair", SIZES, Method("tan α − α and Newton, three sizes only", GEOMETRY + "pair_by_book")),
+    _sizes(
+        "pair", SIZES,
+        Method("tan α − α and Newton, three sizes only", GEOMETRY + "pair_by_book"),
+        Method("py_gearworks, distance only", GEOMETRY + "pair_by_py_gearworks", needs="py_gearworks"),
+    ),
     _sizes("bevel"),
     _sizes("worm"),
     _sizes("crossed"),
