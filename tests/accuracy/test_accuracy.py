@@ -83,6 +83,16 @@ class TestReport:
                 worse = value(rival, "worst") > value(chosen, "worst") or value(rival, "refused")
                 assert worse, (name, rival["method"])
 
+    @pytest.mark.parametrize(
+        "question",
+        ["cam law, by its peak", "cam extremes", "cam export, arcs", "cam export, cubics",
+         "inverse involute", "undercut junction", "gear ratio"],
+    )  # fmt: skip
+    def test_a_choice_of_method_is_shown_beside_two_others(self, rows: list[dict], question: str) -> None:
+        own = [row for row in rows if row["question"] == question]
+        assert len(own) >= 3
+        assert ["(chosen)" in row["method"] for row in own] == [True] + [False] * (len(own) - 1)
+
     def test_only_hard_cases_on_request(self, rows: list[dict]) -> None:
         hard = answer("accuracy", "--untimed", "--hard")["results"]["methods"]
         every = {(row["question"], row["method"]): value(row, "cases") for row in rows}
