@@ -25,6 +25,8 @@ class Case:
         self.name: str = raw["name"]
         self.why: str = raw.get("why", "")
         self.inputs: Any = raw["inputs"]
+        # words, given to the methods as they are
+        self.choices: Any = raw.get("choices", {})
         self.results: dict[str, str] = raw["results"]
 
     @property

@@ -70,7 +70,7 @@ def errors_of(
 
             numbers = Tracked.inputs(numbers)
         try:
-            results = results_of(function(**build(case.inputs, iter(numbers), groups)))
+            results = results_of(function(**build(case.inputs, iter(numbers), groups), **case.choices))
         except (DynamicsError, ArithmeticError, ValueError):
             made.refused += 1
             continue
@@ -128,7 +128,7 @@ def scalar_time(
     """The median over some cases of the time of one scalar call."""
     times = []
     for case in cases:
-        arguments = build(case.inputs, leaves(case.inputs), groups)
+        arguments = build(case.inputs, leaves(case.inputs), groups) | case.choices
         try:
             function(**arguments)
         except (DynamicsError, ArithmeticError, ValueError):
@@ -149,7 +149,7 @@ def array_time(
         columns = [np.full(pace.rows, number) for number in leaves(case.inputs)]
         if not columns:
             return None
-        arguments = build(case.inputs, iter(columns), groups)
+        arguments = build(case.inputs, iter(columns), groups) | case.choices
         try:
             function(**arguments)
         except (DynamicsError, ArithmeticError, ValueError, TypeError):

@@ -54,13 +54,17 @@ class Question:
 
 
 class Comparison:
-    """A question whose rows are made by a function of its own: it takes (hard, full) and gives rows."""
+    """A question whose rows are made by a function of its own: it takes (name, hard, full, timed) and gives rows.
 
-    def __init__(self, family: str, task: str, name: str, function: str) -> None:
+    Where it names `peers`, it also takes a tuple of those that are asked for and installed.
+    """
+
+    def __init__(self, family: str, task: str, name: str, function: str, *, peers: "tuple[str, ...]" = ()) -> None:
         self.family = family
         self.task = task
         self.name = name
         self.function = function
+        self.peers = peers
 
 
 def groups_of(task: "Task") -> "dict[str, type]":

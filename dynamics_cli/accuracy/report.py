@@ -12,6 +12,8 @@ from dynamics_cli.records import Advice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.questions import Method, Question
 
@@ -87,7 +89,7 @@ def accuracy(
     missing: dict[str, None] = {}
     for question in asked:
         if isinstance(question, Comparison):
-            rows += _compared(question, hard=hard, full=full, timed=not untimed)
+            rows += _compared(question, missing, hard=hard, full=full, timed=not untimed, peers=peers)
         else:
             rows += _answered(question, pace, missing, hard=hard, timed=not untimed, peers=peers)
     advice = tuple(
@@ -97,8 +99,13 @@ def accuracy(
     return Accuracy(tuple(rows), len(asked), advice)
 
 
-def _compared(question: "Comparison", *, hard: bool, full: bool, timed: bool) -> "list[Row]":
-    return imported(question.function)(question.name, hard=hard, full=full, timed=timed)  # type: ignore[no-any-return]
+def _compared(
+    question: "Comparison", missing: "dict[str, None]", *, hard: bool, full: bool, timed: bool, peers: bool
+) -> "list[Row]":
+    options: dict[str, Any] = {"hard": hard, "full": full, "timed": timed}
+    if question.peers:
+        options["peers"] = tuple(name for name in question.peers if peers and _installed(name, missing))
+    return imported(question.function)(question.name, **options)  # type: ignore[no-any-return]
 
 
 def _answered(
@@ -119,9 +126,12 @@ def _answered(
 
 
 def _installed(name: str, missing: "dict[str, None]") -> bool:
-    from importlib.util import find_spec
+    """Whether a library can be imported: one that is there but broken is as good as none."""
+    from importlib import import_module
 
-    if find_spec(name) is None:
+    try:
+        import_module(name)
+    except ImportError:
         missing[name] = None
         return False
     return True

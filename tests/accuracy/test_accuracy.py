@@ -17,6 +17,8 @@ from dynamics_cli.accuracy.questions import Question
 
 GENERATORS = Path(__file__).resolve().parents[1] / "references"
 FILES = sorted(path.name for path in DATA.glob("*.json"))
+# those that are made again in seconds
+AGAIN = ("convert.json", "uncertainty.json", "cam_motion.json", "gear_geometry.json")
 QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
 
 
@@ -81,6 +83,16 @@ class TestReport:
                 worse = value(rival, "worst") > value(chosen, "worst") or value(rival, "refused")
                 assert worse, (name, rival["method"])
 
+    @pytest.mark.parametrize(
+        "question",
+        ["cam law, by its peak", "cam extremes", "cam export, arcs", "cam export, cubics",
+         "inverse involute", "undercut junction", "gear ratio"],
+    )  # fmt: skip
+    def test_a_choice_of_method_is_shown_beside_two_others(self, rows: list[dict], question: str) -> None:
+        own = [row for row in rows if row["question"] == question]
+        assert len(own) >= 3
+        assert ["(chosen)" in row["method"] for row in own] == [True] + [False] * (len(own) - 1)
+
     def test_only_hard_cases_on_request(self, rows: list[dict]) -> None:
         hard = answer("accuracy", "--untimed", "--hard")["results"]["methods"]
         every = {(row["question"], row["method"]): value(row, "cases") for row in rows}
@@ -129,7 +141,7 @@ class TestReferences:
             assert case.name
             assert case.results
 
-    @pytest.mark.parametrize("file", [name for name in FILES if name in ("convert.json", "uncertainty.json")])
+    @pytest.mark.parametrize("file", [name for name in FILES if name in AGAIN])
     def test_generating_again_gives_the_same_bytes(self, file: str, tmp_path: Path) -> None:
         made = tmp_path / file
         generator = GENERATORS / f"generate_{file.removesuffix('.json')}_references.py"

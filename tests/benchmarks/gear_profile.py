@@ -2,7 +2,7 @@
 
     python tests/benchmarks/gear_profile.py [--rounds 7]
 
-Junctions are held against tests/references/gear_trains.json. py_gearworks is run, never imported by the program; its
+Junctions are held against accuracy/data/gear_trains.json. py_gearworks is run, never imported by the program; its
 figures are those of its own functions for the same gears (its rack has sharp corners, so only contact ratios and times
 are set side by side).
 """
@@ -42,7 +42,7 @@ def fastest(work: Callable[[], Any], rounds: int) -> tuple[float, Any]:
 
 
 def junctions(rounds: int) -> None:
-    cases = json.loads((ROOT / "tests/references/gear_trains.json").read_text(encoding="utf-8"))["cases"]
+    cases = json.loads((ROOT / "dynamics_cli/accuracy/data/gear_trains.json").read_text(encoding="utf-8"))["cases"]
     roots = [case for case in cases if case["task"] == "root"]
     mp.dps = 60
     worst, times = mpf(0), []

@@ -2,13 +2,12 @@
 
 import json
 import random
-from pathlib import Path
 from typing import Any
 
+from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.cam import followers
 from dynamics_cli.cam.program import Program
 
-HERE = Path(__file__).resolve().parent
 LAWS = (
     "cycloidal",
     "3-4-5",
@@ -26,7 +25,7 @@ SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dw
 
 
 def cases(task: str = "profile") -> list[dict[str, Any]]:
-    path = HERE.parent / "references" / "cam_geometry.json"
+    path = DATA / "cam_geometry.json"
     return [case for case in json.loads(path.read_text(encoding="utf-8"))["cases"] if case["task"] == task]
 
 

@@ -2,20 +2,20 @@
 
 import json
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.cam.laws import LawName, law_named
 from dynamics_cli.cam.peaks import extremes
 from dynamics_cli.cam.polynomials import polynomial
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.cam.rises import rise
 
-FILE = Path(__file__).resolve().parents[1] / "references" / "cam_motion.json"
+FILE = DATA / "cam_motion.json"
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 LIMITS = (1e-15, 1e-15, 5e-15, 5e-14)
 

@@ -2,12 +2,12 @@
 
 import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.gear.bevel import Kind, bevel
 from dynamics_cli.gear.crossed import Screw, crossed
 from dynamics_cli.gear.gear import NormalModule
@@ -19,7 +19,7 @@ from dynamics_cli.gear.worm import AxialModule, WormDiameter, worm
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.tracked import Tracked
 
-FILE = Path(__file__).parents[1] / "references" / "gear_geometry.json"
+FILE = DATA / "gear_geometry.json"
 CASES = json.loads(FILE.read_text(encoding="utf-8"))["cases"]
 RECORDS = {record.__name__: record for record in (NormalModule, Mate, AxialModule, WormDiameter, Screw)}
 CHOICES = {"tips": Tips, "kind": Kind, "internal": bool}

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.gear.gear import NormalModule
 from dynamics_cli.gear.measure import measure
@@ -56,7 +57,7 @@ def answers(case: dict[str, Any]) -> tuple[dict[str, float], dict[str, Any], lis
     return call(numbers), call(tracked), list(numbers.values())
 
 
-CASES = [(case["name"], case) for case in json.loads((HERE / FILE).read_text(encoding="utf-8"))["cases"]]
+CASES = [(case["name"], case) for case in json.loads((DATA / FILE).read_text(encoding="utf-8"))["cases"]]
 
 
 @pytest.mark.parametrize("case", [case for _, case in CASES], ids=[name for name, _ in CASES])
@@ -101,7 +102,7 @@ def test_there_are_hard_cases_and_each_says_why() -> None:
 def test_the_references_are_generated_again_to_the_byte(tmp_path) -> None:
     again = tmp_path / FILE
     subprocess.run([sys.executable, str(HERE / "generate_gear_trains_references.py"), str(again)], check=True)
-    assert again.read_bytes() == (HERE / FILE).read_bytes()
+    assert again.read_bytes() == (DATA / FILE).read_bytes()
     assert json.loads(again.read_text(encoding="utf-8"))["cases"]
 
 

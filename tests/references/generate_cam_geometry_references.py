@@ -9,13 +9,14 @@ Run: python tests/references/generate_cam_geometry_references.py
 """
 
 import json
+import sys
 from itertools import pairwise
 from pathlib import Path
 
 from mpmath import acos, asin, atan2, cos, diff, exp, findroot, mp, mpc, mpf, nstr, pi, sin, sqrt, tan
 
 mp.dps = 60
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 
 
 def cycloidal(x):
@@ -579,9 +580,10 @@ def main():
         }
         cases.append(written("profile", name, why, inputs, found))
         print(name)
-    (HERE / "cam_geometry.json").write_text(
-        json.dumps({"cases": cases}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
-    )
+    about = "Written by generate_cam_geometry_references.py: SI inputs as doubles, results to 40 digits of 60."
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_geometry.json"
+    text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
+    target.write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -16,8 +16,9 @@ from typing import Any
 
 from mpmath import cos, factorial, lu_solve, matrix, mp, mpf, pi, sin
 
-mp.dps = 60
-HERE = Path(__file__).resolve().parent
+# values near the end of a rise are differences: a tenth power of 1e-15 must keep 40 digits
+mp.dps = 200
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Value = tuple[Any, Any, Any, Any]
 Law = Callable[[Any], Value]
 
@@ -72,7 +73,7 @@ def polynomial(conditions: list[tuple[Any, int, Any]]) -> Law:
         for i in range(order, n):
             system[row, i] = factorial(i) / factorial(i - order) * mpf(x) ** (i - order)
         right[row] = value
-    with mp.workdps(100):
+    with mp.workdps(240):
         c = lu_solve(system, right)
 
     def law(x: Any) -> Value:
@@ -289,7 +290,7 @@ def motions(generator: random.Random) -> list[dict[str, Any]]:
 def main() -> None:
     generator = random.Random(16_13)
     cases = rises(generator) + free_polynomials(generator) + motions(generator)
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "cam_motion.json"
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_motion.json"
     rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
     target.write_text(
         '{"about": "Written by generate_cam_motion_references.py: SI inputs, 40-digit results.",\n"cases": [\n'

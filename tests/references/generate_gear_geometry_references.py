@@ -13,7 +13,7 @@ from typing import Any
 
 from mpmath import acos, asin, atan, cos, cot, findroot, mp, mpf, pi, sin, sqrt, tan
 
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = dict[str, Any]
 DEGREE = 0.017453292519943295
 
@@ -485,7 +485,7 @@ def main() -> None:
     cases = [*involute_cases(), *ordinary(), *hard()]
     about = "Written by generate_gear_geometry_references.py: SI inputs as doubles, results to 40 digits of 80."
     lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "gear_geometry.json"
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_geometry.json"
     target.write_text(f'{{"about": {json.dumps(about)},\n"cases": [\n{lines}\n]}}\n', encoding="utf-8")
 
 

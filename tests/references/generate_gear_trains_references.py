@@ -16,7 +16,7 @@ from typing import Any
 
 from mpmath import acos, atan, atan2, cos, floor, matrix, mp, mpf, pi, sin, sqrt, tan
 
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 TWENTY = 0.3490658503988659
 Case = tuple[str, str, str, dict[str, Any]]
 mp.dps = 60
@@ -341,4 +341,4 @@ def main(target: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "gear_trains.json")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_trains.json")

@@ -1,0 +1,22 @@
+"""Cams: the questions asked of them."""
+
+from dynamics_cli.accuracy.questions import Comparison
+
+LAWS = "dynamics_cli.accuracy.rivals.cam_laws:"
+EXTREMES = "dynamics_cli.accuracy.rivals.cam_extremes:"
+POINTS = "dynamics_cli.accuracy.rivals.cam_points:"
+EXPORT = "dynamics_cli.accuracy.rivals.cam_export:"
+SIZES = "dynamics_cli.accuracy.rivals.cam_sizes:"
+MOTIONS = "dynamics_cli.accuracy.rivals.cam_motions:"
+
+QUESTIONS = (
+    Comparison("cam", "rise", "cam law, by its peak", LAWS + "compare", peers=("mechanism",)),
+    Comparison("cam", "rise", "cam law, relative", LAWS + "compare_relative"),
+    Comparison("cam", "rise", "cam polynomial", MOTIONS + "compare_polynomials"),
+    Comparison("cam", "motion", "cam motion", MOTIONS + "compare_motions"),
+    Comparison("cam", "profile", "cam extremes", EXTREMES + "compare"),
+    Comparison("cam", "profile", "cam points", POINTS + "compare"),
+    Comparison("cam", "export", "cam export, arcs", EXPORT + "compare_arcs"),
+    Comparison("cam", "export", "cam export, cubics", EXPORT + "compare_cubics"),
+    Comparison("cam", "size", "cam size", SIZES + "compare"),
+)

@@ -1,0 +1,49 @@
+"""Gears: the questions asked of them."""
+
+from dynamics_cli.accuracy.questions import Comparison, Method, Question
+
+RIVALS = "dynamics_cli.accuracy.rivals."
+INVOLUTE, ROOT, GEOMETRY = (RIVALS + name for name in ("gear_involute:", "gear_root:", "gear_geometry:"))
+SIZES, TRAINS = "gear_geometry.json", "gear_trains.json"
+
+
+def _sizes(task: str, file: str = SIZES, *rivals: Method) -> Question:
+    own = Method("closed form", GEOMETRY + task, chosen=True, tracked=True)
+    return Question("gear", task, f"gear {task}", file, task, own, *rivals)
+
+
+QUESTIONS = (
+    Question(
+        "gear", "pair", "inverse involute", SIZES, "inverse",
+        Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True, arrays=True),
+        Method("Newton on tan φ − φ", INVOLUTE + "newton"),
+        Method("Newton in tan φ", INVOLUTE + "newton_in_tangent"),
+        Method("halving", INVOLUTE + "bisection"),
+        Method("Ridders, bracketed", INVOLUTE + "ridders"),
+        Method("scipy brentq", INVOLUTE + "by_brentq", needs="scipy"),
+    ),
+    Question(
+        "gear", "pair", "involute function", SIZES, "inv",
+        Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True, arrays=True),
+        Method("tan φ − φ", INVOLUTE + "textbook_involute"),
+    ),
+    Question(
+        "gear", "profile", "undercut junction", TRAINS, "root",
+        Method("bracketed, of differences", ROOT + "chosen", chosen=True, tracked=True),
+        Method("Newton on half angles", ROOT + "newton"),
+        Method("Newton for two unknowns", ROOT + "newton_of_two"),
+        Method("halving on half angles", ROOT + "halving"),
+    ),
+    Comparison("gear", "ratio", "gear ratio", RIVALS + "gear_ratio:compare"),
+    _sizes("spur", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
+    _sizes("helical", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
+    _sizes(
+        "pair", SIZES,
+        Method("tan α − α and Newton, three sizes only", GEOMETRY + "pair_by_book"),
+        Method("py_gearworks, distance only", GEOMETRY + "pair_by_py_gearworks", needs="py_gearworks"),
+    ),
+    _sizes("bevel"),
+    _sizes("worm"),
+    _sizes("crossed"),
+    _sizes("measure", TRAINS),
+)  # fmt: skip
