@@ -103,7 +103,7 @@ class CamSize:
     least_convex_radius : Coordinate
         Least radius of curvature of this cam where it is convex [m].
     in_line_base_radius : Size
-        Least radius of the base circle without an offset, for the same limits of pressure angle [m].
+        Least radius of the base circle without an offset, for the same limits; where only pressure angles bind [m].
     face_width : Size
         Length of the flat face with its margins [m].
     """

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 
 DEGREE = pi / 180.0
 ROOM = 1e-11
+CURVATURE = "least radius of curvature"
+# Steps of the first look for the best offset to either side, and where the search for it ends, of the whole reach.
+GRID = 16
+FINEST = 1e-11
 GOLDEN = 0.5 * (sqrt(5.0) - 1.0)
 
 
@@ -85,12 +89,18 @@ def size_slide(
         d = height(e)
         binding = "rise limit" if a - e * c1 >= b + e * c2 else "return limit"
     radius = hypot(e, d)
+    loose = 0.0
     method = "closed form on certified extremes"
     if wanted is not None and not _curved_enough(motion, e, d, roller, wanted, turn):
-        binding, method = "least radius of curvature", "secant on certified extremes"
+        binding, method = CURVATURE, "secant on certified extremes"
         if follower.offset is None:
-            e = _search(lambda e: hypot(e, max(height(e), _rough_height(motion, e, wanted, turn))), radius)
+            # no offset beyond the start radius that this one needs can do better
+            reach = hypot(e, max(d, _rough_height(motion, e, wanted, turn)))
+            e = _search(lambda e: hypot(e, max(height(e), _rough_height(motion, e, wanted, turn))), reach)
+            # the rough height is never above the certified one: what lies between is all that another could gain
+            loose = reach * FINEST * (1.0 + max(c1, c2)) - _rough_height(motion, e, wanted, turn)
         d = max(height(e), _height_for(motion, e, roller, wanted, turn))
+        loose = max(loose + d, 0.0) if follower.offset is None else 0.0
         radius = hypot(e, d)
     if radius < roller:
         binding, d = "the roller itself: a base circle cannot be negative", sqrt((roller - e) * (roller + e))
@@ -101,7 +111,8 @@ def size_slide(
     found = analyse(Geometry(follows, rotation), motion)
     high, low = found.pressure.largest()[0], found.pressure.smallest()[0]
     least, _ = convex(Geometry(follows, rotation), found)
-    in_line = max(a, b, floor) - roller
+    in_line, curved = max(a, b, floor) - roller, binding == CURVATURE
+    error = c1 * rise.error + c2 * back.error + loose
     # a base radius and an offset of doubles tell a height far below them no better
     lever = 1.0 + 1e-4 * (radius / d) ** 2 if d > 0.0 else inf
     checks = [
@@ -117,9 +128,9 @@ def size_slide(
     return size.CamSize(
         base_radius=base, offset=offset, start_radius=radius, arm_start_angle=None, binding=binding,
         largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
-        in_line_base_radius=in_line if in_line > 0.0 else None, face_width=None,
+        in_line_base_radius=in_line if in_line > 0.0 and not curved else None, face_width=None,
         checks=tuple(checks), advice=advice,
-        numerics=Numerics(method, (ErrorBound("base_radius", _share(c1 * rise.error + c2 * back.error, base)),)),
+        numerics=Numerics(method, (ErrorBound("base_radius", _share(error, base)),)),
     )  # fmt: skip
 
 
@@ -186,11 +197,13 @@ def _height_for(motion: "Any", e: float, roller: float, wanted: float, turn: flo
 
 
 def _search(cost: "Callable[[float], float]", reach: float) -> float:
-    """The offset of least cost, by golden section."""
-    low, high = -reach, reach
+    """The offset of least cost: the best of a grid, for there may be several dips, then golden section."""
+    step = reach / GRID
+    best = min((k * step for k in range(-GRID, GRID + 1)), key=cost)
+    low, high = best - step, best + step
     a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     at_a, at_b = cost(a), cost(b)
-    for _ in range(40):
+    for _ in range(50):
         if at_a < at_b:
             high, b, at_b = b, a, at_a
             a = high - GOLDEN * (high - low)

@@ -249,3 +249,23 @@ def test_a_conjugate_pair_holds_its_rollers_apart() -> None:
     second = profile(NOTHING, program=CYCLE, follower=followers.ConjugateRoller(0.03, 0.008, 0.09, 0.004)).points.arrays
     apart = np.hypot(first["pitch_x"] - second["pitch_x"], first["pitch_y"] - second["pitch_y"])
     assert np.abs(apart - 0.09).max() < 1e-16
+
+
+@pytest.mark.parametrize("least", [0.01, 0.05, 0.1])
+def test_no_offset_beats_the_best_one_for_a_curvature_by_more_than_the_bound(least: float) -> None:
+    limit = radians(30)
+
+    def smallest(offset: float | None) -> size.CamSize:
+        slide = size.Roller(0.006, offset)
+        return size.size(
+            NOTHING, program=CYCLE, follower=slide, rise_limit=limit, return_limit=limit, least_radius=least
+        )
+
+    found = smallest(None)
+    assert found.numerics is not None
+    bound = found.numerics.bounds[0].bound * found.base_radius
+    others = [smallest(offset).base_radius for offset in np.linspace(-0.1, 0.1, 41)]
+    assert min(others) >= found.base_radius - bound
+    # and the offset found is kept by the size without a search
+    assert smallest(found.offset).base_radius == pytest.approx(found.base_radius, rel=1e-12)
+    assert found.in_line_base_radius is None
