@@ -222,7 +222,9 @@ def mesh(
         distance = _without_backlash(first, second)
     path = path_of_contact(first, second, distance)
     _require_contact(path)
-    return _proof(first, second, distance, path, points, shown)
+    bare = first_tip_diameter is None and second_tip_diameter is None and not internal
+    notes = _tip_notes(first, second, distance) if bare else ()
+    return _proof(first, second, distance, path, points, shown, notes)
 
 
 def forms_of(
@@ -275,7 +277,9 @@ def _require_contact(path: Path) -> None:
     )
 
 
-def _proof(first: ToothForm, second: ToothForm, distance: float, path: Path, points: int, shown: int) -> MeshProof:
+def _proof(
+    first: ToothForm, second: ToothForm, distance: float, path: Path, points: int, shown: int, notes: tuple[Advice, ...]
+) -> MeshProof:
     import numpy as np
 
     lengths, error = transmission_error(first, second, distance, path, points)
@@ -311,7 +315,7 @@ def _proof(first: ToothForm, second: ToothForm, distance: float, path: Path, poi
         runs=runs,
         path=_points(first, second, path, lengths[picks], error[picks]),
         checks=(Check("conjugate action", worst <= EXACT, worst, EXACT),),
-        advice=_advice(path, ratio, backlash, gaps, clearances, first) + (_tips_meet(trimmed) if trims else ()),
+        advice=_advice(path, ratio, backlash, gaps, clearances, first) + (_tips_meet(trimmed) if trims else ()) + notes,
         numerics=_numerics(first, distance, path),
     )
 
@@ -320,6 +324,25 @@ def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tup
     if second.internal:
         return second.root - distance - first.tip, second.tip - distance - first.root
     return distance - first.tip - second.root, distance - second.tip - first.root
+
+
+def _tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
+    """Say so when the tips are left at full height where `gear pair` shortens them."""
+    one, two = first.cutter, second.cutter
+    if one is None or two is None:
+        return ()
+    change = distance - first.module * (one.pitch_radius + two.pitch_radius + one.shift + two.shift)
+    if change > -1e-9 * first.module:
+        return ()
+    tips = [2e3 * (form.tip + change) for form in (first, second)]
+    return (
+        Advice(
+            "full-tips",
+            f"the tips are full height; gear pair shortens them by {-1e3 * change:.6g} mm to keep the tip clearance",
+            "note",
+            f'for its tips --first-tip-diameter "{tips[0]:.9g} mm" --second-tip-diameter "{tips[1]:.9g} mm"',
+        ),
+    )
 
 
 def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, error: object) -> Columns[ContactPoint]:

@@ -273,3 +273,21 @@ def test_the_stated_bounds_hold(z1: int, z2: int, x1: float, x2: float, internal
         assert abs(mpf(getattr(answer, name)) / wanted - 1) <= bounds[name], name
         assert bounds[name] < 1e-13, name
     assert abs(answer.backlash) <= bounds["backlash"]
+
+
+def test_full_tips_are_named_with_those_of_the_pair() -> None:
+    from dynamics_cli.gear.pair import pair
+    from dynamics_cli.gear.pair_data import Mate
+
+    common = {"first_teeth": 12, "second_teeth": 24, "pitch": NormalModule(0.003)}
+    shifts = {"first_profile_shift": 0.6, "second_profile_shift": 0.36}
+    (note,) = (one for one in mesh(**common, **shifts, points=100).advice if one.code == "full-tips")
+    shortened = pair(first=Mate(12, 0.6), second=Mate(24, 0.36), pitch=NormalModule(0.003))
+    assert note.mend is not None
+    for tip in (shortened.first_tip_diameter, shortened.second_tip_diameter):
+        assert f'"{1e3 * tip:.9g} mm"' in note.mend
+    tips = {"first_tip_diameter": shortened.first_tip_diameter, "second_tip_diameter": shortened.second_tip_diameter}
+    same = mesh(**common, **shifts, **tips, points=100)
+    assert same.contact_ratio == pytest.approx(shortened.transverse_contact_ratio, rel=1e-13)
+    assert "full-tips" not in [one.code for one in same.advice]
+    assert "full-tips" not in [one.code for one in mesh(**common, points=100).advice]
