@@ -19,7 +19,6 @@ from dynamics_cli.gear.sizes import (
     shift_from_span,
     span,
 )
-from dynamics_cli.gear.limits import plain
 from dynamics_cli.numerics.elementary import absolute, tan
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, record
