@@ -15,6 +15,7 @@ FAMILIES: "dict[str, tuple[str, tuple[str, ...], str]]" = {
     "convert": ("dynamics_cli.convert.commands", (), "dynamics_cli.accuracy.rivals.convert"),
     "coords": ("dynamics_cli.convert.commands", (), "dynamics_cli.accuracy.rivals.coords"),
     "skid": ("dynamics_cli.skid.commands", ("skid.json",), "dynamics_cli.accuracy.rivals.skid"),
+    "inertia": ("dynamics_cli.inertia.commands", (), "dynamics_cli.accuracy.rivals.inertia"),
     "cam": ("dynamics_cli.cam.commands", (), "dynamics_cli.accuracy.rivals.cam"),
     "gear": ("dynamics_cli.gear.commands", (), "dynamics_cli.accuracy.rivals.gear"),
     "uncertainty": ("", (), "dynamics_cli.accuracy.rivals.uncertainty"),

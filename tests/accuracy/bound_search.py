@@ -165,6 +165,8 @@ def broken(task: Task, inputs: Fields, count: int, seed: int) -> tuple[int, list
             if address not in exact or number.error != number.error or number.error == float("inf"):
                 continue
             error = abs(mpf(number.value) - exact[address].value)
+            # A direction at the cut between −180 and 180 degrees is one direction.
+            error = min(error, abs(error - 2 * mp.pi))
             if error > mpf(number.error):
                 found.append(f"{task.path}{address}: error {mp.nstr(error, 3)}, bound {number.error:.3g}, at {values}")
     return answered, found

@@ -41,9 +41,14 @@ def table() -> list[str]:
         lines.append(f"| {row['question']} | {row['method']} | {slower} | {row['worst']['value']:.1e} | {refused} |")
     held = [row for row in rows if row["bound"].endswith("held") and "(chosen)" in row["method"]]
     stated = [row for row in rows if row["bound"] and "(chosen)" in row["method"]]
-    lines += ["", f"The bounds that the program states held in {len(held)} of {len(stated)} questions that have one. "
-              f"Measured on {processor()}, Python {platform.python_version()}; `no answer` counts cases that a method "
-              "refused or answered with infinity.", "", f"![Work–precision diagram](examples/{DIAGRAM.name})"]  # fmt: skip
+    lines += [
+        "",
+        f"The bounds that the program states held in {len(held)} of {len(stated)} questions that have one. Measured on "
+        f"{processor()}, Python {platform.python_version()}; `no answer` counts cases that a method refused or answered "
+        "with infinity.",
+        "",
+        f"![Work–precision diagram](examples/{DIAGRAM.name})",
+    ]
     return lines
 
 

@@ -1,0 +1,65 @@
+"""Writes eigen.json: eigenvalues of symmetric 3 × 3 matrices, to 40 digits, as roots of the characteristic polynomial.
+
+The program rotates by Jacobi; here the cubic is solved with 400 digits. Matrices are doubles, taken as exact.
+Run: python tests/references/generate_eigen_references.py [FILE]. The same bytes every time.
+"""
+
+import json
+import random
+import sys
+from pathlib import Path
+
+from mpmath import mp, mpf
+
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
+GRADES = ((1.0, 1e-3, 1e-6), (1.0, 1e-6, 1.0), (1e-4, 1.0, 1e4), (1.0, 1e-8, 1e-4), (1e-6, 1e-6, 1.0))
+
+
+def matrices():
+    """Kind, name, why and matrix of every case."""
+    rng = random.Random(5)
+
+    def symmetric(low):
+        off = [rng.uniform(-0.4, 0.4) for _ in range(3)]
+        a, b, c = (rng.uniform(low, 2.0) for _ in range(3))
+        return [[a, off[0], off[1]], [off[0], b, off[2]], [off[1], off[2], c]]
+
+    for nth in range(12):
+        yield "ordinary", f"dense {nth}", "", symmetric(1.0)
+    for nth, grade in enumerate(GRADES * 3):
+        base = symmetric(1.0)
+        graded = [[base[i][j] * grade[i] * grade[j] for j in range(3)] for i in range(3)]
+        for i in range(3):
+            for j in range(i):
+                graded[i][j] = graded[j][i]
+        why = "graded as a needle's or a plate's moments are: the small eigenvalue is lost beside the large one"
+        yield "hard", f"graded {nth}", why, graded
+    for gap in (1e-4, 1e-8, 1e-12, 1e-15):
+        why = "two eigenvalues nearly equal: the trigonometric formula loses half of the digits"
+        yield "hard", f"gap {gap:g}", why, [[1.0, gap, 0.0], [gap, 1.0, gap], [0.0, gap, 1.0 + gap]]
+
+
+def eigenvalues(rows):
+    """The roots of the characteristic polynomial, the greatest first."""
+    a = [[mpf(x) for x in row] for row in rows]
+    trace = a[0][0] + a[1][1] + a[2][2]
+    minors = sum(a[i][i] * a[j][j] - a[i][j] ** 2 for i, j in ((0, 1), (0, 2), (1, 2)))
+    roots = mp.polyroots([1, -trace, minors, -mp.det(mp.matrix(a))], maxsteps=2000, extraprec=1500)
+    return sorted((mp.re(root) for root in roots), reverse=True)
+
+
+def main() -> None:
+    mp.dps = 400
+    lines = []
+    for kind, name, why, rows in matrices():
+        case = {"task": "eigen", "kind": kind, "name": name, **({"why": why} if why else {})}
+        inputs = {"rows": [[repr(x) for x in row] for row in rows]}
+        results = {f"values[{i}]": mp.nstr(value, 40) for i, value in enumerate(eigenvalues(rows))}
+        lines.append(json.dumps({**case, "inputs": inputs, "results": results}))
+    about = "Written by generate_eigen_references.py: eigenvalues of matrices of doubles, to 40 digits."
+    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
+    (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "eigen.json").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
