@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
+SMALLEST_NORMAL = Decimal(2.0**-1022)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
 
@@ -38,7 +39,8 @@ class Errors:
         slack = DIGITS.multiply(reference.copy_abs(), REFERENCE)
         true = max(DIGITS.subtract(error, slack), Decimal(0))
         near = float(reference)
-        relative = float(DIGITS.divide(true, reference.copy_abs())) if near else float(true)
+        # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
+        relative = float(DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL))) if near else float(true)
         ulps = float(DIGITS.divide(true, Decimal(math.ulp(near))))
         self.relative.append(relative)
         self.ulps.append(ulps)

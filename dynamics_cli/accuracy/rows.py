@@ -29,7 +29,7 @@ class Row:
     slower : Ratio
         Time over the time of the chosen method.
     worst : Ratio
-        Largest relative error (absolute where the reference is zero).
+        Largest relative error (absolute where the reference is zero; below the normal doubles, of the smallest one).
     worst_ulp : Ratio
         Largest error in units in the last place of the reference.
     median_ulp : Ratio

@@ -44,8 +44,8 @@ def table() -> list[str]:
     lines += [
         "",
         f"The bounds that the program states held in {len(held)} of {len(stated)} questions that have one. Measured on "
-        f"{processor()}, Python {platform.python_version()}; `no answer` counts cases that a method refused or answered "
-        "with infinity.",
+        f"{processor()}, Python {platform.python_version()}; `no answer` counts cases that a method refused or "
+        "answered with infinity.",
         "",
         f"![Work–precision diagram](examples/{DIAGRAM.name})",
     ]
