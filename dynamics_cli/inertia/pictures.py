@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 VIEWS = ((0, 1), (0, 2), (1, 2))
 STEPS = 64
-# Marks closer than this share of the body's size would be written over one another.
-CROWDED = 0.15
+# Marks closer than these shares of the body's size, along and across a name, would be written over one another.
+CROWDED = 0.4, 0.1
 # An axis that is seen end on has no arrow.
 SEEN = 1e-3
 BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
@@ -75,11 +75,11 @@ def _panel(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", i: 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
     """The mass centre and those of the parts, each place marked and named once."""
-    room = CROWDED * max(answer.equivalent_ellipsoid)
+    along, across = (share * max(answer.equivalent_ellipsoid) for share in CROWDED)
     places = [(answer.centroid, "mass centre"), *((part.centroid, part.part) for part in answer.parts or ())]
     kept: list[Mark] = []
     for at, name in places:
-        if all(abs(at[i] - mark.x) > room or abs(at[j] - mark.y) > room for mark in kept):
+        if all(abs(at[i] - mark.x) > along or abs(at[j] - mark.y) > across for mark in kept):
             kept.append(Mark(at[i], at[j], name))
     return kept
 

@@ -15,7 +15,7 @@ from dynamics_cli.inertia.shapes import Block, Cylinder, Ellipsoid, Shape
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
 from dynamics_cli.inertia.wires import wires
-from dynamics_cli.pictures import Curve
+from dynamics_cli.pictures import Curve, Mark
 
 SIZES: dict[str, Any] = {
     "thickness": 0.05, "sides": 7, "ends": Ends("one"), "base": 0.9, "ring_radius": 3.0, "closed": True,
@@ -73,3 +73,13 @@ def test_holes_are_dashed_and_parts_are_where_they_are() -> None:
     assert max(max(c.x) for c in solid) == pytest.approx(0.1, rel=1e-12)
     assert max(max(c.y) for c in solid) == pytest.approx(0.2, rel=1e-12)
     assert min(min(c.x) for c in holes) == pytest.approx(0.02, rel=1e-12)
+
+
+def test_names_that_would_run_into_one_another_are_left_out() -> None:
+    parts = tuple(
+        Part(name=name, shape=Block(1.0, 1.0, 0.1), amount=OfDensity(density), position=(x, 0.0, 0.0))
+        for name, x, density in (("middle", 0.5, 10.0), ("near", 0.25, 1.0), ("far", 2.0, 1.0))
+    )
+    scene = Assembly(parts=parts)
+    marks = [item.label for item in body_picture(body(scene), scene).panels[0].items if isinstance(item, Mark)]
+    assert marks == ["mass centre", "far"]

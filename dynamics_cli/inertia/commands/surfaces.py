@@ -38,7 +38,11 @@ SECTION = Task(
         source=BOOK + "chapter 7 and appendix II; Mohr's circle: section 7.9",
         formula="{area|A} = ½·Σ (xᵢ·yⱼ − xⱼ·yᵢ), Ix = Σ (xᵢ·yⱼ − xⱼ·yᵢ)·(yᵢ² + yᵢ·yⱼ + yⱼ²)/12 − A·ȳ², "
         "{principal.i1|I₁} = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²)",
-        assumptions=("one material: all of the area counts alike", "bending moduli are elastic"),
+        assumptions=(
+            "one material: all of the area counts alike",
+            "pieces that do not touch act as one section",
+            "bending moduli are elastic",
+        ),
         method="exact rational arithmetic, rounded once",
     ),
     arrays=False,
