@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 # Points along the only line when one input is uncertain.
 FINE_SCAN = 1025
+# The same where every point is a call of its own.
+SLOW_SCAN = 49
 
 
 def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
@@ -29,7 +31,7 @@ def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
     lines = Lines(space, result, direction, np.zeros((1, 0)), np.zeros((0, 1)), np.ones(1))
     if space.stepped:
         return _atoms(space, result, lines, goal)
-    scan = Scan(lines, points=FINE_SCAN)
+    scan = Scan(lines, points=SLOW_SCAN if space.slow else FINE_SCAN)
     if not np.isnan(scan.values).any() and bool((np.diff(scan.values[0]) >= 0.0).all()):
         quantiles = lines.values(goal.scores[None, :])[0]
         made = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)

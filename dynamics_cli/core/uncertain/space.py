@@ -46,7 +46,8 @@ class Space:
         self.results: list[str] = []
         self.points = 0
         # A model that is asked case by case is dear, and its results are often asked for at the same points.
-        self._known: dict[bytes, Array] | None = None if getattr(model, "arrays", True) else {}
+        self.slow = not getattr(model, "arrays", True)
+        self._known: dict[bytes, Array] | None = {} if self.slow else None
 
     @property
     def size(self) -> int:
