@@ -1,5 +1,7 @@
 """Energy of deformation from crush profiles, and the change of velocity that goes with it."""
 
+import math
+
 from dynamics_cli.errors import require
 from dynamics_cli.impact.central import reduced_mass, struck_mass
 from dynamics_cli.impact.conventions import mass_of
@@ -38,7 +40,7 @@ def crush(
     second : Opponent
         What it met: another vehicle, or something fixed; without it there is no ΔV.
     restitution : Restitution
-        Coefficient of restitution [-].
+        Coefficient of restitution, for ΔV and closing speed; not used without a second body [-].
     gravity : Gravity
         Acceleration of gravity, for vehicles given by weight [m/s^2].
 
@@ -78,6 +80,10 @@ def crush(
         advice += more
     energy = one.energy if two is None else one.energy + two.energy
     if second is None:
+        alone = "one vehicle alone: ΔV and the closing speed need the body that it met; restitution is not used"
+        advice += (
+            Advice("no-second-body", alone, "note", mend="give the second mass, or --second-fixed for a barrier"),
+        )
         return CrushFound(one, None, energy, None, None, None, _checks(one, first), advice)
     require(
         restitution < 1.0,
@@ -152,9 +158,9 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Damage
     angle = vehicle.force_angle
     require(
         absolute(angle) <= STEEPEST_FORCE,
-        f"the {name} vehicle: " + "the force is {0:.4g} rad off the normal of the face; the correction 1 + tan² holds "
-        "to 45 degrees",
-        angle,
+        f"the {name} vehicle: " + "the force is {0:.4g} degrees off the normal of the face; the correction "
+        "1 + tan² holds to 45 degrees",
+        angle * (180.0 / math.pi),
         code="force-angle",
         hint="take the face that was pushed in more squarely",
     )

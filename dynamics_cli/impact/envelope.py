@@ -248,6 +248,18 @@ def envelope(
     )
     sizes = restitution_points, friction_points, map_points
     require(min(sizes) >= 1, "a region has at least one point along each side", code="region")
+    for least, greatest, points, side in (
+        (least_restitution, greatest_restitution, restitution_points, "restitution"),
+        (least_friction, greatest_friction, friction_points, "friction"),
+    ):
+        require(
+            least == greatest or min(points, map_points) >= 2,
+            f"one point along {side} cannot cover it from " + "{0:.6g} to {1:.6g}",
+            least,
+            greatest,
+            code="region",
+            hint=f"two points or more, also for the map, or equal ends of {side}",
+        )
     require(
         restitution_points * friction_points <= POINTS_MOST,
         "{0:.3g} points are more than a hundred million",
@@ -345,8 +357,8 @@ def _report(region: _Region, one: Solid, two: Solid, inward: "tuple[float, float
     import numpy as np
 
     total = region.e.size * region.mu.size
-    e = np.linspace(region.e[0], region.e[-1], map_points)
-    mu = np.linspace(region.mu[0], region.mu[-1], map_points)
+    # a side without extent has one place on the map: more would repeat its rows
+    e, mu = (np.linspace(s[0], s[-1], map_points if s[0] < s[-1] else 1) for s in (region.e, region.mu))
     pn, pt, lost = region.answer(mu[:, None], e)
     good = pn == pn
     size = np.sqrt(pn * pn + pt * pt)[good]

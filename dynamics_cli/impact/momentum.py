@@ -52,7 +52,8 @@ def momentum(
     damage : CrushEnergies | EquivalentSpeeds
         Energies of deformation, for vehicles that met on one line.
     branch : Branch
-        Which solution, where two close the equation: larger, smaller, left or right.
+        Which solution, where two close the equation: larger, smaller, left or right; of vehicles on one line,
+        `smaller` says that the second closed in on the first.
     axes : Axes
         Axes of velocities and headings: mathematical, compass, sae or iso.
     pdof_zero : PdofZero
@@ -127,7 +128,8 @@ def momentum_and_energy(
     damage : CrushEnergies | EquivalentSpeeds
         Energies of deformation of both vehicles.
     branch : Branch
-        Not used: the first vehicle is the one that closed in, unless `smaller` says that it was caught up.
+        Which solution, where two close the equation: larger, smaller, left or right; of vehicles on one line,
+        `smaller` says that the second closed in on the first.
     axes : Axes
         Axes of velocities and headings: mathematical, compass, sae or iso.
     pdof_zero : PdofZero
@@ -228,7 +230,7 @@ def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
         terms.append(Term(1.0, mass, one.approach_speed, _heading(one.approach_speed, one.approach_heading), name))
     for one, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
         heading = _heading(one.exit_speed, one.exit_heading)
-        terms.append(Term(-1.0, mass, one.exit_speed, heading, name + " after"))
+        terms.append(Term(-1.0, mass, one.exit_speed, heading, name + " exit"))
     return terms
 
 

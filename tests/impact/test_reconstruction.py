@@ -346,3 +346,16 @@ def test_yaw_inertia_by_its_rules() -> None:
     for missing in ({"rule": InertiaRule("burg")}, {"length": 2.7}, {"front_distance": 2.8}):
         with pytest.raises(InadmissibleError):
             yaw_inertia(bulk=ByMass(1500.0), wheelbase=2.7, **missing)  # type: ignore[arg-type]
+
+
+def test_refusals_speak_of_degrees_and_of_the_exit() -> None:
+    with pytest.raises(InadmissibleError, match=r"the force is 60 degrees off"):
+        crush(first=Damaged(ByMass(1500.0), STIFF, MeanCrush(0.3, 1.5), force_angle=math.pi / 3.0))
+    with pytest.raises(InadmissibleError, match="the first exit speed"):
+        momentum(first=Vehicle(ByMass(1500.0)), second=Vehicle(ByMass(1200.0)))
+
+
+def test_a_vehicle_alone_is_told_that_its_restitution_is_not_used() -> None:
+    car = Damaged(ByMass(1500.0), STIFF, MeanCrush(0.3, 1.5))
+    assert [a.code for a in crush(first=car, restitution=0.2).advice] == ["no-second-body"]
+    assert crush(first=car, second=Opponent(Fixed(True)), restitution=0.2).advice == ()

@@ -213,3 +213,15 @@ class TestEnvelope:
         if change[0] != "--first-speed":
             words += ["--first-velocity", "1, 0 m/s"]
         assert run(*words).status == 3
+
+
+def test_one_point_does_not_cover_a_side_of_an_envelope() -> None:
+    from dynamics_cli.errors import InadmissibleError
+
+    for side in ("restitution_points", "friction_points", "map_points"):
+        with pytest.raises(InadmissibleError, match="one point along"):
+            envelope(**crash(), **{side: 1})
+    line = {"least_restitution": 0.2, "greatest_restitution": 0.2, "restitution_points": 1}
+    found = envelope(**crash(), **line, friction_points=9)
+    assert found.points == 9
+    assert len(found.map.arrays["restitution"]) == 5
