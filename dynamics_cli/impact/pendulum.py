@@ -235,8 +235,8 @@ def pendulum(
 def _require_swing(swing: float) -> None:
     require(
         (absolute(swing) > 0.0) & (absolute(swing) < PI),
-        "an angle of swing of {0:.6g} rad is none, or over the top",
-        swing,
+        "an angle of swing of {0:.6g} degrees is none, or over the top",
+        swing * (180.0 / PI),
         code="swing",
         hint="the angle lies between 0 and 180 degrees",
     )

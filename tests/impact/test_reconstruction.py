@@ -359,3 +359,10 @@ def test_a_vehicle_alone_is_told_that_its_restitution_is_not_used() -> None:
     car = Damaged(ByMass(1500.0), STIFF, MeanCrush(0.3, 1.5))
     assert [a.code for a in crush(first=car, restitution=0.2).advice] == ["no-second-body"]
     assert crush(first=car, second=Opponent(Fixed(True)), restitution=0.2).advice == ()
+
+
+def test_a_swing_over_the_top_is_named_in_degrees() -> None:
+    from dynamics_cli.impact.pendulum import _require_swing
+
+    with pytest.raises(InadmissibleError, match="an angle of swing of 200 degrees"):
+        _require_swing(math.radians(200.0))
