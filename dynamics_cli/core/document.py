@@ -262,7 +262,9 @@ def _stated_bound(walk: _Walk, bound: "ErrorBound") -> "dict[str, Any]":
     """A solver's bound; an absolute one, in SI, in the unit that its result is shown in."""
     shown = walk.shown.get(bound.result)
     if bound.relative:
-        return {"relative": round_up(bound.bound)}
+        # Showing it in another unit rounds once more.
+        converted = UNIT_ROUNDOFF if shown is not None and (shown.unit is not None or shown.compound) else 0.0
+        return {"relative": round_up(bound.bound + converted)}
     if shown is None:
         return {"absolute": round_up(bound.bound)}
     stated: dict[str, Any] = {"absolute": round_up(shown.width(bound.bound))}

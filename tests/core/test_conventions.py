@@ -355,6 +355,7 @@ class TestStatedBounds:
         walk._scalar(0.012, Size, "width", table=True)  # type: ignore[arg-type]
         assert _stated_bound(walk, ErrorBound("width", 1e-9, relative=False)) == {"absolute": 1.1e-6, "unit": "mm"}
         assert _stated_bound(walk, ErrorBound("width", 1e-9)) == {"relative": 1.1e-9}
+        assert _stated_bound(walk, ErrorBound("width", 0.0)) == {"relative": 1.2e-16}
         assert _stated_bound(walk, ErrorBound("other", 1e-9, relative=False)) == {"absolute": 1.1e-9}
 
 
