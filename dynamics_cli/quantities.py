@@ -128,6 +128,7 @@ if TYPE_CHECKING:
     EvaluationTime = float
     Speed = float
     RoadSpeed = float
+    RoadVelocity = float
     Acceleration = float
     Deceleration = float
     Gravity = float
@@ -252,6 +253,9 @@ else:
     Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
     EvaluationTime = Kind("time", "s", si="us", us="us", low=0.0, example="3 us", about="the time of a calculation")
     Speed = Kind("speed", "m/s", si="m/s", us="ft/s", example="12 m/s", about="a speed or velocity component")
+    RoadVelocity = Kind(
+        "road velocity", "m/s", si="km/h", us="mph", example="-12 km/h", about="a velocity component on a road"
+    )
     RoadSpeed = Kind("road speed", "m/s", si="km/h", us="mph", low=0.0, example="50 mph", about="a speed on a road")
     Acceleration = Kind("acceleration", "m/s^2", si="m/s^2", us="ft/s^2", example="9.81 m/s^2", about="an acceleration")
     Deceleration = Kind(

@@ -124,7 +124,8 @@ def number(value: "Any", digits: int) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        text = repr(value) if digits >= 17 else f"{value:.{digits}g}"
+        # Nobody means anything by a negative zero.
+        text = repr(value + 0.0) if digits >= 17 else f"{value + 0.0:.{digits}g}"
         return text.removesuffix(".0")
     if value is None:
         return "–"

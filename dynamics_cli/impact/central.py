@@ -91,9 +91,9 @@ class CentralImpact:
         Size of the impulse: it pushes the second body ahead and the first back [N·s].
     compression_impulse : Impulse
         The part of it until the bodies move as one [N·s].
-    closing_speed : RoadSpeed
+    closing_speed : Speed
         Relative speed before [m/s].
-    separation_speed : RoadSpeed
+    separation_speed : Speed
         Relative speed after [m/s].
     common_velocity : Speed
         Velocity of the mass centre, which both bodies have at the greatest compression [m/s].
@@ -111,8 +111,8 @@ class CentralImpact:
     second: AfterCentral
     impulse: Impulse
     compression_impulse: Impulse
-    closing_speed: RoadSpeed
-    separation_speed: RoadSpeed
+    closing_speed: Speed
+    separation_speed: Speed
     common_velocity: Speed
     reduced_mass: Mass
     energy_lost: Energy

@@ -13,7 +13,7 @@ from dynamics_cli.quantities import (
     Ratio,
     Restitution,
     RoadSpeed,
-    Speed,
+    RoadVelocity,
     Text,
     Weight,
 )
@@ -198,9 +198,9 @@ class DeltaV:
         Change of velocity along the scene's axes [m/s].
     magnitude : RoadSpeed
         Size of the change of velocity [m/s].
-    longitudinal : Speed
+    longitudinal : RoadVelocity
         Its part along the nose of the body, ahead positive [m/s].
-    lateral : Speed
+    lateral : RoadVelocity
         Its part across: to the left positive, in SAE axes to the right [m/s].
     pdof : Angle
         Principal direction of force: where the force came from, clockwise from the zero that is named [rad].
@@ -210,8 +210,8 @@ class DeltaV:
 
     vector: PlanarVelocity
     magnitude: RoadSpeed
-    longitudinal: Speed
-    lateral: Speed
+    longitudinal: RoadVelocity
+    lateral: RoadVelocity
     pdof: Angle
     clock: Ratio
 

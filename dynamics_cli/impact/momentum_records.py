@@ -12,7 +12,7 @@ from dynamics_cli.quantities import (
     Impulse,
     Ratio,
     RoadSpeed,
-    Speed,
+    RoadVelocity,
     Text,
 )
 from dynamics_cli.records import Advice, Check, record
@@ -126,9 +126,9 @@ class MomentumFound:
         Direction of the impulse on the first vehicle [rad].
     closing_speed : RoadSpeed
         Relative speed of the mass centres before [m/s].
-    closing_along_impulse : Speed
+    closing_along_impulse : RoadVelocity
         The part of it along the impulse, positive when they approach [m/s].
-    separation_along_impulse : Speed
+    separation_along_impulse : RoadVelocity
         Relative speed of the mass centres after, along the impulse, positive when they part [m/s].
     restitution : Ratio
         Separation over closing along the impulse, of the mass centres [-].
@@ -151,8 +151,8 @@ class MomentumFound:
     impulse: Impulse
     impulse_heading: Angle
     closing_speed: RoadSpeed
-    closing_along_impulse: Speed
-    separation_along_impulse: Speed
+    closing_along_impulse: RoadVelocity
+    separation_along_impulse: RoadVelocity
     restitution: Ratio
     energy_lost: Energy
     total_momentum: Impulse

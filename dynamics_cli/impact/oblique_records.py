@@ -19,7 +19,7 @@ from dynamics_cli.quantities import (
     PlanarPosition,
     PlanarVelocity,
     RoadSpeed,
-    Speed,
+    RoadVelocity,
 )
 from dynamics_cli.records import Advice, Check, record
 
@@ -122,9 +122,9 @@ class AfterOblique:
         Speed after [m/s].
     heading : Angle
         Direction of travel after [rad].
-    normal_velocity : Speed
+    normal_velocity : RoadVelocity
         Part of the velocity after along the line of impact, from the first body to the second [m/s].
-    tangential_velocity : Speed
+    tangential_velocity : RoadVelocity
         Part across the line, which the impact does not change, positive on the left of the line [m/s].
     delta_v : DeltaV
         Change of velocity, from the impulse over the mass; none of a fixed body.
@@ -135,8 +135,8 @@ class AfterOblique:
     velocity: PlanarVelocity
     speed: RoadSpeed
     heading: Angle
-    normal_velocity: Speed
-    tangential_velocity: Speed
+    normal_velocity: RoadVelocity
+    tangential_velocity: RoadVelocity
     delta_v: DeltaV | None
     energy_change: Energy
 

@@ -14,7 +14,7 @@ from dynamics_cli.quantities import (
     PlanarVelocity,
     Ratio,
     RoadSpeed,
-    Speed,
+    RoadVelocity,
     Text,
     Time,
 )
@@ -91,9 +91,9 @@ class Alternative:
         Spin of the first body after [rad/s].
     second_spin : AngularSpeed
         Spin of the second body after [rad/s].
-    separation_speed : Speed
+    separation_speed : RoadVelocity
         Normal relative speed after [m/s].
-    sliding_after : Speed
+    sliding_after : RoadVelocity
         Tangential relative speed after [m/s].
     energy_lost : Energy
         Kinetic energy lost [J].
@@ -108,8 +108,8 @@ class Alternative:
     second_delta_v: RoadSpeed | None
     first_spin: AngularSpeed
     second_spin: AngularSpeed
-    separation_speed: Speed
-    sliding_after: Speed
+    separation_speed: RoadVelocity
+    sliding_after: RoadVelocity
     energy_lost: Energy
     slip_history: Text
 
@@ -150,11 +150,11 @@ class PlanarImpact:
         Normal impulse until the first slip stopped, or all of it when it never did [N·s].
     closing_speed : RoadSpeed
         Normal relative speed at the contact before [m/s].
-    separation_speed : Speed
+    separation_speed : RoadVelocity
         Normal relative speed at the contact after [m/s].
-    sliding_before : Speed
+    sliding_before : RoadVelocity
         Tangential velocity of the first body relative to the second at the contact before, along the tangent [m/s].
-    sliding_after : Speed
+    sliding_after : RoadVelocity
         The same after [m/s].
     energy_lost : Energy
         Kinetic energy turned into other forms [J].
@@ -197,9 +197,9 @@ class PlanarImpact:
     compression_impulse: Impulse | None
     slip_impulse: Impulse | None
     closing_speed: RoadSpeed
-    separation_speed: Speed
-    sliding_before: Speed
-    sliding_after: Speed
+    separation_speed: RoadVelocity
+    sliding_before: RoadVelocity
+    sliding_after: RoadVelocity
     energy_lost: Energy
     energy_lost_normal: Energy
     energy_lost_tangential: Energy

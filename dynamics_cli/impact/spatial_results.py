@@ -25,7 +25,7 @@ from dynamics_cli.quantities import (
     ImpulseVector,
     Ratio,
     RoadSpeed,
-    Speed,
+    RoadVelocity,
     Text,
     Velocity,
 )
@@ -107,7 +107,7 @@ class SpatialImpact:
         Normal impulse until the first slip stopped, or all of it when it never did [N·s].
     closing_speed : RoadSpeed
         Normal relative speed at the contact before [m/s].
-    separation_speed : Speed
+    separation_speed : RoadVelocity
         Normal relative speed at the contact after [m/s].
     sliding_before : Velocity
         Tangential velocity of the first body relative to the second at the contact before [m/s].
@@ -134,7 +134,7 @@ class SpatialImpact:
     compression_impulse: Impulse
     slip_impulse: Impulse
     closing_speed: RoadSpeed
-    separation_speed: Speed
+    separation_speed: RoadVelocity
     sliding_before: Velocity
     sliding_after: Velocity
     energy_lost: Energy
