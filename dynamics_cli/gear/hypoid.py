@@ -235,7 +235,9 @@ def _solved(point: _Point) -> float:
         )
     found = sign * bisect(lambda eta: -sign * own.residual(sign * eta), high - step, high) if own.offset else 0.0
     slope = (own.residual(found + 1e-6) - own.residual(found - 1e-6)) / 2e-6
-    return found - point.residual(found) / slope
+    # Among tracked numbers, so that the rounding of its sine and cosine counts.
+    start = point.offset * 0.0 + found
+    return start - point.residual(start) / slope
 
 
 def _result(
