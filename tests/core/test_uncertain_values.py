@@ -166,3 +166,10 @@ def test_few_readings() -> None:
     assert speed["std"] is None
     assert speed["interval"][0] < speed["value"] < speed["interval"][1]
     assert "no-deviation" in [warning["code"] for warning in document["warnings"]]
+
+
+def test_inputs_that_only_tables_depend_on_are_not_passed_over_in_silence() -> None:
+    argv = ("cam", "rise", "--law", "3-4-5", "--lift", "20 mm", "--span", "70 deg")
+    codes = [warning["code"] for warning in answer(*argv, "--at", "35 ± 0.5 deg")["warnings"]]
+    assert "nothing-varies" in codes
+    assert "nothing-varies" not in [warning["code"] for warning in answer(*argv, "--at", "35 ± 0 deg")["warnings"]]

@@ -4,6 +4,7 @@ import numpy as np
 
 from dynamics_cli.core.uncertain.distributions import StudentT, Triangular, Truncated, Uniform
 from dynamics_cli.numerics import normal_arrays
+from dynamics_cli.numerics.gauss import legendre
 from dynamics_cli.numerics.hermite import gauss_hermite
 
 TYPE_CHECKING = False
@@ -23,7 +24,7 @@ SCORES = (-REACH, -2.2, 0.0, 2.2, REACH)
 COARSE, FINE = 5, 8
 HERMITE = {COARSE: 9, FINE: 15}
 TABLE = 4001
-_GAUSS = {count: np.polynomial.legendre.leggauss(count) for count in (COARSE, FINE)}
+_gauss: "dict[int, tuple[Array, Array]]" = {}
 
 
 class Axis:
@@ -109,8 +110,15 @@ def _panels(cuts: "Array", roots: "Array", count: int) -> "tuple[Array, Array, A
     own.sort(axis=1)
     start, width = own[:, :-1], np.diff(own, axis=1)
     row, place = np.nonzero(width > 1e-13 * (cuts[-1] - cuts[0]))
-    nodes, weights = _GAUSS[count]
-    half = 0.5 * width[row, place]
-    middle = start[row, place] + half
-    points = middle[:, None] + half[:, None] * nodes
-    return np.repeat(row, count), points.ravel(), (half[:, None] * weights).ravel()
+    nodes, weights = _rule(count)
+    wide = width[row, place][:, None]
+    points = start[row, place][:, None] + wide * nodes
+    return np.repeat(row, count), points.ravel(), (wide * weights).ravel()
+
+
+def _rule(count: int) -> "tuple[Array, Array]":
+    """Gauss–Legendre nodes and weights between 0 and 1."""
+    if count not in _gauss:
+        nodes, weights = zip(*legendre(count), strict=True)
+        _gauss[count] = np.array(nodes), np.array(weights)
+    return _gauss[count]

@@ -286,6 +286,14 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
         }
         for s in rough
     ]
+    if made.inputs and not any(s.varies for s in made.spreads.values()):
+        out.append(
+            {
+                "code": "nothing-varies",
+                "severity": "caution",
+                "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
+            }
+        )
     if any(s.interval[0] < s.interval[1] and not math.isfinite(s.std) for s in made.spreads.values()):
         out.append(
             {
