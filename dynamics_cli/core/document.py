@@ -281,7 +281,7 @@ def _check(check: Check) -> "dict[str, Any]":
 
 
 def _advice(advice: Advice, bound: Fields) -> "dict[str, Any]":
-    from dynamics_cli.core.messages import in_written_units
+    from dynamics_cli.core.messages import FEWEST_TO_GIVE, in_written_units
 
     out = {"code": advice.code, "severity": advice.severity, "message": in_written_units(advice.message, bound)}
-    return {**out, "mend": in_written_units(advice.mend, bound)} if advice.mend else out
+    return {**out, "mend": in_written_units(advice.mend, bound, FEWEST_TO_GIVE)} if advice.mend else out

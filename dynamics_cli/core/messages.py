@@ -11,45 +11,64 @@ from dynamics_cli.core.units import Unit, conformable, parse_unit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    import re
     from collections.abc import Iterator
+
+    # an input's SI value (None for vectors), its number as written, its unit
+    _Written = tuple[float | None, object, Unit]
 
 # The units that physics words its messages in.
 UNITS = ("kg·m²", "N·m", "N·s", "N/m", "m/s", "m²", "mm", "rad", "kg", "m", "N", "J")
+# What may stand behind a unit in a sentence.
+ENDS = ",.;:)"
 # How messages write their numbers.
 FORMATS = ("{:.6g}", "{:.4g}", "{:.3g}", "{:.9g}", "{:.5g}")
-FEWEST_DIGITS = 4
+# What a size in another unit is shown with at the least, and one that a user is told to give.
+FEWEST_DIGITS, FEWEST_TO_GIVE = 4, 6
 
 
-def in_written_units(text: str, bound: Bound) -> str:
+def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> str:
     """A message with its sizes in the units of the inputs.
 
     >>> in_written_units("the throw distance 0.3048 m is short", Fields(None, {}))
     'the throw distance 0.3048 m is short'
     """
-    if not any(f" {unit}" in text for unit in UNITS):
+    words = text.split(" ")
+    places = [place for place in range(len(words) - 1) if words[place + 1].rstrip(ENDS) in UNITS]
+    places = [place for place in places if _is_number(words[place].lstrip("("))]
+    if not places:
         return text
-    import re
-
     written = list(_written(bound))
-    # what stands in quotes is an example of what to write
-    pattern = rf"(?<![\w.\"'-])(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?) ({'|'.join(UNITS)})(?![\w·/²³^*])"
-    return re.sub(pattern, lambda found: _shown(found, written), text)
+    for place in places:
+        number, unit = words[place].lstrip("("), words[place + 1].rstrip(ENDS)
+        made = _shown(number, unit, written, digits)
+        if made:
+            words[place] = words[place].replace(number, made[0])
+            words[place + 1] = words[place + 1].replace(unit, made[1])
+    return " ".join(words)
 
 
-def _shown(found: "re.Match[str]", written: "list[tuple[float | None, object, Unit]]") -> str:
-    number, unit = found[1], parse_unit(found[2])
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _shown(number: str, name: str, written: "list[_Written]", fewest: int) -> "tuple[str, str] | None":
+    """Number and unit in place of these; None where they stay."""
+    unit = parse_unit(name)
     alike = [(si, shown, own) for si, shown, own in written if conformable(own, unit)]
     for si, shown, own in alike:
         if si is not None and isinstance(shown, int | float) and _is(number, _in(si, unit)):
-            return f"{shown:.9g} {pretty(own.text)}"
+            return f"{shown:.9g}", pretty(own.text)
     other = next((own for _, _, own in alike if not _is_decimal(own)), None)
-    if other is None and found[2] == "rad" and not alike:
+    if other is None and name == "rad" and not alike:
         other = parse_unit("deg")
     if other is None:
-        return found[0]
-    digits = max(FEWEST_DIGITS, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
-    return f"{_in(float(number) * _factor(unit), other):.{digits}g} {pretty(other.text)}"
+        return None
+    digits = max(fewest, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
+    return f"{_in(float(number) * _factor(unit), other):.{digits}g}", pretty(other.text)
 
 
 def _is(number: str, value: float) -> bool:
@@ -72,8 +91,8 @@ def _is_decimal(unit: Unit) -> bool:
     return unit.pi == 0 and str(whole).strip("0") == "1"
 
 
-def _written(bound: Bound) -> "Iterator[tuple[float | None, object, Unit]]":
-    """Every input with a unit: its SI value (None for vectors), its number as written, its unit."""
+def _written(bound: Bound) -> "Iterator[_Written]":
+    """Every input with a unit."""
     if isinstance(bound, Fields):
         for part in bound.fields.values():
             yield from _written(part)
