@@ -5,7 +5,8 @@ derivatives. All bounds come from these constants; nothing is inferred from valu
 
 - On |τ| ≤ T, |f⁽ᵏ⁾| ≤ Σ |cᵢ| i!/(i − k)! Tⁱ⁻ᵏ + Σ |A| wᵏ |W|, with |W₀| ≤ u, |W₁| ≤ min(2, u²/2), |W_m| ≤ 1.
 - Around a place, |f(τ + z) − f(τ)| ≤ Σ |f⁽ʲ⁾(τ)| rʲ/j! for every complex z of magnitude r or less: the finite sum for
-  the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave. To first order nothing tighter is possible.
+  the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave, the terms in r added up before magnitudes are
+  taken. To first order nothing tighter is possible.
 - Rounding: shapes take at most some forty operations whose intermediate results are within the sums above (Horner's
   rule; powers of t(1 − t), whose expanded coefficients alternate; sines and cosines of half the angle, within four
   units in the last place), and their constants are within a few tens of roundings of their formulas, so that
@@ -152,49 +153,57 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[An
 
     coefficients, waves, origin, backwards = shape.parts
     tau = origin - t if backwards else t - origin
-    out = _polynomial_spreads(coefficients, tau, radius, derivatives)
+    # terms may cancel in the slope: they are added up before magnitudes are taken
+    slopes, slack, rest = _polynomial_spreads(coefficients, tau, radius, derivatives)
     for amplitude, w, start in waves:
         u, v = w * tau, w * radius
         sine, cosine = np.sin(u), np.cos(u)
-        versed = 1.0 - cosine + LESS
-        sine, cosine = np.abs(sine) + LESS, np.abs(cosine) + LESS
         half = np.sinh(0.5 * v)
+        # cosh v − 1, and v (cosh v − 1), above sinh v − v
         bent = 2.0 * half * half
-        steep = 2.0 * half * np.sqrt(1.0 + half * half)
-        # the wave's derivatives beyond the second alternate between sine and cosine
-        odd, even = sine * steep + cosine * bent, cosine * steep + sine * bent
-        factor = abs(amplitude)
+        beyond = v * bent
+        versed = 1.0 - cosine
+        odd = (np.abs(sine) + LESS) * beyond + (np.abs(cosine) + LESS) * bent
+        even = (np.abs(cosine) + LESS) * beyond + (np.abs(sine) + LESS) * bent
+        factor = amplitude
         for order in range(derivatives + 1):
             which = start + order
-            # sinh v − v ≤ v (cosh v − 1)
-            wide = versed * v + (sine + cosine * v) * bent if which == 0 else odd if which % 2 else even
-            out[order] = out[order] + factor * wide
+            wave = (cosine if which % 2 == 0 else sine) * (1.0 if which % 4 in (1, 2) else -1.0) if which else versed
+            slopes[order] = slopes[order] + factor * w * wave
+            slack[order] += LESS * abs(factor) * w
+            rest[order] = rest[order] + abs(factor) * (odd if which % 2 else even)
             factor = factor * w
-    return [wide * UP for wide in out]
+    return [
+        ((np.abs(slope) + less) * radius + more) * UP for slope, less, more in zip(slopes, slack, rest, strict=True)
+    ]
 
 
-def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "list[Any]":
-    degree = len(coefficients) - 1
-    nothing = 0.0 * radius
+def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[list[Any], ...]":
+    """Slopes of a polynomial and its derivatives, what is added to their magnitudes, and the terms beyond the first."""
+    degree, nothing = len(coefficients) - 1, 0.0 * tau
+    slopes, slack, rest = [nothing] * (derivatives + 1), [0.0] * (derivatives + 1), [0.0 * radius] * (derivatives + 1)
     if degree < 2:
-        return [abs(coefficients[1]) * radius if degree == 1 else nothing, *([nothing] * derivatives)]
+        slopes[0] = nothing + coefficients[1] if degree == 1 else nothing
+        return slopes, slack, rest
     rows = [tuple(coefficients)]
     for _ in range(degree):
         rows.append(tuple(i * c for i, c in enumerate(rows[-1]))[1:])
     reach = float(abs(tau).max()) if tau.size else 0.0
-    sizes = [nothing]
+    values, less = [nothing], [0.0]
     for order in range(1, degree + 1):
-        total = 0.0 * tau + rows[order][-1]
+        total = nothing + rows[order][-1]
         for c in rows[order][-2::-1]:
             total = total * tau + c
-        sizes.append(abs(total) + LESS * _polynomial_size(coefficients, order, reach))
-    out = []
-    for order in range(derivatives + 1):
-        wide = nothing
-        for j in range(degree - order, 0, -1):
+        values.append(total)
+        less.append(LESS * _polynomial_size(coefficients, order, reach))
+    sizes = [abs(value) + more for value, more in zip(values, less, strict=True)]
+    for order in range(min(derivatives + 1, degree)):
+        slopes[order], slack[order] = values[order + 1], less[order + 1]
+        wide = rest[order]
+        for j in range(degree - order, 1, -1):
             wide = (wide + sizes[order + j]) * (radius / j)
-        out.append(wide)
-    return out
+        rest[order] = wide * radius
+    return slopes, slack, rest
 
 
 def _slips(piece: "Piece | None") -> "tuple[float, ...]":
