@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Path:
     """Cam, pitch or cutter curve: the contact moved `away` along its normal, in the cam's frame.
 
-    z′ = turn·g (n_y, −n_x) with g = run + away·spin, and |z″| ≤ |g′| + |g·spin|. `points` and `acceleration` are
+    z′ = turn·g (n_y, −n_x) with g = run + away·spin, and |z″|² = g′² + (g·spin)². `points` and `acceleration` are
     enclosures in disc arithmetic, from the laws' own constants, with the rounding of every step inside; a follower's
     start height or angle counts with eight roundings.
     """
@@ -84,7 +84,8 @@ class Path:
         with np.errstate(all="ignore"):
             s, s1, s2, s3 = about_angles(self.motion, piece, theta, half, 3)
             speed, change, spin = self._enclosed(s.widened(self.slip), turn * s1, s2, turn * s3)
-            return (change.size + (speed * spin).size) * (1.0 + 2.0**-50), speed.size
+            # one is along the curve, the other across
+            return np.hypot(change.size, (speed * spin).size) * (1.0 + 2.0**-49), speed.size
 
     def _enclosed(self, s: Disc, s1: Disc, s2: Disc, s3: Disc) -> "tuple[Disc, Disc, Disc]":
         """Speed g, its derivative g′ and the spin, from enclosures of the lift and three derivatives."""
