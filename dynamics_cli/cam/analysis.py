@@ -61,12 +61,14 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     Notes
     -----
-    Chebyshev proxies on each piece of each law; see `numerics.chebyshev`.
+    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane; see
+    `numerics.chebyshev` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
     """
+    slip = start_slip(geometry)
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
-        check_speed(geometry, s1)
-        touch = geometry.touch(s, s1, s2)
+        check_speed(geometry, s1.centre)
+        touch = geometry.touch(s.widened(slip), s1, s2)
         rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
         if geometry.flat:
             rows.append(along_face(geometry, touch))
@@ -87,24 +89,23 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
 
 
+def start_slip(geometry: Geometry) -> float:
+    """What the height or angle of the follower at zero lift may be off by rounding, with the lift it is added to."""
+    f = geometry.follower
+    return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+
+
 def pressure_bounds(geometry: Geometry, motion: "Any", found: Analysis) -> tuple[ErrorBound, ...]:
-    """Bounds of the two extremes of the pressure angle: the proxy's, and what roundings of the lift do to it there."""
-    bounds = []
-    least, most = motion.stroke
-    stroke = max(abs(least), abs(most)) * getattr(geometry.follower, "arm", 1.0)
-    for name, (value, place) in (
-        ("largest_pressure_angle", found.pressure.largest()),
-        ("least_pressure_angle", found.pressure.smallest()),
-    ):
-        if not value:
-            continue
-        error = found.pressure.error + 4e-16
-        if not geometry.flat:
-            s, s1, s2 = (np.atleast_1d(part) for part in motion.at(place, 2))
-            x, y = geometry.pitch(s, geometry.turn * s1, s2)[2:4]
-            error += 4e-15 * (stroke + 0.25 * abs(geometry.start) * geometry.oscillating) / float(np.hypot(x, y)[0])
-        bounds.append(ErrorBound(name, error / abs(value)))
-    return tuple(bounds)
+    """Proved bounds of the two extremes of the pressure angle, relative to each."""
+    del geometry, motion
+    return tuple(
+        ErrorBound(name, found.pressure.error / abs(value))
+        for name, (value, _) in (
+            ("largest_pressure_angle", found.pressure.largest()),
+            ("least_pressure_angle", found.pressure.smallest()),
+        )
+        if value
+    )
 
 
 def along_face(geometry: Geometry, touch: "Any") -> "Any":

@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.path import Path
+    from dynamics_cli.cam.path import Path, _OnPiece
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
 # (1 − x²)²(x² − a²) is least at its worst for this a
@@ -23,6 +23,7 @@ FRACTIONS = np.array([0.5 - INSIDE, 0.5 + INSIDE])
 SAMPLES = (np.arange(24) + 0.5) / 24.0
 TURN = 0.5 * pi
 MOST = 20_000
+EVEN = 40
 
 
 def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
@@ -59,17 +60,17 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
             places = np.linspace(start, end, count + 1)
             made.append((index, places, np.full(count, -path.geometry.turn * np.tan(0.25 * (end - start) / count))))
             continue
-        made.append((index, *_spread(path, form, float(start), float(end), tolerance)))
+        made.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
     return made
 
 
-def _spread(path: "Path", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
+def _spread(path: "_OnPiece", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
     """The fewest places found that keep the tolerance on one smooth piece."""
     order = ORDER[form]
     count = max(1, int(np.ceil((end - start) / TURN - 1e-9)))
     places = np.linspace(start, end, count + 1)
     best = None
-    for _ in range(60):
+    for attempt in range(60):
         # an arc form with its pair counts as one here
         shape, errors = _shaped(path, form, places)
         load = np.maximum(errors / tolerance, 1e-9) ** (1.0 / order)
@@ -91,7 +92,12 @@ def _spread(path: "Path", form: str, start: float, end: float, tolerance: float)
             code="too-fine",
             hint="ask for cubics, or for a wider tolerance",
         )
-        places = _equal(places, load, count)
+        if attempt < EVEN:
+            places = _equal(places, load, count)
+        else:
+            # where the error of a piece has a zero that moves with its ends, loads never settle: the long ones are cut
+            long = load > 1.0
+            places = np.sort(np.concatenate((places, 0.5 * (places[:-1] + places[1:])[long])))
     require(best is not None, "no pieces keep a tolerance of {0:.3g} m: rounding is larger", tolerance, code="too-fine")
     return _finished(form, *best)  # type: ignore[misc]
 
@@ -104,7 +110,7 @@ def _equal(places: "Any", load: "Any", count: int) -> "Any":
     return new
 
 
-def _shaped(path: "Path", form: str, places: "Any") -> "tuple[Any, Any]":
+def _shaped(path: "_OnPiece", form: str, places: "Any") -> "tuple[Any, Any]":
     if form == "cubics":
         return _cubics(path, places)
     if form == "lines":
@@ -121,19 +127,9 @@ def _finished(form: str, places: "Any", shape: "Any") -> "tuple[Any, Any]":
     return all_places, bulges.reshape(-1)
 
 
-def ends_of(path: "Path", places: "Any") -> "tuple[Any, ...]":
-    """Points, directions and speeds at the places, seen from within the piece."""
-    inner = places.copy()
-    width = places[-1] - places[0]
-    # one-sided at joints of the program: no jump is further than rounding from here
-    inner[0] += 1e-13 * width
-    inner[-1] -= 1e-13 * width
-    return path.at(inner)
-
-
-def _pairs(path: "Path", places: "Any") -> "tuple[Any, Any]":
+def _pairs(path: "_OnPiece", places: "Any") -> "tuple[Any, Any]":
     """Pairs of arcs that meet on the curve: tangent to it at their outer ends and to each other."""
-    x, y, tx, ty, _ = ends_of(path, places)
+    x, y, tx, ty, _ = path.at(places)
     x0, y0, x1, y1 = x[:-1], y[:-1], x[1:], y[1:]
     whole = 0.5 * angle_between(tx[:-1], ty[:-1], tx[1:], ty[1:])
 
@@ -182,8 +178,8 @@ def circle_distance(x0: "Any", y0: "Any", x1: "Any", y1: "Any", bulge: "Any", x:
     return 2.0 * g / (1.0 + root), gx * ux - gy * uy, gx * uy + gy * ux, kappa
 
 
-def _arc_errors(path: "Path", places: "Any", bulges: "Any") -> "Any":
-    x, y = ends_of(path, places)[:2]
+def _arc_errors(path: "_OnPiece", places: "Any", bulges: "Any") -> "Any":
+    x, y = path.at(places)[:2]
     theta = places[:-1, None] + np.diff(places)[:, None] * SAMPLES
     px, py = path.at(theta)[:2]
     ends = (x[:-1, None], y[:-1, None], x[1:, None], y[1:, None])
@@ -198,9 +194,9 @@ def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, 
     return value, 3.0 * (d0 * u * u + 2.0 * d1 * u * t + d2 * t * t), 6.0 * ((d1 - d0) * u + (d2 - d1) * t)
 
 
-def controls(path: "Path", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
+def controls(path: "_OnPiece", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
     """Control points of the chosen cubics, (n, 4) for each coordinate."""
-    x, y, tx, ty, _ = ends_of(path, places)
+    x, y, tx, ty, _ = path.at(places)
     a, b = handles[chosen, 0], handles[chosen, 1]
     made = []
     for start, end, early, late in ((x[:-1], x[1:], tx[:-1], tx[1:]), (y[:-1], y[1:], ty[:-1], ty[1:])):
@@ -209,9 +205,9 @@ def controls(path: "Path", places: "Any", handles: "Any", chosen: "Any" = slice(
     return made[0], made[1]
 
 
-def _cubics(path: "Path", places: "Any") -> "tuple[Any, Any]":
+def _cubics(path: "_OnPiece", places: "Any") -> "tuple[Any, Any]":
     """Handles of cubics tangent at their ends that pass through two more points of the curve (Newton)."""
-    x, y, tx, ty, g = ends_of(path, places)
+    x, y, tx, ty, g = path.at(places)
     width = np.diff(places)
     handles = np.stack((np.abs(g[:-1]), np.abs(g[1:])), axis=1) * (width / 3.0)[:, None]
     mean = np.hypot(np.diff(x), np.diff(y)) / 3.0
@@ -243,7 +239,7 @@ def _cubics(path: "Path", places: "Any") -> "tuple[Any, Any]":
     return np.where(better[:, None], found, first), np.where(better, errors, plain)
 
 
-def _cubic_errors(path: "Path", places: "Any", handles: "Any") -> "Any":
+def _cubic_errors(path: "_OnPiece", places: "Any", handles: "Any") -> "Any":
     theta = places[:-1, None] + np.diff(places)[:, None] * SAMPLES
     px, py = path.at(theta)[:2]
     cx, cy = controls(path, places, handles)

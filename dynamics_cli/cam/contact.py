@@ -138,16 +138,17 @@ class Geometry:
         pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
         return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
 
-    def point(self, s: "Any", s1: "Any") -> "Pair":
-        """The point of contact alone, in the fixed frame: what a curve needs, at half the cost of a touch."""
+    def point(self, s: "Any", s1: "Any", away: float = 0.0) -> "Pair":
+        """The point of contact alone, moved `away` along the normal, in the fixed frame: half the cost of a touch."""
         f, s1 = self.follower, s1 if self.turn > 0.0 else -s1
         if isinstance(f, FlatFace):
-            return s1, self.start + s
+            height = self.start + s
+            return s1, height + away if away else height
         if isinstance(f, OscillatingFlat):
             angle = self.start + s
             sin, cos = np.sin(angle), np.cos(angle)
-            along = f.pivot_distance * cos / (1.0 + s1)
-            return f.pivot_distance - along * cos - f.face_offset * sin, along * sin - f.face_offset * cos
+            along, back = f.pivot_distance * cos / (1.0 + s1), f.face_offset - away
+            return f.pivot_distance - along * cos - back * sin, along * sin - back * cos
         if self.oscillating:
             angle = self.start + s
             sin, cos = np.sin(angle), np.cos(angle)
@@ -157,7 +158,7 @@ class Geometry:
         else:
             x, y = f.offset, self.start + s  # type: ignore[union-attr]
             big_x, big_y = y, s1 - x
-        share = self.side * self.roller / np.sqrt(big_x * big_x + big_y * big_y)
+        share = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
         return x + share * big_y, y - share * big_x
 
     def _way(self, s: "Any") -> "Pair":

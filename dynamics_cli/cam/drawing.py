@@ -4,7 +4,7 @@ from math import pi
 
 import numpy as np
 
-from dynamics_cli.cam.approximation import controls, ends_of, fit
+from dynamics_cli.cam.approximation import controls, fit
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.export import LiftPoint, PolarPoint, SwingPoint
 from dynamics_cli.cam.path import Path
@@ -87,9 +87,9 @@ def drawn(
 
 def _joints(path: Path) -> "Any":
     """Where the smooth pieces meet, from either side; one point each, or a refusal where the curve is broken."""
-    width = path.ends - path.starts
-    after = np.stack(path.at(path.starts + 1e-13 * width)[:2], axis=1)
-    before = np.roll(np.stack(path.at(path.ends - 1e-13 * width)[:2], axis=1), 1, axis=0)
+    after = np.stack(path.at(path.starts)[:2], axis=1)
+    ends = [np.stack(path.at(path.ends[index : index + 1], index)[:2], axis=1) for index in range(path.ends.size)]
+    before = np.roll(np.concatenate(ends), 1, axis=0)
     gap = np.hypot(*(after - before).T)
     worst = int(np.argmax(gap))
     require(
@@ -107,16 +107,20 @@ def _fitted(path: Path, form: str, aim: float, tolerance: float, joints: "Any") 
     pieces: list[Any] = []
     bounds: list[float] = []
     for index, places, shape in fit(path, form, aim):
-        points = np.stack(ends_of(path, places)[:2], axis=1)
+        own = path.on(index)
+        points = np.stack(own.at(places)[:2], axis=1)
         points[0], points[-1] = joints[index], joints[(index + 1) % len(joints)]
+        if form == "cubics":
+            cx, cy = controls(own, places, shape)
+            shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
+        # what is proved is what is written, to the bit
         bounds.append(float(proved(path, index, places, shape, form, points, tolerance).max()))
         ends = points.tolist()
         if form == "arcs":
             pieces += [Arc(a, b, bulge) for a, b, bulge in zip(ends, ends[1:], shape.tolist(), strict=False)]
         elif form == "cubics":
-            cx, cy = controls(path, places, shape)
-            inner = np.stack((cx[:, 1], cy[:, 1], cx[:, 2], cy[:, 2]), axis=1).tolist()
-            pieces += [Cubic(a, (p, q), (r, s), b) for a, b, (p, q, r, s) in zip(ends, ends[1:], inner, strict=False)]
+            inner = shape.tolist()
+            pieces += [Cubic(a, p, q, b) for a, b, (p, q) in zip(ends, ends[1:], inner, strict=False)]
         else:
             pieces.append(Points(tuple(map(tuple, ends))))
     return pieces, bounds

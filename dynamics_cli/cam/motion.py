@@ -324,7 +324,7 @@ class Motion:
         tuple
             s, ds/dθ, …; at t = 0 and t = 1 the values within the zone.
         """
-        pieces = [self._pieces[i] for i in self._zone_pieces[index]]
+        pieces = self.parts_of(index)
         law = pieces[0].law_piece
         if law is None:
             return tuple(pieces[0].give(t, derivatives))
@@ -342,6 +342,10 @@ class Motion:
             for order, values in enumerate(piece.give(local, derivatives)):
                 out[order][here] = values
         return tuple(out)
+
+    def parts_of(self, index: int) -> "list[_Piece]":
+        """The pieces of a zone's law in order: one function, each with the end it is measured from."""
+        return [self._pieces[i] for i in self._zone_pieces[index]]
 
     @property
     def stroke(self) -> "tuple[float, float]":

@@ -1,12 +1,14 @@
-"""A curve of the cam to be drawn or cut, at a distance from the contact, with enclosures of its acceleration."""
+"""A curve of the cam to be drawn or cut, at a distance from the contact, with proved enclosures on cells."""
 
 import numpy as np
 
-from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.analysis import start_slip
+from dynamics_cli.cam.contact import Geometry, rotated
+from dynamics_cli.cam.enclosures import about_angles
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
 from dynamics_cli.cam.pieces import over_pieces, pieces, sample, turning_places
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.intervals import Interval
+from dynamics_cli.numerics.discs import Disc
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,7 +18,9 @@ if TYPE_CHECKING:
 class Path:
     """Cam, pitch or cutter curve: the contact moved `away` along its normal, in the cam's frame.
 
-    z′ = turn·g (n_y, −n_x) with g = run + away·spin, and |z″| ≤ |g′| + |g·spin|.
+    z′ = turn·g (n_y, −n_x) with g = run + away·spin, and |z″|² = g′² + (g·spin)². `points` and `acceleration` are
+    enclosures in disc arithmetic, from the laws' own constants, with the rounding of every step inside; a follower's
+    start height or angle counts with eight roundings.
     """
 
     def __init__(self, geometry: Geometry, motion: "Any", *, away: float, start_angle: float = 0.0) -> None:
@@ -25,17 +29,20 @@ class Path:
         self.away = away
         self.start_angle = start_angle
         self.starts, self.ends = pieces(motion)
-        jerks = over_pieces(motion, lambda s, s1, s2, s3: s3[None], 3)
-        # on the Chebyshev coefficients: |s⁗| ≤ Σ k²|c_k|·2/length, on the piece the law has there
-        k = np.arange(jerks.coefficients.shape[2])
-        steep = (np.abs(jerks.coefficients[0]) @ (k * k) + 1024.0 * jerks.error[0]) * 2.0 / (jerks.ends - jerks.starts)
-        self.snap = np.zeros(self.starts.size)
-        np.maximum.at(self.snap, jerks.owner, steep / (self.ends - self.starts)[jerks.owner])
         self.still = np.array([zone.dwell for zone in motion.zones])
+        self.slip = start_slip(geometry)
 
-    def at(self, theta: "Any") -> "tuple[Any, ...]":
-        """Point, unit direction of travel and speed at cam angles."""
+    def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":
+        """Point, unit direction of travel and speed at cam angles; those of one piece of the motion where it is named.
+
+        At the joint of two pieces each has its own values.
+        """
         s, s1, s2 = sample(self.motion, theta, 2)
+        if piece is not None:
+            end = theta >= self.ends[piece]
+            if end.any():
+                for part, value in zip((s, s1, s2), self.motion.in_zone(piece, 1.0, 2), strict=True):
+                    part[end] = value
         touch = self.geometry.touch(s, s1, s2)
         (x, y), (nx, ny) = touch.point, touch.normal
         g = touch.run + self.away * touch.spin
@@ -44,38 +51,47 @@ class Path:
         turn = self.geometry.turn
         return px, py, turn * my, -turn * mx, g
 
+    def on(self, piece: int) -> "_OnPiece":
+        """The curve seen from within one piece of the motion."""
+        return _OnPiece(self, piece)
+
     def require_regular(self) -> None:
         """Refuse a curve that stops or runs backwards: it cuts itself and no machine can follow it."""
 
         def speed(s: "Any", s1: "Any", s2: "Any") -> "Any":
-            touch = self.geometry.touch(s, s1, s2)
+            touch = self.geometry.touch(s.widened(self.slip), s1, s2)
             return (touch.run + self.away * touch.spin)[None]
 
-        slowest, place = turning_places(self.motion, over_pieces(self.motion, speed)).smallest()
+        found = turning_places(self.motion, over_pieces(self.motion, speed))
+        slowest, place = found.smallest()
         require(
-            slowest > 0.0,
+            slowest > found.error,
             "the curve is undercut: at a cam angle of {0:.6g} deg it runs backwards and cuts itself",
             float(np.degrees(place)),
             code="undercut",
             hint="raise the base radius, take a smaller roller, or see `cam check` for the lift that is lost",
         )
 
-    def acceleration(self, theta: "Any", half: "Any", piece: "Any") -> "tuple[Any, Any]":
-        """Bounds of |z″| and of |z′| on the cells of middle `theta` and half width `half`, each in its piece."""
-        s, s1, s2, s3 = sample(self.motion, theta)
-        turn = self.geometry.turn
-        j = Interval.about(turn * s3, self.snap[piece] * half)
-        a = Interval.about(s2, j.size * half)
-        v = Interval.about(turn * s1, a.size * half)
-        h = Interval.about(s, v.size * half)
-        speed, change, spin = self._enclosed(h, v, a, j)
-        return change.size + (speed * spin).size, speed.size
+    def points(self, theta: "Any", piece: int) -> "tuple[Disc, Disc]":
+        """Discs that hold the coordinates of the curve at cam angles (n,) of one piece of the motion."""
+        s, s1 = about_angles(self.motion, piece, theta, np.zeros(1), 1)
+        point = self.geometry.point(s.widened(self.slip), s1, self.away)
+        return rotated(point, Disc(theta, 0.0), self.geometry.turn, self.start_angle)
 
-    def _enclosed(self, s: Interval, s1: Interval, s2: Interval, s3: Interval) -> "tuple[Interval, Interval, Interval]":
+    def acceleration(self, theta: "Any", half: "Any", piece: int) -> "tuple[Any, Any]":
+        """Proved bounds of |z″| and of |z′| on cells of middle `theta` and half width `half` of one piece."""
+        turn = self.geometry.turn
+        with np.errstate(all="ignore"):
+            s, s1, s2, s3 = about_angles(self.motion, piece, theta, half, 3)
+            speed, change, spin = self._enclosed(s.widened(self.slip), turn * s1, s2, turn * s3)
+            # one is along the curve, the other across
+            return np.hypot(change.size, (speed * spin).size) * (1.0 + 2.0**-49), speed.size
+
+    def _enclosed(self, s: Disc, s1: Disc, s2: Disc, s3: Disc) -> "tuple[Disc, Disc, Disc]":
         """Speed g, its derivative g′ and the spin, from enclosures of the lift and three derivatives."""
         f, geometry, away = self.geometry.follower, self.geometry, self.away
         if isinstance(f, FlatFace):
-            one = Interval(np.ones_like(s.low), np.ones_like(s.low))
+            one = Disc(np.ones_like(s.centre), np.zeros_like(s.radius))
             return s + s2 + (geometry.start + away), s1 + s3, one
         if isinstance(f, OscillatingFlat):
             angle, spin = s + geometry.start, s1 + 1.0
@@ -100,7 +116,7 @@ class Path:
         reach = geometry.side * geometry.roller - away
         return w - reach * spin, w1 - reach * turning, spin
 
-    def _pitch(self, s: Interval, s1: Interval, s2: Interval, s3: Interval) -> "tuple[Interval, ...]":
+    def _pitch(self, s: Disc, s1: Disc, s2: Disc, s3: Disc) -> "tuple[Disc, ...]":
         f, start = self.geometry.follower, self.geometry.start
         if not self.geometry.oscillating:
             return s + start, s1 - f.offset, s1, s2, s2, s3  # type: ignore[union-attr]
@@ -115,3 +131,16 @@ class Path:
             g1 * sin + along * cos, g1 * cos - along * sin,
             radial * sin + cross * cos, radial * cos - cross * sin,
         )  # fmt: skip
+
+
+class _OnPiece:
+    """A curve on one piece of its motion: what is fitted to it needs no more."""
+
+    def __init__(self, path: Path, piece: int) -> None:
+        self.path = path
+        self.piece = piece
+        self.geometry = path.geometry
+
+    def at(self, theta: "Any") -> "tuple[Any, ...]":
+        """Point, unit direction and speed at cam angles, from within the piece."""
+        return self.path.at(theta, self.piece)

@@ -2,14 +2,17 @@
 
 from math import inf
 
+from dynamics_cli.cam.enclosures import bound, derivative, reach_of, rounding
 from dynamics_cli.cam.laws import Law, Piece
 
 DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
 PEAK_BOUND = 4e-15
+STILL = 2.0**-53
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
 
 def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
@@ -29,9 +32,10 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
     Notes
     -----
-    Sign changes of the next derivative, bisected to the last bit. The named laws have at most one half wave in three
-    steps of the grid; a pair of stationary points of a free polynomial that falls between two of 64 steps differs from
-    its neighbours only by the square of a step.
+    Sign changes of the next derivative g, bisected to the last bit; that there are no others is proved from bounds of
+    the law's derivatives (`cam.enclosures`). A step of length h with ends of one sign has none where both exceed
+    h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g cannot be told from zero
+    in it, or the function moves by less than 2⁻⁵³ of its size: neighbouring steps of that kind count as one.
     """
     if order not in law.extremes:
         law.extremes[order] = _extremes(law, order)
@@ -54,18 +58,54 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
 
 def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "list[float]":
-    def slope(t: float) -> float:
-        return piece.shape(t, order + 1)[order + 1]  # type: ignore[no-any-return]
+    shape = piece.shape
 
+    def slope(t: float) -> float:
+        return shape(t, order + 1)[order + 1]  # type: ignore[no-any-return]
+
+    reach = reach_of(shape, (low, high))
+    size, *bent = (bound(shape, order + more, reach) for more in (0, 3, 4))
+    slips = [rounding(shape, order + more, reach) for more in (1, 2)]
     grid = [low + (high - low) * i / steps for i in range(steps + 1)]
     values = [slope(t) for t in grid]
-    found = []
-    for start, end, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
-        if a == 0.0 and start > low:
-            found.append(start)
-        elif a * b < 0.0:
-            found.append(_settled(piece, order, _bisected(slope, start, end, a)))
-    return found
+    # the last first: cells are taken from the end
+    cells = list(zip(grid, grid[1:], values, values[1:], strict=False))[::-1]
+    found = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
+    # neighbouring cells within which rounding decides the sign: together they turn once or not at all
+    flat: list[list[float]] = []
+    while cells:
+        start, end, a, b = cells.pop()
+        step, changes = end - start, a * b < 0.0
+        room, least = 0.125 * step * step, min(abs(a), abs(b))
+        most = max(abs(a), abs(b), room * bent[0])
+        still = most <= 4.0 * slips[0] or 2.0 * step * most <= STILL * size
+        if not changes and least > room * bent[0] + slips[0]:
+            continue
+        if still:
+            if flat and flat[-1][1] == start:
+                flat[-1][1], flat[-1][3] = end, b
+            else:
+                flat.append([start, end, a, b])
+        elif _one_sign(shape, order + 2, start, end, room * bent[1] + slips[1]):
+            if a == 0.0 and start > low and start not in found:
+                found.append(start)
+            if changes:
+                found.append(_settled(piece, order, _bisected(slope, start, end, a)))
+        else:
+            middle = 0.5 * (start + end)
+            here = slope(middle)
+            cells += [(middle, end, here, b), (start, middle, a, here)]
+    for start, end, a, b in flat:
+        root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
+        if a * b < 0.0 and root not in found:
+            found.append(root)
+    return sorted(found)
+
+
+def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:
+    """Whether a derivative keeps its sign between two places: it is off its chord by `room` at most."""
+    p, q = derivative(shape, order, start), derivative(shape, order, end)
+    return p * q > 0.0 and min(abs(p), abs(q)) > room
 
 
 def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low: float) -> float:

@@ -1,8 +1,13 @@
-"""Pieces of a motion on which it is smooth, and extremes over them, each piece in a coordinate of its own."""
+"""Pieces of a motion on which it is smooth, and proved extremes over them, each piece in a coordinate of its own."""
+
+from itertools import pairwise
+from math import ceil, pi
 
 import numpy as np
 
+from dynamics_cli.cam.enclosures import discs
 from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
+from dynamics_cli.numerics.discs import Disc
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,6 +15,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.cam.motion import Motion
+
+STEP = pi / 6.0
 
 
 def pieces(motion: "Motion") -> "tuple[Any, Any]":
@@ -33,13 +40,47 @@ def within(motion: "Motion", place: "Any", piece: "Any", derivatives: int = 2) -
 
 
 def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
-    """Proxies of functions (q, m, n) of the lift and its derivatives, on shares of every piece."""
-    count = len(motion.zones)
+    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece.
 
-    def sampled(place: "Any", piece: "Any") -> "Any":
-        return function(*within(motion, place, piece, derivatives))
+    The function is called with discs (`numerics.discs`): arithmetic, roots, sines, arc tangents, `numpy.stack` and the
+    like work on them as on arrays. Comparisons and branches on values do not.
+    """
+    parts, owner, rows = _rows(motion)
+    starts, ends, which, far, first, width = rows
 
-    return proxies(sampled, np.zeros(count), np.ones(count))
+    def sampled(place: Disc, piece: "Any") -> "Any":
+        here = far[piece][:, None]
+        t = first[piece][:, None] + width[piece][:, None] * np.where(here, 1.0 - place.centre, place.centre)
+        span = np.array([parts[index].span for index in which[piece].tolist()])
+        radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
+        radius = radius * (width[piece] * span)[:, None]
+        return function(*discs(parts, which[piece], t, radius, derivatives))
+
+    made = proxies(sampled, starts, ends)
+    return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error)
+
+
+def _rows(motion: "Motion") -> "tuple[Any, ...]":
+    """Parts of the motion, the piece each row is of, and the rows: parts cut into steps of 30 degrees or less."""
+    parts: list[Any] = []
+    owner: list[int] = []
+    rows: list[tuple[float, ...]] = []
+    for index in range(len(motion.zones)):
+        own = motion.parts_of(index)
+        laws = [part.law_piece for part in own]
+        low, high = (0.0, 1.0) if laws[0] is None else (laws[0].low, laws[-1].high)
+        for part, law in zip(own, laws, strict=True):
+            a, b = (0.0, 1.0) if law is None else ((law.low - low) / (high - low), (law.high - low) / (high - low))
+            steps = 1 if law is None else max(1, ceil((b - a) * (high - low) * part.span / STEP - 1e-9))
+            edges = [a + (b - a) * i / steps for i in range(steps)] + [1.0 if part is own[-1] else b]
+            far = law is not None and law.far
+            rows += [
+                (start, end, len(parts), far, 1.0 - high if far else low, high - low) for start, end in pairwise(edges)
+            ]
+            owner += [index] * steps
+            parts.append(part)
+    starts, ends, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
+    return parts, np.array(owner), (starts, ends, which.astype(int), fars.astype(bool), first, width)
 
 
 def turning_places(motion: "Motion", made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:

@@ -1,7 +1,8 @@
 """The pieces rise laws are made of: each gives a function that is zero at its end of the rise, with its derivatives.
 
 A shape is called with a distance t ≥ 0 from the end of the rise it belongs to (x at the start, 1 − x at the end), so
-that it keeps its digits where the rise begins and ends; t is a float or an array.
+that it keeps its digits where the rise begins and ends; t is a float or an array. However a shape is computed, `parts`
+says what it is: a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
 """
 
 import math
@@ -97,6 +98,11 @@ class Mixed:
             rows.append(tuple(i * c for i, c in enumerate(rows[-1]))[1:])
         self._polynomials = tuple(rows)
 
+    @property
+    def parts(self) -> "tuple[Any, ...]":
+        """Coefficients, waves, origin and direction."""
+        return self._polynomials[0], self.waves, self.origin, self.backwards
+
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
         tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
@@ -121,6 +127,11 @@ class Beta:
         self.n = n
         self.constant = float(math.factorial(2 * n + 1) // math.factorial(n) ** 2)
         self.row = tuple(self.constant * (-1) ** k * math.comb(n, k) / (n + 1 + k) for k in range(n + 1))
+
+    @property
+    def parts(self) -> "tuple[Any, ...]":
+        """The coefficients, whole numbers all of them."""
+        return (0.0,) * (self.n + 1) + self.row, (), 0.0, False
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
@@ -162,6 +173,8 @@ class FourthPowerOfSine:
     """sin⁴(πt/2), the start of the double harmonic."""
 
     __slots__ = ()
+    # sin⁴(u/2) = ½(1 − cos u) − ⅛(1 − cos 2u)
+    parts = ((), ((0.5, math.pi, 1), (-0.125, 2.0 * math.pi, 1)), 0.0, False)
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
@@ -184,6 +197,8 @@ class EndOfDoubleHarmonic:
     """1 − sin⁴(π(1 − t)/2), the end of the double harmonic, where its acceleration jumps."""
 
     __slots__ = ()
+    # ½(1 − cos u) + ⅛(1 − cos 2u)
+    parts = ((), ((0.5, math.pi, 1), (0.125, 2.0 * math.pi, 1)), 0.0, False)
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""

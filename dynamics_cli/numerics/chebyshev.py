@@ -1,13 +1,15 @@
-"""Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
+"""Chebyshev proxies of analytic functions, piece by piece, with a proved remainder, and all their extremes.
 
 Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
-inside the pieces, so that a function that jumps at their ends is never asked there.
+inside the pieces, so that a function that jumps at their ends is never asked there. What a proxy leaves out is bounded
+by the function's values on a disc of the complex plane around the piece, in disc arithmetic, not by its samples.
 """
 
 from functools import lru_cache
 
 import numpy as np
 
+from dynamics_cli.numerics.discs import UP, Disc
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -15,15 +17,36 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-COUNT = 32
+COUNT = 24
 """Nodes of a piece."""
-RESOLVED = 4e-15
-"""Last coefficients this small beside the whole mean that a piece is resolved."""
-GRID = 96
+RESOLVED = 3e-15
+"""A remainder this small beside the largest value is small enough."""
+LEBESGUE = 3.1
+# radii of the discs tried about a piece, by its half width, and what their bound of the function is multiplied by in
+# the remainder of the piece and of its halves, quarters, eighths and sixteenths
+MULTIPLES = np.array([0.3, 0.6, 1.0, 1.6, 2.1, 2.7, 3.5, 5.0])
+UNIT = 2
+GRID = 72
 LEVELS = 12
 SPLIT = 8
 END = 1e-4
 NOISE = 1.5e-15
+CALM = 1e-15
+# below this nothing is told from zero
+SMALLEST = 1e-280
+# pieces of one round: more are left as they are, with the remainder there is
+MOST = 4096
+ROUNDING = 2.0**-45
+
+
+def _remainders() -> "Any":
+    inside = np.maximum(2.0 ** np.arange(5)[:, None] * MULTIPLES, 1.0)
+    rho = inside + np.sqrt((inside - 1.0) * (inside + 1.0))
+    # nothing is known without room around the piece; a constant is left alone by any number
+    return np.where(rho > 1.0, 4.0 * rho ** (1.0 - COUNT) / np.where(rho > 1.0, rho - 1.0, 1.0), 1e300) * UP
+
+
+REMAINDERS = _remainders()
 
 
 @record
@@ -39,7 +62,7 @@ class Proxies:
     coefficients : array (q, m, COUNT)
         Coefficients on each piece.
     error : array (q, m)
-        What the coefficients left out may come to.
+        Proved bound of the distance between function and proxy on the piece, all roundings included.
     """
 
     owner: "Any"
@@ -64,7 +87,7 @@ class Extremes:
     inside : array of bool
         Whether the place is inside a piece: a place where the function turns.
     error : float
-        Bound of what the proxies leave out, added to a rounding of the values.
+        Proved: the function's greatest and least value on the pieces are within it of the greatest and least here.
     """
 
     owner: "Any"
@@ -105,19 +128,22 @@ def _basis(count: int) -> "tuple[Any, ...]":
     return t, cosine, -k * np.sin(k * t), -k * k * cosine
 
 
-def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
-    """Interpolate functions on pieces, halving those that are not resolved.
+def proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", *, rounds: int = 16) -> Proxies:
+    """Interpolate analytic functions on pieces cut as fine as the remainder that is proved for them asks.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
     Parameters
     ----------
     function : callable
-        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
+        Takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k). Places
+        come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on arrays
+        does for them.
     starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
-    depth : int
-        How often a piece may be halved.
+        The pieces, each in a coordinate of its own if need be; the functions are analytic inside each, and the same
+        formula continues them beyond its ends.
+    rounds : int
+        How often pieces may be cut, each time into 2 to 16.
 
     Returns
     -------
@@ -131,49 +157,80 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
 
     Notes
     -----
-    A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
-    (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
-    ones do; `error` is twice the last four. Trefethen, Approximation Theory and Approximation Practice, chapters 3-8.
+    Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
+    there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
+    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3.1 the Lebesgue
+    constant. To this come Λ times the rounding of the values, and that of the transform, 2u(n + 12)Σ|f − f(middle)|
+    over the nodes. Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
 
     Examples
     --------
     >>> made = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
-    >>> round(float(made.coefficients[0, 0, 0]), 10)
-    1.7533876544
+    >>> round(float(made.coefficients[0, 0, 0]), 10), bool(made.error[0, 0] < 1e-13)
+    (1.7533876544, True)
     """
     nodes, matrix = _transform(COUNT)
+    low, high, origin, middle, left_out = _cut(function, starts, ends, rounds)
+    half = 0.5 * (high - low)
+    with np.errstate(all="ignore"):
+        found = function(Disc(0.5 * (low + high)[:, None] + half[:, None] * nodes), origin)
+    shape = np.broadcast_shapes(found.centre.shape, (1, low.size, COUNT))
+    values = np.broadcast_to(found.centre, shape)
+    slip = np.broadcast_to(found.radius, shape).max(axis=2)
+    if not (np.isfinite(values).all() and np.isfinite(slip).all()):
+        raise ValueError("the function is not finite inside a piece")
+    away = values - middle[:, :, None]
+    made = away @ matrix
+    made[:, :, 0] += middle
+    error = left_out + LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
+    return Proxies(origin, low, high, made, error * UP)
+
+
+def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
+    """Pieces in order with the values at their middles and the remainder proved for each."""
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
-    before: Any = np.inf
-    done: list[tuple[Any, Any, Any, Any, Any]] = []
-    for level in range(depth + 1):
+    scale: Any = 0.0
+    done: list[tuple[Any, ...]] = []
+    for level in range(rounds + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
-        values = function(middle[:, None] + half[:, None] * nodes, origin)
-        if not np.isfinite(values).all():
-            raise ValueError("the function is not finite inside a piece")
-        made = values @ matrix
-        size = np.abs(made).sum(axis=2)
-        tail = np.abs(made[:, :, -4:]).sum(axis=2)
-        worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
-        hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
-        good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
-        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
+        with np.errstate(all="ignore"):
+            found = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
+        shape = np.broadcast_shapes(found.centre.shape, found.radius.shape, (1, low.size, MULTIPLES.size))
+        # the middles may go along the discs' axis or stand alone
+        values = np.broadcast_to(found.centre, shape)[:, :, 0]
+        wide = np.broadcast_to(found.radius, shape)
+        wide = np.where(np.isfinite(wide), wide, np.inf)
+        finite = np.where(np.isfinite(values) & (wide[:, :, 0] < np.inf), np.abs(values), 0.0)
+        scale = np.maximum(scale, finite.max(axis=1))
+        wanted = (RESOLVED * scale + SMALLEST)[:, None]
+        with np.errstate(over="ignore"):
+            remainders = [(wide * row).min(axis=2) for row in REMAINDERS]
+        left_out = np.minimum(remainders[0], (1.0 + LEBESGUE) * wide[:, :, UNIT])
+        good = (left_out <= wanted).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
+        good |= low.size > MOST
+        done.append((low[good], high[good], origin[good], values[:, good], left_out[:, good]))
         if good.all():
             break
-        bad = ~good
-        left, mid, right = low[bad], middle[bad], high[bad]
-        low, high = np.concatenate((left, mid)), np.concatenate((mid, right))
-        origin = np.concatenate((origin[bad], origin[bad]))
-        before = np.concatenate((worst[bad], worst[bad]))
-    all_low = np.concatenate([part[0] for part in done])
-    owner = np.concatenate([part[4] for part in done])
+        # as many parts as would do if the discs of the parts were no worse than those of the whole
+        enough = np.array([(remainder <= wanted).all(axis=0) for remainder in remainders[1:]])
+        parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]
+        step = (high - low)[~good] / parts
+        owner = np.repeat(np.arange(parts.size), parts)
+        number = np.arange(owner.size) - np.repeat(np.cumsum(parts) - parts, parts)
+        first, last = low[~good][owner], high[~good][owner]
+        low, high = first + number * step[owner], first + (number + 1.0) * step[owner]
+        high = np.where(number == parts[owner] - 1, last, high)
+        # neighbours share their end to the bit
+        high[:-1] = np.where(number[1:] > 0, low[1:], high[:-1])
+        origin = origin[~good][owner]
+    all_low, owner = np.concatenate([part[0] for part in done]), np.concatenate([part[2] for part in done])
     order = np.lexsort((all_low, owner))
-    return Proxies(
-        owner[order],
+    return (
         all_low[order],
         np.concatenate([part[1] for part in done])[order],
-        np.concatenate([part[2] for part in done], axis=1)[:, order],
-        np.concatenate([part[3] for part in done], axis=1)[:, order],
+        owner[order],
+        *(np.concatenate([part[index] for part in done], axis=1)[:, order] for index in (3, 4)),
     )
 
 
@@ -204,8 +261,10 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
 
     Notes
     -----
-    Derivatives are bounded by Σ kⁿ|c_k|, so none is missed that changes the function by more than its rounding: cells
-    still undecided within which the function moves by less than 1e-15 of its size are candidates themselves.
+    Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
+    terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
+    size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what
+    coefficients too small to be searched come to, and what Newton's method leaves at the places.
 
     Examples
     --------
@@ -223,7 +282,10 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]
+    slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
     scale = size.sum(axis=1)
+    # what the values may be off the largest and least of the proxy
+    off = 2.0 * np.abs(whole - c).sum(axis=1) + 0.5 * ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-48 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
     calm: list[tuple[Any, Any]] = []
@@ -234,7 +296,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     # a piece that is constant to its rounding has no extremes
     bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
     for level in range(LEVELS + 1):
-        turning, unsure = _cells(d1, d2, step, bounds, owner[:, None])
+        turning, unsure = _cells(d1, d2, step, bounds, slack, owner[:, None])
         steady = (bounds[0] == 0.0)[owner]
         turning[steady], unsure[steady] = False, False
         if not every:
@@ -253,7 +315,9 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
             break
         # where the function hardly moves within a cell, any place of it will do
         moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
-        still = (moves + 0.125 * step**3 * bounds[1][rows] <= 1e-15 * scale[rows]) | (level == LEVELS)
+        moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
+        still = (moves <= CALM * scale[rows]) | (level == LEVELS)
+        np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
         calm.append((rows[still], left[still] - 0.5 * step))
         owner, left = rows[~still], left[~still]
         if not owner.size:
@@ -263,7 +327,9 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         q, d1, d2 = _derivatives(c[owner], grid)
     at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
     row = np.concatenate([at[0], *(part[0] for part in calm)])
-    place = np.concatenate([_refined(c, at[0], at[1], at[2]), *(part[1] for part in calm)])
+    turns, slope = _refined(c, at[0], at[1], at[2])
+    np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
+    place = np.concatenate([turns, *(part[1] for part in calm)])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
     inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
     places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
@@ -274,18 +340,20 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     order = np.lexsort((places, owners))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(np.max(made.error[which] + 16 * 2.0**-53 * scale)),
+        float(np.max(made.error[which] + off) * UP),
     )  # fmt: skip
 
 
-def _cells(d1: "Any", d2: "Any", step: float, bounds: "list[Any]", rows: "Any") -> "tuple[Any, Any]":
+def _cells(
+    d1: "Any", d2: "Any", step: float, bounds: "list[Any]", slack: "list[Any]", rows: "Any"
+) -> "tuple[Any, Any]":
     """Cells with exactly one root of the derivative, and cells about which nothing is known yet."""
     a, b = d1[:, :-1], d1[:, 1:]
     changes = (a > 0.0) != (b > 0.0)
     room = 0.125 * step * step
-    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > room * bounds[1][rows])
+    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > room * bounds[1][rows] + slack[0][rows])
     p, q = d2[:, :-1], d2[:, 1:]
-    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > room * bounds[2][rows])
+    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > room * bounds[2][rows] + slack[1][rows])
     return changes & monotone, ~clear & ~monotone
 
 
@@ -303,13 +371,13 @@ def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
     return both[..., 0], -(sine @ kc)[..., 0], -both[..., 1]
 
 
-def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "Any":
-    """Newton kept within a hair of its cell, where the derivative is monotone; its root may be at the cell's end."""
+def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "tuple[Any, Any]":
+    """Newton kept within a hair of its cell, where the derivative is monotone, and the derivative that is left."""
     if not rows.size:
-        return np.zeros(0)
+        return np.zeros(0), np.zeros(0)
     own, hair = c[rows], 0.01 * (high - low)
     place = 0.5 * (low + high)
     for _ in range(6):
         _, d1, d2 = _derivatives(own, place)
         place = np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
-    return place
+    return place, _derivatives(own, place)[1]

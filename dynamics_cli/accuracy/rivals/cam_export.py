@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.path import Path
+    from dynamics_cli.cam.path import Path, _OnPiece
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]
@@ -53,11 +53,11 @@ def paths(*, hard: bool) -> "list[tuple[str, Path, float]]":
     return found
 
 
-def measured(path: "Path", form: str, places: "Any", shape: "Any") -> float:
+def measured(path: "_OnPiece", form: str, places: "Any", shape: "Any") -> float:
     """The largest distance of points of the exact curve from their pieces."""
     import numpy as np
 
-    from dynamics_cli.cam.approximation import circle_distance, controls, ends_of, foot
+    from dynamics_cli.cam.approximation import circle_distance, controls, foot
 
     between = (np.arange(BETWEEN) + 0.5) / BETWEEN
     theta = places[:-1, None] + np.diff(places)[:, None] * between
@@ -66,7 +66,7 @@ def measured(path: "Path", form: str, places: "Any", shape: "Any") -> float:
         cx, cy = controls(path, places, shape)
         start = np.broadcast_to(between, px.shape)
         return float(foot(cx[:, :, None], cy[:, :, None], px, py, start, rounds=8)[1].max())
-    x, y = ends_of(path, places)[:2]
+    x, y = path.at(places)[:2]
     ends = (x[:-1, None], y[:-1, None], x[1:, None], y[1:, None])
     return float(np.abs(circle_distance(*ends, shape[:, None], px, py)[0]).max())
 
@@ -77,14 +77,18 @@ def own(form: str) -> "Callable[[Path, int], Made]":
     def made(path: "Path", _: int) -> "Made":
         import numpy as np
 
-        from dynamics_cli.cam.approximation import ends_of, fit
+        from dynamics_cli.cam.approximation import controls, fit
         from dynamics_cli.cam.proof import proved
 
         count, worst, bound = 0, 0.0, 0.0
         for piece, places, shape in fit(path, form, FIT * TOLERANCE):
-            points = np.stack(ends_of(path, places)[:2], axis=1)
-            bound = max(bound, float(proved(path, piece, places, shape, form, points, TOLERANCE).max()))
-            worst = max(worst, measured(path, form, places, shape))
+            on = path.on(piece)
+            points = np.stack(on.at(places)[:2], axis=1)
+            written = shape
+            if form == "cubics":
+                written = np.stack([inner[:, 1:3] for inner in controls(on, places, shape)], axis=2)
+            bound = max(bound, float(proved(path, piece, places, written, form, points, TOLERANCE).max()))
+            worst = max(worst, measured(on, form, places, shape))
             count += places.size - 1
         return count, worst, bound
 
@@ -109,8 +113,8 @@ def equal_lines(path: "Path", count: int) -> "Made":
     import numpy as np
 
     worst, total = 0.0, 0
-    for _, places in _shares(path, count, still=True):
-        worst = max(worst, measured(path, "lines", places, np.zeros(places.size - 1)))
+    for piece, places in _shares(path, count, still=True):
+        worst = max(worst, measured(path.on(piece), "lines", places, np.zeros(places.size - 1)))
         total += places.size - 1
     return total, worst, None
 
@@ -122,11 +126,12 @@ def equal_arcs(path: "Path", count: int) -> "Made":
     from dynamics_cli.cam.approximation import _pairs
 
     worst, total = 0.0, int(path.still.sum())
-    for _, places in _shares(path, (count - total) // 2, still=False):
-        (middle, bulges), _ = _pairs(path, places)
+    for piece, places in _shares(path, (count - total) // 2, still=False):
+        on = path.on(piece)
+        (middle, bulges), _ = _pairs(on, places)
         both = np.empty(2 * places.size - 1)
         both[::2], both[1::2] = places, middle
-        worst = max(worst, measured(path, "arcs", both, bulges.reshape(-1)))
+        worst = max(worst, measured(on, "arcs", both, bulges.reshape(-1)))
         total += both.size - 1
     return total, worst, None
 
@@ -135,13 +140,12 @@ def hermite(path: "Path", count: int) -> "Made":
     """Cubics of points and derivatives (Hermite's) at equal steps of cam angle."""
     import numpy as np
 
-    from dynamics_cli.cam.approximation import ends_of
-
     worst, total = 0.0, 0
-    for _, places in _shares(path, count, still=True):
-        speed = np.abs(ends_of(path, places)[4])
+    for piece, places in _shares(path, count, still=True):
+        on = path.on(piece)
+        speed = np.abs(on.at(places)[4])
         handles = np.stack((speed[:-1], speed[1:]), axis=1) * (np.diff(places) / 3.0)[:, None]
-        worst = max(worst, measured(path, "cubics", places, handles))
+        worst = max(worst, measured(on, "cubics", places, handles))
         total += places.size - 1
     return total, worst, None
 
