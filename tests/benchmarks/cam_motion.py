@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from mpmath import cos, mp, mpf, pi, sin
 
+from dynamics_cli.cam.force_records import Slide
 from dynamics_cli.cam.forces import force
 from dynamics_cli.cam.laws import LawName, law_named
 from dynamics_cli.cam.peaks import extremes
@@ -40,7 +41,7 @@ def designs() -> None:
         "motion from its line": lambda: motion_of(NOTHING, LINE),
         "whole `cam motion` (extremes, joints, rms, 361 points)": lambda: motion(NOTHING, program=LINE, count=361),
         "whole `cam force`": lambda: force(
-            NOTHING, program=LINE, shaft_speed=50.0, mass=0.5, spring_rate=5e3, preload=60.0
+            NOTHING, program=LINE, shaft_speed=50.0, train=Slide(0.5, 5e3, 60.0)
         ),
         "whole `cam rise` at one angle": lambda: rise(law=LawName("cycloidal"), lift=0.02, span=1.5, at=(0.4,)),
     }
