@@ -1,5 +1,7 @@
 """Certified extremes of functions of a motion, with what the proxies, the motion and the arithmetic may err by."""
 
+from math import inf
+
 import numpy as np
 
 from dynamics_cli.cam.pieces import over_pieces, within
@@ -13,16 +15,24 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.cam.motion import Motion
-    from dynamics_cli.numerics.chebyshev import Proxies
 
     Law = Callable[[Any, Any, Any], Any]
+    Place = tuple[int, float]
     Rounding = Callable[[float, float, float], float]
 
 # Errors of s, s′ and s″, in shares of their sums of Chebyshev coefficients on a zone, which no peak exceeds.
 EVALUATED = (2e-15, 2e-15, 5e-15)
+# Relative error of a named law next to either of its ends.
+NAMED = 4e-15
 STEP = 1e-30
 # At most so many places that rounding cannot tell apart are looked at again.
 PLACES = 64
+
+
+def _ties(found: "chebyshev.Extremes", values: "Any") -> "list[Place]":
+    """Zone and share of the greatest value, and of all that rounding cannot tell from it, in order."""
+    near = np.flatnonzero(values >= values.max() - found.error).tolist()
+    return [(int(found.owner[index]), float(found.places[index])) for index in near[:PLACES]]
 
 
 @record
@@ -44,6 +54,27 @@ class Found:
     error: float
 
 
+class Sum:
+    """A weighted sum of a survey's rows (s, s′, s″ and its functions) and a constant.
+
+    Parameters
+    ----------
+    weights : tuple of float
+        One for each row from the first; what is left out counts nothing.
+    constant : float
+        The constant.
+    rounding : callable
+        What its arithmetic may round by, from s, s′ and s″.
+    """
+
+    __slots__ = ("constant", "rounding", "weights")
+
+    def __init__(self, weights: "tuple[float, ...]", constant: float, rounding: "Rounding") -> None:
+        self.weights = weights
+        self.constant = constant
+        self.rounding = rounding
+
+
 class Survey:
     """Functions of s, s′ and s″ over a motion, ready for their extremes.
 
@@ -62,24 +93,17 @@ class Survey:
 
     def __init__(self, motion: "Motion", *functions: "Law") -> None:
         self.motion = motion
-        self.functions = functions
-        rows = (lambda s, s1, s2: s, lambda s, s1, s2: s1, lambda s, s1, s2: s2, *functions)
+        self.rows = (lambda s, s1, s2: s, lambda s, s1, s2: s1, lambda s, s1, s2: s2, *functions)
         try:
             with np.errstate(all="ignore"):
-                self.made = over_pieces(motion, lambda s, s1, s2: np.stack([row(s, s1, s2) + 0.0 * s for row in rows]))
+                self.made = over_pieces(
+                    motion, lambda s, s1, s2: np.stack([row(s, s1, s2) + 0.0 * s for row in self.rows])
+                )
         except ValueError:
             require(False, "the forces overflow: the speed or the spring is beyond all bounds", code="overflow")
             raise
         sums = np.abs(self.made.coefficients[:3]).sum(axis=2)
         self.peaks = np.array([sums[:, self.made.owner == zone].max(axis=1) for zone in range(len(motion.zones))])
-
-    def combined(self, s: float, constant: float, s2: float) -> "Proxies":
-        """Proxies of s·(lift) + constant + s2·(second derivative): sums of those there are."""
-        own, left = self.made.coefficients, self.made.error
-        sums = s * own[0] + s2 * own[2]
-        sums[:, 0] += constant
-        error = abs(s) * left[0] + abs(s2) * left[2]
-        return chebyshev.Proxies(self.made.owner, self.made.starts, self.made.ends, sums[None], error[None])
 
     def state(self, zone: int, share: float) -> "tuple[float, float, float]":
         """Lift and its two derivatives at a share of a zone."""
@@ -94,14 +118,26 @@ class Survey:
     def noise(self, function: "Law", zone: int, share: float) -> float:
         """What the errors of s, s′ and s″ come to in a function of them: its derivatives by complex steps."""
         state, total = self.state(zone, share), 0.0
-        for order, part in enumerate(EVALUATED):
-            moved = [complex(value) for value in state]
-            size = float(self.peaks[zone, order])
-            if size:
-                moved[order] += STEP * size * 1j
-                slope = complex(function(*moved)).imag / (STEP * size)
-                total += abs(slope) * part * size
+        for order, error in enumerate(self._errors(zone, share, state[0])):
+            if error:
+                moved = [complex(value) for value in state]
+                step = STEP * float(self.peaks[zone, order])
+                moved[order] += step * 1j
+                total += abs(complex(function(*moved)).imag / step) * error
         return total
+
+    def _errors(self, zone: int, share: float, s: float) -> "list[float]":
+        """Errors of s, s′ and s″; at rest there is nothing but a level."""
+        own = self.motion.zones[zone]
+        if own.dwell:
+            return [2.0**-53 * abs(s), 0.0, 0.0]
+        errors = [part * float(size) for part, size in zip(EVALUATED, self.peaks[zone], strict=True)]
+        span = self.motion.segments[own.segment]
+        if span.law is not None and span.law.monotone:
+            # the named laws keep their digits towards both ends of a rise
+            level = min(span.low, span.high, key=lambda end: abs(s - end))
+            errors[0] = min(errors[0], 2.0**-52 * abs(level) + NAMED * abs(s - level))
+        return errors
 
     def extremes(self, which: int, rounding: "Rounding") -> tuple[Found, Found]:
         """Give the least and the greatest value of a function over the turn, one-sided values included.
@@ -124,7 +160,7 @@ class Survey:
         own there. The bound adds what the proxies leave out, what s, s′ and s″ err by, and the arithmetic.
         """
         found = chebyshev.extremes(self.made, 3 + which)
-        function = self.functions[which]
+        function = self.rows[3 + which]
 
         def noise(index: int) -> float:
             zone, share = int(found.owner[index]), float(found.places[index])
@@ -137,13 +173,11 @@ class Survey:
     ) -> Found:
         values = sign * found.values
         top = float(values.max())
-        ties = np.flatnonzero(values >= top - found.error).tolist()
-        places = [(int(found.owner[index]), float(found.places[index]), index) for index in ties[:PLACES]]
-        own = [(sign * float(function(*self.state(zone, share))), index) for zone, share, index in places]
+        own = [(sign * float(function(*self.state(*place))), place) for place in _ties(found, values)]
         best = max(value for value, _ in own)
-        index = next(index for value, index in own if value >= best - found.error)
+        place = next(place for value, place in own if value >= best - found.error)
         error = found.error + max(noise(index) for index in self._rivals(found, values, top, noise))
-        return Found(sign * best, self.angle(int(found.owner[index]), float(found.places[index])), error)
+        return Found(sign * best, self.angle(*place), error)
 
     def _rivals(
         self, found: "chebyshev.Extremes", values: "Any", top: float, noise: "Callable[[int], float]"
@@ -160,6 +194,71 @@ class Survey:
             if values[index] >= top - 1e-6 * abs(top) - 1e3 * mine and values[index] + noise(index) >= top - mine:
                 near.append(index)
         return near
+
+    def greatest_quotient(self, top: Sum, bottom: Sum) -> Found:
+        """Give the greatest quotient of two sums over the turn; the lower one is nowhere below zero.
+
+        Parameters
+        ----------
+        top, bottom : Sum
+            The sums.
+
+        Returns
+        -------
+        Found
+            The quotient, infinite where the lower sum is zero and the upper one is not; its first place and bound.
+
+        Notes
+        -----
+        Dinkelbach's iteration: q = top/bottom rises to where top − q·bottom, whose greatest value over the turn is
+        certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
+        0/0 where a spring of no preload rests.
+        """
+        place = self._places(top, None, 0.0)[0][0]
+        quotient = self._quotient(top, bottom, place)
+        while quotient < inf:
+            places, left = self._places(top, bottom, quotient)
+            better = max((self._quotient(top, bottom, one) for one in places), default=-inf)
+            if not better > quotient + 1e-15 * abs(quotient):
+                break
+            quotient = better
+            place = next(one for one in places if self._quotient(top, bottom, one) == better)
+        if quotient == inf:
+            return Found(inf, self.angle(*place), 0.0)
+        alike = (one for one in places if self._quotient(top, bottom, one) >= quotient - 4e-15 * abs(quotient))
+        error = left + self._noise(top, place) + abs(quotient) * self._noise(bottom, place)
+        return Found(quotient, self.angle(*next(alike, place)), error / self._value(bottom, place))
+
+    def _places(self, top: Sum, bottom: "Sum | None", quotient: float) -> "tuple[list[Place], float]":
+        """Where top − quotient·bottom is greatest but for rounding, and what that rounding is."""
+        weights, constant = np.zeros(len(self.rows)), top.constant
+        weights[: len(top.weights)] += top.weights
+        if bottom is not None:
+            weights[: len(bottom.weights)] -= quotient * np.array(bottom.weights)
+            constant -= quotient * bottom.constant
+        own = np.tensordot(weights, self.made.coefficients, 1)
+        own[:, 0] += constant
+        error = np.abs(weights) @ self.made.error
+        made = chebyshev.Proxies(self.made.owner, self.made.starts, self.made.ends, own[None], error[None])
+        found = chebyshev.extremes(made)
+        return _ties(found, found.values), found.error
+
+    def _value(self, one: Sum, place: "Place") -> float:
+        state = self.state(*place)
+        return one.constant + sum(
+            weight * float(row(*state)) for weight, row in zip(one.weights, self.rows, strict=False) if weight
+        )
+
+    def _quotient(self, top: Sum, bottom: Sum, place: "Place") -> float:
+        above, below = self._value(top, place), self._value(bottom, place)
+        if below <= 0.0:
+            return inf if above > 0.0 else -inf
+        return above / below
+
+    def _noise(self, one: Sum, place: "Place") -> float:
+        rows = zip(one.weights, self.rows, strict=False)
+        errors = (abs(weight) * self.noise(row, *place) for weight, row in rows if weight)
+        return sum(errors, start=one.rounding(*self.state(*place)))
 
     def integral(self, which: int) -> tuple[float, float]:
         """Integral of a function over the turn by cam angle, and a bound of that of its magnitude."""

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 CCW = Rotation("counter-clockwise")
 SURGE_ORDER = 12.0
 BALANCE = 1e-12
+NONE = (None, None, None, None)
 
 
 def force(
@@ -138,9 +139,9 @@ def force(
     torsion = isinstance(train, ArmOnTorsionSpring)
     tables, statics = _tables(motion, geometry, load, count)
     return Forces(
-        *((None,) * 4 if arm else _pair(low, high)),
-        *(_pair(low, high) if arm else (None,) * 4),
-        *((None,) * 4 if normal is None else _pair(*normal)),
+        *(NONE if arm else _pair(low, high)),
+        *(_pair(low, high) if arm else NONE),
+        *(NONE if normal is None else _pair(*normal)),
         most.value, most.at,
         back.value, back.at,
         power,
@@ -255,6 +256,7 @@ def _tables(
     pressing = load.force(s, s2)
     # minus zero is zero
     lift, torque = s + 0.0, pressing * s1 + 0.0
+    first: tuple[Any, Any]
     if motion.swing:
         first = None, Columns(ArmPoint, angle=angles, swing=lift, arm_torque=pressing + 0.0, torque=torque)
     else:

@@ -2,11 +2,10 @@
 
 from math import sqrt
 
-from dynamics_cli.cam.certified import EVALUATED, Found, Survey
+from dynamics_cli.cam.certified import Found, Sum, Survey
 from dynamics_cli.cam.force_records import ArmOnTorsionSpring, Slide
 from dynamics_cli.cam.loads import load_of
 from dynamics_cli.errors import require
-from dynamics_cli.numerics import chebyshev
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,8 +14,8 @@ if TYPE_CHECKING:
 
     Optional = tuple[float | None, float | None, float | None]
 
-STILL = 1e-12
 DROP = 1e-9
+EXACT = 2.0**-51
 
 
 def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Found | None":
@@ -38,34 +37,26 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
     Found | None
         The speed [rad/s], the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops
         at a joint; None when nothing slows the follower down.
-
-    Notes
-    -----
-    Dinkelbach's iteration: the least value of k s + P + ω² J s″ over the turn, certified, lies where the next ω² comes
-    from; it falls until that value is nothing but rounding. The quotient itself is never searched: where a spring of no
-    preload rests, it is 0/0.
     """
-    least, _ = motion.stroke
     survey = survey or Survey(motion)
-    if load.rate * least + load.steady < 0.0:
-        return _slack(survey)
+    falling = Sum((0.0, 0.0, -load.inertia), 0.0, lambda s, s1, s2: EXACT * load.inertia * abs(s2))
+    held = Sum((load.rate,), load.steady, lambda s, s1, s2: EXACT * (abs(load.rate * s) + abs(load.steady)))
+    if load.rate * motion.stroke[0] + load.steady < 0.0:
+        return Found(0.0, _lowest(motion), 0.0)
     drop = dropping(motion)
     if drop is not None:
         return Found(0.0, drop, 0.0)
-    zone, share = _lowest(survey, 0.0, 0.0, 1.0)
-    if survey.state(zone, share)[2] >= -STILL * float(survey.peaks[:, 2].max()):
+    found = survey.greatest_quotient(falling, held)
+    if found.value <= 0.0:
         return None
-    square = _quotient(survey, load, zone, share)
-    while square > 0.0:
-        place = _lowest(survey, load.rate, load.steady, square * load.inertia)
-        if survey.state(*place)[2] >= 0.0:
-            break
-        lower = _quotient(survey, load, *place)
-        if not lower < square * (1.0 - 1e-15):
-            break
-        square, (zone, share) = lower, place
-    speed = sqrt(max(square, 0.0))
-    return Found(speed, survey.angle(zone, share), _error(survey, load, zone, share) * speed)
+    speed = 1.0 / sqrt(found.value)
+    return Found(speed, found.at, (0.5 * found.error / found.value + EXACT) * speed if speed else 0.0)
+
+
+def _lowest(motion: "Motion") -> float:
+    """The first joint or zone's end of the least lift, or the start of the zone it lies in."""
+    ends = [(motion.in_zone(index, 0.0, 0)[0], zone.start) for index, zone in enumerate(motion.zones)]
+    return min(ends)[1]
 
 
 def asked_jump(
@@ -132,35 +123,3 @@ def dropping(motion: "Motion") -> float | None:
         if ends[index][0] < ends[index - 1][1] - DROP * peak:
             return zone.start
     return None
-
-
-def _lowest(survey: Survey, s: float, constant: float, s2: float) -> tuple[int, float]:
-    """Zone and share at which a sum of lift, constant and second derivative is least."""
-    found = chebyshev.extremes(survey.combined(s, constant, s2))
-    index = int(found.values.argmin())
-    return int(found.owner[index]), float(found.places[index])
-
-
-def _slack(survey: Survey) -> Found:
-    zone, share = _lowest(survey, 1.0, 0.0, 0.0)
-    return Found(0.0, survey.angle(zone, share), 0.0)
-
-
-def _quotient(survey: Survey, load: "Load", zone: int, share: float) -> float:
-    s, _, s2 = survey.state(zone, share)
-    return (load.rate * s + load.steady) / (-load.inertia * s2)
-
-
-def _error(survey: Survey, load: "Load", zone: int, share: float) -> float:
-    """Relative bound of the speed: half that of its square."""
-    s, _, s2 = survey.state(zone, share)
-    held = load.rate * s + load.steady
-    if held <= 0.0:
-        return 0.0
-    square = held / (-load.inertia * s2)
-    made = survey.combined(load.rate, load.steady, square * load.inertia)
-    searched = chebyshev.extremes(made).error
-    noise = [part * float(size) for part, size in zip(EVALUATED, survey.peaks[zone], strict=True)]
-    evaluated = load.rate * noise[0] + square * load.inertia * noise[2]
-    rounded = 2.0**-51 * (abs(load.rate * s) + abs(load.steady) + held)
-    return 0.5 * (searched + evaluated + rounded) / held

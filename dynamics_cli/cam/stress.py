@@ -4,7 +4,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from dynamics_cli.cam.certified import Found, Survey
+from dynamics_cli.cam.certified import Found, Sum, Survey
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat, OscillatingRoller
 from dynamics_cli.errors import require
@@ -75,15 +75,6 @@ class Touching:
         square = x * x + y * y
         return 1.0 - self.geometry.roller * (square + y * x1 - x * y1) / (square * np.sqrt(square))
 
-    def closeness(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
-        """1/ρ = 1/ρ_cam + 1/R, which for a roller is 1/(R (1 − R κ)) with κ of the pitch curve."""
-        room = self.room(s, s1, s2)
-        return 1.0 / room if self.geometry.flat else 1.0 / (self.geometry.roller * room)
-
-    def crowding(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
-        """Normal force times 1/ρ, which the square of the Hertz pressure goes with."""
-        return self.normal(s, s1, s2) * self.closeness(s, s1, s2)
-
     def rounding(self, s: float, s1: float, s2: float) -> float:
         """What the normal force rounds by, and what the start of the follower it stands on does to it."""
         value, gain = abs(self.normal(s, s1, s2)), abs(self.gain(s, s1, s2))
@@ -91,13 +82,8 @@ class Touching:
         start = 8.0 * UNIT * abs(self.start) * abs(moved) * abs(self.load.force(s, s2))
         return float(self.load.rounding(s, s2) * gain + 16.0 * UNIT * value + start)
 
-    def rounding_of_crowding(self, s: float, s1: float, s2: float) -> float:
-        """What the product rounds by: next to a cusp 1 − R κ is left over from much larger terms."""
-        share, product = float(self.closeness(s, s1, s2)), abs(float(self.crowding(s, s1, s2)))
-        return self.rounding(s, s1, s2) * share + product * (self._lost(s, s1, s2) + 8.0 * UNIT)
-
-    def _lost(self, s: float, s1: float, s2: float) -> float:
-        """Relative rounding of `room`, with what the start of the follower brings to it."""
+    def rounding_of_room(self, s: float, s1: float, s2: float) -> float:
+        """What `room` rounds by, next to a cusp left over from larger terms, with what the start brings to it."""
         f, room = self.follower, float(self.room(s, s1, s2))
         if isinstance(f, FlatFace):
             size = abs(s) + abs(s2)
@@ -109,7 +95,7 @@ class Touching:
         else:
             size = 1.0 + abs(1.0 - room)
         moved = complex(self.room(complex(s, TINY), s1, s2)).imag / TINY
-        return 8.0 * UNIT * float(2.0 * size + abs(self.start * moved)) / abs(room)
+        return 8.0 * UNIT * float(2.0 * size + abs(self.start * moved))
 
 
 def require_lever(geometry: Geometry, motion: "Motion") -> None:
@@ -185,18 +171,22 @@ def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
         code="edge",
         hint="give a roller radius, or leave the contact out",
     )
-    room, _ = Survey(motion, touching.room).extremes(0, lambda s, s1, s2: 0.0)
+    survey = Survey(motion, touching.normal, touching.room)
+    least, _ = survey.extremes(1, touching.rounding_of_room)
     require(
-        room.value > 0.0,
+        least.value > 0.0,
         "the cam is undercut at {0:.6g} deg: there is no contact to carry a stress",
-        room.at / DEGREE,
+        least.at / DEGREE,
         code="undercut",
         hint="take a larger base circle or a smaller roller; `dynamics cam size` finds the least",
     )
-    _, most = Survey(motion, touching.crowding).extremes(0, touching.rounding_of_crowding)
+    # N/ρ is the normal force over the room under a flat face, or over the room R(1 − R κ) of a roller
+    normal = Sum((0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding)
+    room = Sum((0.0, 0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding_of_room)
+    most = survey.greatest_quotient(normal, room)
     if most.value <= 0.0:
         return Found(0.0, most.at, 0.0)
-    pressure = sqrt(most.value / (pi * contact.width * give))
+    pressure = sqrt(most.value / (pi * contact.width * give * (1.0 if geometry.flat else geometry.roller)))
     return Found(pressure, most.at, pressure * (0.5 * most.error / most.value + 8.0 * UNIT))
 
 

@@ -3,7 +3,6 @@
 import warnings
 from math import pi, sqrt
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
