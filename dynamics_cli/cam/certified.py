@@ -27,12 +27,35 @@ NAMED = 4e-15
 STEP = 1e-30
 # At most so many places that rounding cannot tell apart are looked at again.
 PLACES = 64
+# A piece this far below the best, as a share of the largest value, is not the best whatever it errs by.
+NEAR = 1e-3
 
 
-def _ties(found: "chebyshev.Extremes", values: "Any") -> "list[Place]":
-    """Zone and share of the greatest value, and of all that rounding cannot tell from it, in order."""
-    near = np.flatnonzero(values >= values.max() - found.error).tolist()
-    return [(int(found.owner[index]), float(found.places[index])) for index in near[:PLACES]]
+class _Candidates:
+    """Candidates for the greatest value of a row of proxies, and what the proxies of each piece leave out."""
+
+    __slots__ = ("inside", "places", "room", "values")
+
+    def __init__(self, made: "chebyshev.Proxies", which: int = 0) -> None:
+        found = chebyshev.extremes(made, which)
+        self.values = found.values
+        self.places = [(int(zone), float(share)) for zone, share in zip(found.owner, found.places, strict=True)]
+        self.room = made.error[which] + 16.0 * 2.0**-53 * np.abs(made.coefficients[which]).sum(axis=1)
+        own = made.owner[:, None] == found.owner
+        self.inside = own & (found.places >= made.starts[:, None]) & (found.places <= made.ends[:, None])
+
+    def ties(self) -> "tuple[list[Place], float]":
+        """The place of the greatest value and all that the proxies cannot tell from it, in order; what they err by."""
+        room = np.where(self.inside, self.room[:, None], 0.0).max(axis=0)
+        near = np.flatnonzero(self.values + room >= (self.values - room).max())[:PLACES]
+        return [self.places[index] for index in near.tolist()], float(room[near].max())
+
+    def reaches(self) -> "list[tuple[float, Place]]":
+        """The greatest value of each piece with what its proxies leave out, and where it is."""
+        values = np.where(self.inside, self.values, -inf)
+        tops = values.argmax(axis=1)
+        reach = values[np.arange(tops.size), tops] + self.room
+        return [(high, self.places[index]) for high, index in zip(reach.tolist(), tops.tolist(), strict=True)]
 
 
 @record
@@ -159,41 +182,25 @@ class Survey:
         Every candidate comes from `numerics.chebyshev.extremes`, which leaves none out; its value is the function's
         own there. The bound adds what the proxies leave out, what s, s′ and s″ err by, and the arithmetic.
         """
-        found = chebyshev.extremes(self.made, 3 + which)
         function = self.rows[3 + which]
 
-        def noise(index: int) -> float:
-            zone, share = int(found.owner[index]), float(found.places[index])
-            return self.noise(function, zone, share) + rounding(*self.state(zone, share))
+        def noise(place: "Place") -> float:
+            return self.noise(function, *place) + rounding(*self.state(*place))
 
-        return self._first(found, function, -1.0, noise), self._first(found, function, 1.0, noise)
+        candidates = _Candidates(self.made, 3 + which)
+        high = self._first(candidates, function, 1.0, noise)
+        candidates.values = -candidates.values
+        return self._first(candidates, function, -1.0, noise), high
 
-    def _first(
-        self, found: "chebyshev.Extremes", function: "Law", sign: float, noise: "Callable[[int], float]"
-    ) -> Found:
-        values = sign * found.values
-        top = float(values.max())
-        own = [(sign * float(function(*self.state(*place))), place) for place in _ties(found, values)]
+    def _first(self, candidates: _Candidates, function: "Law", sign: float, noise: "Callable[[Place], float]") -> Found:
+        ties, left = candidates.ties()
+        own = [(sign * float(function(*self.state(*place))), place) for place in ties]
         best = max(value for value, _ in own)
-        place = next(place for value, place in own if value >= best - found.error)
-        error = found.error + max(noise(index) for index in self._rivals(found, values, top, noise))
-        return Found(sign * best, self.angle(*place), error)
-
-    def _rivals(
-        self, found: "chebyshev.Extremes", values: "Any", top: float, noise: "Callable[[int], float]"
-    ) -> "list[int]":
-        """The best place, and of every other zone the best one if its errors could make it the best of all."""
-        best = int(values.argmax())
-        mine = noise(best)
-        near = [best]
-        for zone in range(len(self.motion.zones)):
-            rows = np.flatnonzero(found.owner == zone)
-            if zone == found.owner[best] or not rows.size:
-                continue
-            index = int(rows[values[rows].argmax()])
-            if values[index] >= top - 1e-6 * abs(top) - 1e3 * mine and values[index] + noise(index) >= top - mine:
-                near.append(index)
-        return near
+        place = next(place for value, place in own if value >= best - left)
+        # no piece reaches beyond its own best, what its proxies leave out and what it errs by
+        floor = best - NEAR * max(abs(best), float(np.abs(candidates.values).max()))
+        reach = max(high + noise(at) for high, at in candidates.reaches() if high >= floor)
+        return Found(sign * best, self.angle(*place), max(reach - best, noise(place)))
 
     def greatest_quotient(self, top: Sum, bottom: Sum) -> Found:
         """Give the greatest quotient of two sums over the turn; the lower one is nowhere below zero.
@@ -240,8 +247,7 @@ class Survey:
         own[:, 0] += constant
         error = np.abs(weights) @ self.made.error
         made = chebyshev.Proxies(self.made.owner, self.made.starts, self.made.ends, own[None], error[None])
-        found = chebyshev.extremes(made)
-        return _ties(found, found.values), found.error
+        return _Candidates(made).ties()
 
     def _value(self, one: Sum, place: "Place") -> float:
         state = self.state(*place)
