@@ -239,3 +239,12 @@ def test_a_picture_shows_torque_contact_force_and_the_line_of_no_force() -> None
     drawn = [y for y in curve.y if not isnan(y)]
     assert max(drawn) == pytest.approx(found.greatest_contact_force, rel=1e-3)
     assert any(getattr(item, "vertical", True) is False and item.low == 0.0 for item in picture.panels[2].items)
+
+
+def test_csv_writes_the_table_of_an_arm() -> None:
+    words = ("cam", "force", "--program", SWING, "--shaft-speed", "500 rpm", "--inertia", "0.002 kg*m^2", "--count", "3")
+    lines = run(*words, "--format", "csv").out.splitlines()
+    assert lines[0] == "angle[deg],swing[deg],arm_torque[N·m],torque[N·m]"
+    assert len(lines) == 4
+    swing = run("cam", "motion", "--program", SWING, "--count", "3", "--format", "csv").out.splitlines()
+    assert swing[0].startswith("angle[deg],swing[deg],velocity")

@@ -68,7 +68,7 @@ MOTION = Task(
         "--singularity --units us",
         'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
     ),
-    table="table",
+    table="table swing_table",
     plot=HERE + "motion_pictures:svaj",
     arrays=False,
     tracked=False,
@@ -112,7 +112,7 @@ FORCE = Task(
         '--spring-rate "4 N/mm" --preload "40 N" --follower oscillating-flat --base-radius "40 mm" '
         '--pivot-distance "120 mm" --face-offset "4 mm" --count 13',
     ),
-    table="table",
+    table="table arm_table",
     plot=HERE + "force_pictures:forces",
     arrays=False,
     tracked=False,
