@@ -4,7 +4,6 @@ from math import pi
 
 from dynamics_cli.cam.followers import Rotation, require_lift
 from dynamics_cli.cam.force_records import (
-    ArmOnSpring,
     ArmOnTorsionSpring,
     ArmPoint,
     Contact,
@@ -19,7 +18,7 @@ from dynamics_cli.cam.motion import Motion
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import UsageError, require
 from dynamics_cli.quantities import Count, ShaftSpeed, Size, Text
-from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics
+from dynamics_cli.records import Check, Columns, ErrorBound, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,9 +28,7 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.contact import Geometry
 
 CCW = Rotation("counter-clockwise")
-SURGE_ORDER = 12.0
 BALANCE = 1e-12
-NONE = (None, None, None, None)
 
 
 def force(
@@ -115,6 +112,7 @@ def force(
     """
     from dynamics_cli.cam.certified import Survey
     from dynamics_cli.cam.durations import QUOTED, durations, ramps
+    from dynamics_cli.cam.force_advice import advice_of, impacts
     from dynamics_cli.cam.jump import jump as jump_of
 
     motion = motion_of(scene, program)
@@ -139,9 +137,9 @@ def force(
     torsion = isinstance(train, ArmOnTorsionSpring)
     tables, statics = _tables(motion, geometry, load, count)
     return Forces(
-        *(NONE if arm else _pair(low, high)),
-        *(_pair(low, high) if arm else NONE),
-        *(NONE if normal is None else _pair(*normal)),
+        *_ends(None if arm else (low, high)),
+        *_ends((low, high) if arm else None),
+        *_ends(normal),
         most.value, most.at,
         back.value, back.at,
         power,
@@ -155,7 +153,7 @@ def force(
         ramps(motion, lash, lifts, shaft_speed),
         *tables,
         checks=(_mean_torque(motion, load, survey), *statics),
-        advice=(*_advice(load, train, omega, low, leaves, order), *_steps(motion), *missed),
+        advice=(*advice_of(load, train, omega, low, leaves, order), *impacts(motion), *missed),
         numerics=Numerics(
             "closed-form motion; Chebyshev proxies of every piece, every extreme certified",
             _bounds(arm, (low, high), normal, (back, most), leaves, stress, omega),
@@ -202,8 +200,8 @@ def _contact(
     return Survey(motion, touching.normal).extremes(0, touching.rounding), pressed
 
 
-def _pair(low: "Found", high: "Found") -> "tuple[float, float, float, float]":
-    return low.value, low.at, high.value, high.at
+def _ends(found: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
+    return (None, None, None, None) if found is None else (*_fields(found[0]), *_fields(found[1]))
 
 
 def _fields(found: "Found | None") -> "tuple[float | None, float | None]":
@@ -304,63 +302,3 @@ def _statics(motion: Motion, geometry: "Geometry", load: Load) -> Check:
     size = float(np.max(np.abs(normal) * (np.abs(x) + np.abs(y))))
     left = gap / size if size else 0.0
     return Check("torque is the moment of the contact force", left <= BALANCE, left, BALANCE)
-
-
-def _steps(motion: Motion) -> "tuple[Advice, ...]":
-    from dynamics_cli.cam.pieces import joint_jumps
-
-    jumps = joint_jumps(motion)[0]
-    if not jumps:
-        return ()
-    return (
-        Advice(
-            "velocity-jump",
-            f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
-            "no extreme told here includes",
-            "serious",
-            "choose laws whose velocities join; `dynamics cam motion` tells where they do not",
-        ),
-    )
-
-
-def _advice(
-    load: Load, train: Train, omega: float, low: "Found", leaves: "Found | None", order: float | None
-) -> "tuple[Advice, ...]":
-    found = []
-    unit = "N·m" if load.arm else "N"
-    if low.value < 0.0:
-        needed = (load.preload - low.value) / load.spring_radius
-        what = f"preload to {needed:.6g} {'N' if isinstance(train, ArmOnSpring) else unit}"
-        found.append(
-            Advice(
-                "follower-leaves",
-                f"the {'torque' if load.arm else 'force'} falls to {low.value:.6g} {unit} at "
-                f"{low.at * 180.0 / pi:.6g} deg: the follower leaves the cam",
-                "serious",
-                f"raise the {what}"
-                + (f", or stay below {leaves.value * 30.0 / pi:.6g} rpm" if leaves and leaves.value else ""),
-            )
-        )
-    elif leaves is not None and 0.0 < leaves.value < 1.2 * omega:
-        found.append(
-            Advice(
-                "near-jump",
-                f"the follower jumps at {leaves.value * 30.0 / pi:.6g} rpm, "
-                f"{leaves.value / omega - 1.0:.1%} above this speed",
-                "caution",
-                "raise the preload or the spring rate",
-            )
-        )
-    if leaves is None:
-        found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
-    if order is not None and order < SURGE_ORDER:
-        found.append(
-            Advice(
-                "spring-surge",
-                f"the spring surges at {order:.4g} times the shaft's speed: "
-                "harmonics of the cam up to the twelfth excite it",
-                "caution" if order > 0.7 * SURGE_ORDER else "serious",
-                "take a lighter or a stiffer spring",
-            )
-        )
-    return tuple(found)

@@ -1,6 +1,6 @@
 """What a follower's inertia, spring and load ask of the cam, in forces for a slide and in torques for an arm."""
 
-from math import pi, sqrt
+from math import sqrt
 
 from dynamics_cli.cam.force_records import ArmOnSpring, ArmOnTorsionSpring, Slide, Train
 from dynamics_cli.errors import UsageError, require
@@ -139,8 +139,3 @@ def surge(load: Load) -> float | None:
     require(mass > 0.0, "a spring of no mass has no surge", code="spring-mass", hint="leave the spring's mass out")
     require(rate > 0.0, "a spring's mass without its rate has no surge", code="spring-rate")
     return 0.5 * sqrt(rate / mass)
-
-
-def turns_per_second(omega: float) -> float:
-    """A shaft's speed in turns per second."""
-    return omega / (2.0 * pi)

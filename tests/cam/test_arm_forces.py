@@ -242,8 +242,8 @@ def test_a_picture_shows_torque_contact_force_and_the_line_of_no_force() -> None
 
 
 def test_csv_writes_the_table_of_an_arm() -> None:
-    words = ("cam", "force", "--program", SWING, "--shaft-speed", "500 rpm", "--inertia", "0.002 kg*m^2", "--count", "3")
-    lines = run(*words, "--format", "csv").out.splitlines()
+    words = ("cam", "force", "--program", SWING, "--shaft-speed", "500 rpm", "--inertia", "0.002 kg*m^2")
+    lines = run(*words, "--count", "3", "--format", "csv").out.splitlines()
     assert lines[0] == "angle[deg],swing[deg],arm_torque[N·m],torque[N·m]"
     assert len(lines) == 4
     swing = run("cam", "motion", "--program", SWING, "--count", "3", "--format", "csv").out.splitlines()

@@ -261,6 +261,8 @@ CASES = [
      roller("0.04", "0.01"), 1, True),
     ("at the jump speed itself", "the least force is what rounding of the speed leaves of 160 N", RISES,
      "76.74172567886146", S, roller("0.04", "0.01"), 1, False),
+    ("dip to zero between samples", "0.125 N at the start is less than any sample of the dip to nothing in the rise",
+     RISES, "109.51236970071136", slide("1", "34238", "0.125"), None, 1, False),
     ("no preload", "where the follower rests the quotient of the jump is 0/0", RISES, "30", slide("0.5", "5000"),
      None, 1, False),
     ("hardly any preload", "the quotient of the jump has poles a micrometre off the dwell", HIGH, "30",

@@ -53,8 +53,8 @@ def certified(arguments: "dict[str, Any]") -> "Found":
     return out
 
 
-def _curves(arguments: "dict[str, Any]") -> "tuple[Any, Callable[[Any], dict[str, Any]]]":
-    """The motion, and every quantity at cam angles by the textbook's formulas."""
+def _curves(arguments: "dict[str, Any]") -> "tuple[Any, Callable[..., dict[str, Any]]]":
+    """The motion, and every quantity by the textbook's formulas from lift, velocity and acceleration."""
     import numpy as np
 
     from dynamics_cli.cam.contact import Geometry
@@ -67,8 +67,7 @@ def _curves(arguments: "dict[str, Any]") -> "tuple[Any, Callable[[Any], dict[str
     geometry = None if follower is None else Geometry(follower, arguments["rotation"])
     pivot = getattr(follower, "pivot_distance", 0.0)
 
-    def curves(theta: "Any") -> "dict[str, Any]":
-        s, s1, s2 = motion.at(theta, 2)
+    def curves(s: "Any", s1: "Any", s2: "Any") -> "dict[str, Any]":
         pressing = load_.force(s, s2)
         name = "arm_torque" if load_.arm else "force"
         slowed = np.where(s2 < 0.0, -load_.inertia * s2 / (load_.rate * s + load_.steady), 0.0)
@@ -113,45 +112,48 @@ def sampled(count: int) -> "Answer":
     def answer(arguments: "dict[str, Any]") -> "Found":
         import numpy as np
 
-        _, curves = _curves(arguments)
-        found = curves(np.arange(count) * (2.0 * np.pi / count))
+        motion, curves = _curves(arguments)
+        found = curves(*motion.at(np.arange(count) * (2.0 * np.pi / count), 2))
         return _told({name: (float(v.min()), float(v.max())) for name, v in found.items()}, arguments)
 
     return answer
 
 
 def refined(arguments: "dict[str, Any]") -> "Found":
-    """64 samples of every zone, then golden sections about the best of each curve."""
+    """64 steps of every zone, ends included, then golden sections about the best of each curve."""
     import numpy as np
 
     motion, curves = _curves(arguments)
-    inset = np.linspace(1e-9, 1.0 - 1e-9, 65)
-    theta = np.concatenate([zone.start + (zone.end - zone.start) * inset for zone in motion.zones])
+    shares = np.linspace(0.0, 1.0, 65)
+    zones = [curves(*motion.in_zone(index, shares, 2)) for index in range(len(motion.zones))]
     rows: dict[str, tuple[float, float]] = {}
-    for name, values in curves(theta).items():
-        ends = [_golden(lambda t, name=name, sign=sign: sign * curves(t)[name], theta, sign * values)  # type: ignore[misc]
-                for sign in (-1.0, 1.0)]  # fmt: skip
-        rows[name] = -ends[0], ends[1]
+    for name in zones[0]:
+        ends = []
+        for sign in (-1.0, 1.0):
+            values = np.array([sign * (zone[name] + 0.0 * shares) for zone in zones])
+            index, place = divmod(int(values.argmax()), shares.size)
+
+            def one(share: float, name: str = name, sign: float = sign, index: int = index) -> float:
+                return sign * float(curves(*motion.in_zone(index, np.array([share]), 2))[name][0])
+
+            ends.append(sign * max(float(values[index, place]), _golden(one, (place - 1) / 64.0, (place + 1) / 64.0)))
+        rows[name] = ends[0], ends[1]
     return _told(rows, arguments)
 
 
-def _golden(function: "Callable[[Any], Any]", theta: "Any", values: "Any") -> float:
-    import numpy as np
-
-    index = int(values.argmax())
-    low, high = float(theta[max(index - 1, 0)]), float(theta[min(index + 1, theta.size - 1)])
+def _golden(function: "Callable[[float], float]", low: float, high: float) -> float:
+    low, high = max(low, 0.0), min(high, 1.0)
     for _ in range(45):
         a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        at_a, at_b = function(np.array([a, b])).tolist()
-        low, high = (low, b) if at_a > at_b else (a, high)
-    return max(float(values[index]), float(function(np.array([0.5 * (low + high)]))[0]))
+        low, high = (low, b) if function(a) > function(b) else (a, high)
+    return function(0.5 * (low + high))
 
 
 METHODS: "tuple[tuple[str, Answer], ...]" = (
     ("certified extremes (chosen)", certified),
     ("360 samples", sampled(360)),
     ("36,000 samples", sampled(36_000)),
-    ("64 samples a zone and golden sections", refined),
+    ("64 steps a zone and golden sections", refined),
 )
 
 
@@ -178,7 +180,7 @@ def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
 
 
 def counted(errors: Errors, case: Case, found: "Found") -> None:
-    """Extremes in shares of the larger magnitude of the two; speeds and stresses in shares of themselves."""
+    """Extremes in shares of the larger magnitude of the two, speeds of themselves, stresses as the radii they tell."""
     from decimal import Decimal
 
     for address, text in case.results.items():
@@ -187,5 +189,20 @@ def counted(errors: Errors, case: Case, found: "Found") -> None:
         for end, other in (("least_", "greatest_"), ("greatest_", "least_")):
             if address.startswith(end):
                 size = max(size, abs(float(case.results[address.replace(end, other, 1)])))
+        if address == "stress":
+            size /= _radius_share(case, size)
         error = float(abs(Decimal(value) - Decimal(text))) / size
         errors.note(f"{case.name}: {address}", error, None if bound is None else bound / size)
+
+
+def _radius_share(case: Case, stress: float) -> float:
+    """Radius of contact that a stress tells, as a share of roller or base circle: next to a cusp it is left over."""
+    from math import pi
+
+    from dynamics_cli.cam.force_records import STEEL, STEEL_RATIO
+
+    give = 2.0 * (1.0 - STEEL_RATIO * STEEL_RATIO) / STEEL
+    width, follower = float(case.inputs["contact"]["width"]), case.inputs["follower"]
+    force = float(case.results["greatest_contact_force"])
+    radius = force / (pi * width * give * stress * stress)
+    return min(1.0, radius / float(follower.get("roller_radius", follower["base_radius"])))
