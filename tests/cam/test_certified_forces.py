@@ -82,6 +82,18 @@ def program(chance: random.Random, swing: bool) -> str:
     return f"rise {lift} in {spans[0]} deg {first}; dwell {spans[1]} deg; return in {spans[2]} deg {second}; dwell"
 
 
+def free_program(chance: random.Random) -> str:
+    """Free polynomials, a spline's neighbours and shares of one's own, for a slide."""
+    a, b, c = (round(chance.uniform(30, 90), 2) for _ in range(3))
+    share = round(chance.uniform(0.05, 0.4), 3)
+    law = f"scca {share} {round(0.9 - share, 3)} 0.1" if chance.random() < 0.5 else "modified-constant-velocity"
+    part = round(chance.uniform(1, 8), 2)
+    return (
+        f"rise 20 mm in {a} deg {law}; return {part} mm in {b} deg polynomial; "
+        f"return {10 - part:.2f} mm in 30 deg linear; return 10 mm in {c} deg polynomial; dwell"
+    )
+
+
 def train_of(chance: random.Random, swing: bool) -> Any:
     if not swing:
         return Slide(chance.uniform(0.05, 2), chance.uniform(0, 40000), chance.uniform(0.5, 300), chance.uniform(0, 50))
@@ -121,7 +133,8 @@ def curves(motion: Any, geometry: Geometry, load: Any, kind: str) -> dict[str, l
 def compared(kind: str, seed: int) -> bool:
     chance = random.Random(1000 + seed)
     swing = kind in SWINGING
-    line, train, follower = program(chance, swing), train_of(chance, swing), random_follower(chance, kind)
+    line = free_program(chance) if seed % 4 == 3 and not swing else program(chance, swing)
+    train, follower = train_of(chance, swing), random_follower(chance, kind)
     speed, rotation = chance.uniform(5, 200), followers.Rotation(chance.choice(("ccw", "cw")))
     try:
         found = force(NOTHING, program=line, shaft_speed=speed, train=train, follower=follower, rotation=rotation,

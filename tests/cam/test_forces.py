@@ -34,6 +34,22 @@ def test_an_eccentric_jumps_at_the_closed_form_speed() -> None:
     assert found.jump_at == pytest.approx(pi, abs=1e-6)
 
 
+def test_an_examination_problem_worked_by_hand() -> None:
+    # adapala-academy.com, forum question 1522: cycloidal rise and return of 10 mm in 120 deg each, two equal dwells,
+    # 1000 rpm, 1.8 kg, 15 N/mm compressed by 2.5 mm; force and torque at 100 deg. x = 5/6, sin 2πx = −√3/2:
+    # s = 10 (5/6 + √3/4π) mm = 9.7117 mm, spring 15 (9.7117 + 2.5) = 183.17 N; β = 2.0944, ω = 104.72 rad/s:
+    # a = −(10 mm)(2π)(√3/2)(ω/β)² = −136.03 m/s², inertia −244.86 N; ds/dθ = (10 mm)(1 − ½)/β = 2.3873 mm
+    line = "rise 10 mm in 120 deg cycloidal; dwell 60 deg; return in 120 deg cycloidal; dwell"
+    found = at(line, 2000.0 * pi / 60.0, mass=1.8, spring_rate=15e3, preload=37.5, count=37)
+    row = {name: column[10] for name, column in found.table.arrays.items()}
+    assert row["angle"] == pytest.approx(1.745329, abs=1e-6)
+    assert row["lift"] == pytest.approx(9.7117e-3, abs=5e-8)
+    assert row["axial_force"] == pytest.approx(183.17 - 244.86, abs=0.02)
+    assert row["torque"] == pytest.approx(-61.69 * 2.3873e-3, abs=5e-5)
+    assert found.jump_speed * 30.0 / pi < 1000.0
+    assert any(advice.code == "follower-leaves" for advice in found.advice)
+
+
 @settings(max_examples=25, deadline=None)
 @given(st.floats(0.01, 5.0), st.floats(100.0, 50000.0), st.floats(0.1, 500.0))
 def test_at_the_jump_speed_the_least_force_is_nothing(mass: float, rate: float, preload: float) -> None:
