@@ -248,3 +248,17 @@ def test_csv_writes_the_table_of_an_arm() -> None:
     assert len(lines) == 4
     swing = run("cam", "motion", "--program", SWING, "--count", "3", "--format", "csv").out.splitlines()
     assert swing[0].startswith("angle[deg],swing[deg],velocity")
+
+
+@pytest.mark.parametrize(
+    ("words", "formula"),
+    [
+        (("--program", LINE, "--mass", "0.5 kg"), "F = k·s + P"),
+        (("--program", SWING, "--inertia", "0.002 kg*m^2", "--torsion-rate", "3 N*m/rad"), "M = k·ψ + P"),
+        (("--program", SWING, "--inertia", "0.002 kg*m^2", "--spring-radius", "50 mm"), "M = r·(k·r·ψ + P)"),
+    ],
+)
+def test_the_explanation_is_that_of_what_moves(words: tuple[str, ...], formula: str) -> None:
+    text = run("cam", "force", "--shaft-speed", "500 rpm", "--explain", *words).out
+    assert f"formula: {formula}" in text
+    assert "with numbers:" in text

@@ -85,11 +85,11 @@ FORCE = Task(
         formula=(
             "F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, N = F/cos φ, "
             "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
+            "M = {spring_radius|r}·({spring_rate|k}·{spring_radius|r}·ψ + {preload|P}) + {load_torque|L} + "
+            "{inertia|I}·{shaft_speed|ω}²·ψ″, T = M·ψ′, N = M/lever, ω_jump² = min (M at ω = 0)/(−{inertia|I}·ψ″)",
             "M = {torsion_rate|k}·ψ + {preload_torque|P} + {load_torque|L} + {inertia|I}·{shaft_speed|ω}²·ψ″, "
             "T = M·ψ′, N = M/lever, ω_jump² = min ({torsion_rate|k}·ψ + {preload_torque|P} + {load_torque|L})"
             "/(−{inertia|I}·ψ″)",
-            "M = {spring_radius|r}·({spring_rate|k}·{spring_radius|r}·ψ + {preload|P}) + {load_torque|L} + "
-            "{inertia|I}·{shaft_speed|ω}²·ψ″, T = M·ψ′, N = M/lever, ω_jump² = min (M at ω = 0)/(−{inertia|I}·ψ″)",
         ),
         assumptions=(
             "the follower's train is rigid and without friction",
