@@ -104,15 +104,21 @@ def extreme(function, turn, sign, *, only=None):
             inside = [start + (end - start) * share for share in SHARES]
             values = [sign * function(inner, at) if only is None or only(inner, at) else None for at in inside]
             mp.dps = 60
-            told = [value for value in values if value is not None]
-            if told:
-                candidates.append(_top(function, inner, inside, values.index(max(told)), candidates))
+            # every hump is climbed: the highest sample need not be on the highest of them
+            candidates.extend(_top(function, inner, inside, index, (start, end)) for index in humps(values))
         for at in candidates:
-            if at is None or (only is not None and not only(inner, at)):
+            if only is not None and not only(inner, at):
                 continue
             value = sign * function(inner, at)
             best = value if best is None or value > best else best
     return None if best is None else sign * best
+
+
+def humps(values):
+    """Samples that are not below their neighbours."""
+    low = min((value for value in values if value is not None), default=mpf(0)) - 1
+    padded = [low, *(low if value is None else value for value in values), low]
+    return [i for i in range(len(values)) if padded[i + 1] > low and padded[i] <= padded[i + 1] >= padded[i + 2]]
 
 
 def _top(function, inner, inside, index, ends):
