@@ -161,6 +161,7 @@ if TYPE_CHECKING:
     AngularImpulse = float
     Pressure = float
     Stiffness = float
+    TorsionStiffness = float
     LineForce = float
     CrushStiffness = float
     SpeedSlope = float
@@ -342,6 +343,15 @@ else:
     Pressure = Kind("pressure", "Pa", si="MPa", us="psi", example="30 psi", about="a pressure or stress")
     Stiffness = Kind(
         "stiffness", "N/m", si="N/mm", us="lbf/in", low=0.0, example="20 N/mm", about="force per deflection"
+    )
+    TorsionStiffness = Kind(
+        "torsion stiffness",
+        "N*m/rad",
+        si="N*m/rad",
+        us="lbf*in/rad",
+        low=0.0,
+        example="20 N*m/rad",
+        about="torque per angle of twist",
     )
     LineForce = Kind(
         "force per width", "N/m", si="N/cm", us="lbf/in", low=0.0, example="350 lbf/in", about="force per width crushed"

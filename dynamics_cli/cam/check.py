@@ -1,11 +1,25 @@
 """Certified verdicts about a cam: undercut and the lift it costs, pressure angle, curvature, face width, jump."""
 
-from math import pi, sqrt
+from math import pi
 
 from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Angle, Coordinate, Count, Force, Mass, Positive, ShaftSpeed, Size, Stiffness, Text
+from dynamics_cli.quantities import (
+    Angle,
+    Coordinate,
+    Count,
+    Force,
+    Inertia,
+    Mass,
+    Positive,
+    ShaftSpeed,
+    Size,
+    Stiffness,
+    Text,
+    Torque,
+    TorsionStiffness,
+)
 from dynamics_cli.records import Advice, Numerics, record
 
 TYPE_CHECKING = False
@@ -118,6 +132,9 @@ def check(
     mass: Mass | None = None,
     stiffness: Stiffness | None = None,
     preload: Force | None = None,
+    inertia: Inertia | None = None,
+    torsion_rate: TorsionStiffness | None = None,
+    preload_torque: Torque | None = None,
     speed: ShaftSpeed | None = None,
     safety: Positive = 1.0,
 ) -> CamCheck:
@@ -126,7 +143,8 @@ def check(
     Equation
     --------
     Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0); lift lost: program less the lift at which the
-    follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0.
+    follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0, for an arm with
+    its inertia and torques.
 
     Parameters
     ----------
@@ -149,11 +167,17 @@ def check(
     face_width : Size
         Length of the flat face there is [m].
     mass : Mass
-        Mass that the follower moves, for the jump [kg].
+        Mass that a sliding follower moves, for the jump [kg].
     stiffness : Stiffness
         Stiffness of its spring [N/m].
     preload : Force
         Force of the spring at zero lift [N].
+    inertia : Inertia
+        Moment of inertia of an arm about its pivot, for the jump [kg*m^2].
+    torsion_rate : TorsionStiffness
+        Rate of an arm's spring about the pivot [N*m/rad].
+    preload_torque : Torque
+        Torque of that spring at zero swing [N*m].
     speed : ShaftSpeed
         Speed of the cam that is asked about [rad/s].
     safety : Positive
@@ -167,7 +191,8 @@ def check(
     Raises
     ------
     InadmissibleError
-        When there is no such cam, or the jump lacks some of mass, stiffness and preload.
+        When there is no such cam, or the jump lacks some of mass, stiffness and preload, or of an
+        arm's inertia, torsion rate and preload torque.
 
     Notes
     -----
@@ -189,6 +214,7 @@ def check(
     """
     from dynamics_cli.cam.analysis import analyse, pressure_bounds
     from dynamics_cli.cam.contact import Geometry
+    from dynamics_cli.cam.jump import asked_jump
     from dynamics_cli.cam.pieces import joint_jumps
     from dynamics_cli.cam.profile import concave, convex
     from dynamics_cli.cam.undercut import backward_stretches, lift_lost
@@ -211,7 +237,8 @@ def check(
     stretches = loss.stretches if loss is not None else () if inner else backward_stretches(geometry, motion)
     face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
     jumps = joint_jumps(motion)
-    jump = _jump(motion, mass, stiffness, preload, speed)
+    slide, arm = (mass, stiffness, preload), (inertia, torsion_rate, preload_torque)
+    jump = asked_jump(motion, slide, arm, asked=speed is not None)
     tightest = min((radius for radius in (round_, hollow) if radius is not None), default=None)
     kept = {
         "undercut": not stretches,
@@ -253,39 +280,6 @@ def check(
             "Chebyshev proxies of every piece, every turning place certified", pressure_bounds(geometry, motion, found)
         ),
     )
-
-
-def _jump(
-    motion: "Any", mass: float | None, stiffness: float | None, preload: float | None, speed: float | None
-) -> "tuple[float | None, float | None] | None":
-    """Speed at which the spring no longer holds the follower, and where; None where nothing was asked."""
-    given = [value is not None for value in (mass, stiffness, preload)]
-    if not any(given) and speed is None:
-        return None
-    require(
-        all(given),
-        "a jump needs the moved mass, the spring's stiffness and its preload",
-        code="spring",
-        hint='--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N"',
-    )
-    require(not motion.swing, "the jump of an arm is found by `cam force`", code="jump", hint="leave the spring out")
-    from dynamics_cli.cam.pieces import over_pieces, turning_places
-
-    assert mass is not None
-    assert stiffness is not None
-    assert preload is not None
-    floor = preload + stiffness * motion.stroke[0]
-    require(
-        floor > 0.0,
-        "the spring is slack where the lift is least: its force there is {0:.6g} N",
-        floor,
-        code="slack",
-        hint="raise the preload",
-    )
-    # 1/ω² = −m s″/(k s + P), smooth where the force is above zero
-    made = over_pieces(motion, lambda s, s1, s2: (-mass * s2 / (stiffness * s + preload))[None])
-    most, place = turning_places(motion, made).largest()
-    return (1.0 / sqrt(most), place) if most > 0.0 else (None, None)
 
 
 def _advice(

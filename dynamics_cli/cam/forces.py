@@ -1,30 +1,34 @@
 """Forces on a cam: contact force, torque, the speed at which the follower jumps, surge, valve durations."""
 
-from math import inf, pi, sqrt
+from math import pi
 
-from dynamics_cli.cam.force_records import Contact, Duration, ForcePoint, Forces, Ramp
+from dynamics_cli.cam.followers import Rotation, require_lift
+from dynamics_cli.cam.force_records import (
+    ArmOnTorsionSpring,
+    ArmPoint,
+    Contact,
+    ContactPoint,
+    DrivenFollower,
+    ForcePoint,
+    Forces,
+    Train,
+)
+from dynamics_cli.cam.loads import Load, load_of, surge
 from dynamics_cli.cam.motion import Motion
 from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.searching import Found, crossings, greatest, least_and_greatest
-from dynamics_cli.cam.stress import Load
-from dynamics_cli.cam.stress import stress as hertz
-from dynamics_cli.errors import require
-from dynamics_cli.quantities import (
-    Count,
-    Force,
-    Mass,
-    ShaftSpeed,
-    Size,
-    Stiffness,
-    Text,
-)
-from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics
+from dynamics_cli.errors import UsageError, require
+from dynamics_cli.quantities import Count, ShaftSpeed, Size, Text
+from dynamics_cli.records import Check, Columns, ErrorBound, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-SURGE_ORDER = 12.0
+    from dynamics_cli.cam.certified import Found, Survey
+    from dynamics_cli.cam.contact import Geometry
+
+CCW = Rotation("counter-clockwise")
+BALANCE = 1e-12
 
 
 def force(
@@ -33,22 +37,21 @@ def force(
     *,
     program: Text = "",
     shaft_speed: ShaftSpeed,
-    mass: Mass,
-    spring_rate: Stiffness = 0.0,
-    preload: Force = 0.0,
-    load: Force = 0.0,
-    spring_mass: Mass | None = None,
+    train: Train,
+    follower: DrivenFollower | None = None,
+    rotation: Rotation = CCW,
     contact: Contact | None = None,
-    at_lifts: tuple[Size, ...] = (0.00127, 0.001),
+    at_lifts: tuple[Size, ...] | None = None,
     lash: Size | None = None,
     count: Count = 37,
 ) -> Forces:
-    """Contact force, torque and power of a spring-loaded follower, the jump speed, Hertz stress and valve durations.
+    """Contact force, torque and power of a follower held by a spring, the jump speed, Hertz stress and durations.
 
     Equation
     --------
-    F = k s + P + m ω² d²s/dθ², T = F ds/dθ; ω_jump² = min (k s + P)/(−m d²s/dθ²) where d²s/dθ² < 0;
-    p = √(N E*/(π b ρ)), 1/ρ = 1/ρ_cam + 1/R_r, N = F/cos φ.
+    Slide: F = k s + P + L + m ω² d²s/dθ², T = F ds/dθ, N = F/cos φ. Arm: M = k ψ + P + L + I ω² d²ψ/dθ²,
+    T = M dψ/dθ, N = M/(lever of the common normal about the pivot). ω_jump² = min (k s + P + L)/(−m d²s/dθ²) where
+    d²s/dθ² < 0, for an arm likewise; p = √(N E*/(π b ρ)), 1/ρ = 1/ρ_cam + 1/R_r.
 
     Parameters
     ----------
@@ -58,20 +61,16 @@ def force(
         Segments in one line.
     shaft_speed : ShaftSpeed
         Speed of the cam shaft [rad/s].
-    mass : Mass
-        Mass that moves with the follower, a third of the spring's included [kg].
-    spring_rate : Stiffness
-        Rate of the spring [N/m].
-    preload : Force
-        Force of the spring at no lift [N].
-    load : Force
-        Steady external force that presses the follower on the cam; negative lifts it [N].
-    spring_mass : Mass
-        Mass of the spring's active coils, for its surge [kg].
+    train : Train
+        What moves and what presses it: mass and forces of a slide, moment of inertia and torques of an arm.
+    follower : DrivenFollower
+        The follower and where it stands, for the force along the common normal.
+    rotation : Rotation
+        Which way the cam turns.
     contact : Contact
-        Base radius, width and roller for the Hertz stress.
+        Width and materials of the contact, for the Hertz stress.
     at_lifts : tuple of Size
-        Lifts above the lowest at which durations are wanted; 0.050 in and 1 mm when not given [m].
+        Lifts of a slide above the lowest at which durations are wanted; 0.050 in and 1 mm when not given [m].
     lash : Size
         Lash of a valve gear; ramps are counted from it [m].
     count : Count
@@ -80,193 +79,226 @@ def force(
     Returns
     -------
     Forces
-        Extremes with their places, the speed at which the follower jumps, and the table.
+        Extremes with their places, the speed at which the follower jumps, and tables.
 
     Raises
     ------
+    UsageError
+        When the program moves an arm and what is given moves a slide, or the other way round.
     InadmissibleError
-        When the program moves an arm, the mass is zero, or the contact would be undercut.
+        When nothing has inertia, the follower cannot stand or be driven where the program wants it, or a stress is
+        asked for where the cam is undercut.
 
     Notes
     -----
-    A rigid train without friction. Extremes are searched on 64 points of each zone and refined to rounding. The torque
-    does no work over a turn; its mean is checked.
+    A rigid train without friction. The extremes are certified: Chebyshev proxies of every piece of every law leave no
+    turning place out, and each bound adds what they, the motion and the arithmetic may err by. Least forces and torques
+    pass through zero and are bounded absolutely. Next to a cusp the stress is as ill conditioned as its bound says. The
+    torque does no work over a turn; its mean is checked, and so is that it is the moment of the contact force about the
+    cam's axis. A spring on an arm is taken to act square to its radius at every swing.
 
     References
     ----------
-    Newton's law along the follower's way; Hertz's line contact; the surge of a spring held at both ends as
-    ½√(k/m_spring), with the usual rule that it should be above the twelfth harmonic of the cam.
+    Newton's law along the follower's way, virtual work for the torque; Hertz's line contact; the surge of a spring held
+    at both ends as ½√(k/m_spring), with the usual rule that it should be above the twelfth harmonic of the cam.
 
     Examples
     --------
+    >>> from dynamics_cli.cam.force_records import Slide
     >>> line = "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"
-    >>> found = force(Program(), program=line, shaft_speed=50.0, mass=0.5, spring_rate=5000.0, preload=60.0)
+    >>> found = force(Program(), program=line, shaft_speed=50.0, train=Slide(0.5, 5000.0, 60.0))
     >>> round(found.jump_speed, 3)
     76.742
     """
+    from dynamics_cli.cam.certified import Survey
+    from dynamics_cli.cam.durations import QUOTED, durations, ramps
+    from dynamics_cli.cam.force_advice import advice_of, impacts
+    from dynamics_cli.cam.jump import jump as jump_of
+
     motion = motion_of(scene, program)
-    require(
-        not motion.swing,
-        "this program swings an arm: forces are computed for sliding followers",
-        code="swing",
-        hint="write the lifts as lengths",
-    )
-    require(mass > 0.0, "a mass of {0:.6g} kg has no inertia", mass, code="mass")
-    require(
-        preload >= 0.0, "a preload of {0:.6g} N pulls: a spring presses", preload, code="preload", hint="use the load"
-    )
     omega = abs(shaft_speed)
-    loads = Load(motion, mass, spring_rate, preload + load, omega)
-    low, high = least_and_greatest(motion, lambda s, s1, s2: loads.force(s, s2))
-    least_torque, most_torque = least_and_greatest(motion, lambda s, s1, s2: loads.force(s, s2) * s1)
-    jump = _jump(loads)
-    stress = None if contact is None else hertz(loads, contact)
-    surge = None if spring_mass is None else _surge(spring_rate, spring_mass)
-    turns = omega / (2.0 * pi)
-    order = surge / turns if surge is not None and turns else None
-    durations, missed = _durations(motion, at_lifts, shaft_speed)
+    load = load_of(train, motion, omega)
+    geometry = _geometry(motion, follower, rotation, contact)
+    _require_slide(motion, at_lifts, lash)
+    lifts = () if motion.swing else QUOTED if at_lifts is None else at_lifts
+    timed, missed = durations(motion, lifts, shaft_speed)
+    survey = Survey(motion, lambda s, s1, s2: load.force(s, s2), lambda s, s1, s2: load.force(s, s2) * s1)
+    low, high = survey.extremes(0, lambda s, s1, s2: load.rounding(s, s2))
+    back, most = survey.extremes(1, lambda s, s1, s2: 1.01 * load.rounding(s, s2) * abs(s1))
+    leaves = jump_of(motion, load, survey)
+    normal = stress = None
+    if geometry is not None:
+        normal, stress = _contact(motion, geometry, load, contact)
+    frequency = surge(load)
+    order = frequency * 2.0 * pi / omega if frequency is not None and omega else None
+    power = max(abs(most.value), abs(back.value)) * omega
+    needed = max(0.0, load.preload - low.value)
+    arm = motion.swing
+    torsion = isinstance(train, ArmOnTorsionSpring)
+    tables, statics = _tables(motion, geometry, load, count)
     return Forces(
-        low.value, low.at,
-        high.value, high.at,
-        most_torque.value, most_torque.at,
-        least_torque.value, least_torque.at,
-        max(abs(most_torque.value), abs(least_torque.value)) * omega,
-        None if jump is None else jump.value,
-        None if jump is None else jump.at,
-        max(0.0, preload - low.value),
-        None if stress is None else stress.value,
-        None if stress is None else stress.at,
-        surge,
+        *_ends(None if arm else (low, high)),
+        *_ends((low, high) if arm else None),
+        *_ends(normal),
+        most.value, most.at,
+        back.value, back.at,
+        power,
+        *_fields(leaves),
+        None if torsion else needed / load.spring_radius,
+        needed if torsion else None,
+        *_fields(stress),
+        frequency,
         order,
-        durations,
-        _ramps(motion, lash, at_lifts, shaft_speed),
-        _table(loads, count),
-        checks=(_mean_torque(loads),),
-        advice=(*_advice(jump, low, omega, preload, order), *missed),
+        None if arm else timed,
+        ramps(motion, lash, lifts, shaft_speed),
+        *tables,
+        checks=(_mean_torque(motion, load, survey), *statics),
+        advice=(*advice_of(load, train, omega, low, leaves, order), *impacts(motion), *missed),
         numerics=Numerics(
-            "closed-form motion; extremes refined on each zone",
-            (ErrorBound("greatest_force", 1e-12), *((ErrorBound("jump_speed", 1e-12),) if jump else ())),
+            "closed-form motion; Chebyshev proxies of every piece, every extreme certified",
+            _bounds(arm, (low, high), normal, (back, most), leaves, stress, omega),
         ),
     )  # fmt: skip
 
 
-def _jump(loads: Load) -> "Found | None":
-    """The shaft speed at which the force first falls to zero; None where no speed does it."""
-    worst = greatest(loads.motion, lambda s, s1, s2: _lift_off(loads, s, s2))
-    if worst.value <= 0.0:
+def _geometry(motion: Motion, follower: "Any", rotation: Rotation, contact: Contact | None) -> "Geometry | None":
+    if follower is None:
+        if contact is not None:
+            raise UsageError(
+                "follower is missing: a stress needs what touches the cam",
+                parameter="follower", code="missing",
+                hint='for example --follower roller --base-radius "40 mm" --roller-radius "10 mm"',
+            )  # fmt: skip
         return None
-    return Found(1.0 / sqrt(worst.value), worst.at)
+    from dynamics_cli.cam.contact import Geometry
+    from dynamics_cli.cam.stress import require_lever
+
+    geometry = Geometry(follower, rotation)
+    require_lift(motion, geometry.oscillating)
+    require_lever(geometry, motion)
+    return geometry
 
 
-def _lift_off(loads: Load, s: "Any", s2: "Any") -> "Any":
-    """1/ω² at which the force vanishes here; zero where it never does."""
-    import numpy as np
-
-    held = loads.rate * s + loads.steady
-    pulls = -loads.mass * s2
-    with np.errstate(divide="ignore", invalid="ignore"):
-        found = np.where(held > 0.0, pulls / held, np.where(pulls > 0.0, inf, 0.0))
-    return np.maximum(found, 0.0)
+def _require_slide(motion: Motion, lifts: "tuple[float, ...] | None", lash: float | None) -> None:
+    name = "at_lifts" if lifts is not None else "lash"
+    if motion.swing and (lifts is not None or lash is not None):
+        raise UsageError(
+            f"{name}: durations and ramps are counted at lifts, and this program swings an arm",
+            parameter=name, code="lift-kind", hint="leave it out",
+        )  # fmt: skip
 
 
-def _surge(rate: float, mass: float) -> float:
-    require(mass > 0.0, "a spring of no mass has no surge", code="spring-mass", hint="leave the spring mass out")
-    require(rate > 0.0, "a spring mass without a spring rate", code="spring-rate")
-    return 0.5 * sqrt(rate / mass)
+def _contact(
+    motion: Motion, geometry: "Geometry", load: Load, contact: Contact | None
+) -> "tuple[tuple[Found, Found], Found | None]":
+    """Extremes of the force along the common normal, and the greatest pressure where a contact is given."""
+    from dynamics_cli.cam.certified import Survey
+    from dynamics_cli.cam.stress import Touching, stress
+
+    touching = Touching(geometry, load)
+    pressed = None if contact is None else stress(motion, touching, contact)
+    return Survey(motion, touching.normal).extremes(0, touching.rounding), pressed
 
 
-def _durations(
-    motion: Motion, lifts: "tuple[float, ...]", omega: float
-) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
-    found = []
-    missed = []
-    least = motion.stroke[0]
-    for lift in lifts:
-        ways = crossings(motion, least + lift)
-        ups = [angle for angle, up in ways if up]
-        downs = [angle for angle, up in ways if not up]
-        if not ups:
-            missed.append(
-                Advice("duration", f"the follower never passes a lift of {lift:.6g} m: it has no duration", "note")
-            )
-        for opens in ups:
-            closes = min((angle if angle > opens else angle + 2.0 * pi) for angle in downs)
-            span = closes - opens
-            speeds = [motion.at(angle, 1)[1] * omega for angle in (opens, closes)]
-            found.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
-    return tuple(found), tuple(missed)
+def _ends(found: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
+    return (None, None, None, None) if found is None else (*_fields(found[0]), *_fields(found[1]))
 
 
-def _ramps(motion: Motion, lash: float | None, lifts: "tuple[float, ...]", omega: float) -> "tuple[Ramp, ...] | None":
-    if lash is None or not lifts:
-        return None
-    top = max(lifts)
-    require(lash < top, "the lash {0:.6g} m is not below the lift {1:.6g} m of the durations", lash, top, code="lash")
-    least = motion.stroke[0]
-    low, high = crossings(motion, least + lash), crossings(motion, least + top)
-    found = []
-    for angle, up in high:
-        side = [other for other, way in low if way == up]
-        if side:
-            span = min((angle - other if up else other - angle) % (2.0 * pi) for other in side)
-            mean = (top - lash) / span * abs(omega) * (1.0 if up else -1.0)
-            found.append(Ramp("opening" if up else "closing", lash, top, span, mean))
-    return tuple(found)
+def _fields(found: "Found | None") -> "tuple[float | None, float | None]":
+    return (None, None) if found is None else (found.value, found.at)
 
 
-def _table(loads: Load, count: int) -> "Columns[ForcePoint]":
+def _bounds(
+    arm: bool, force_: "tuple[Found, Found]", normal: "tuple[Found, Found] | None", torque: "tuple[Found, Found]",
+    leaves: "Found | None", stress: "Found | None", omega: float,
+) -> "tuple[ErrorBound, ...]":  # fmt: skip
+    name = "arm_torque" if arm else "force"
+    # a power is its torque times the speed, and rounds once more
+    power = max(abs(found.value) for found in torque) * omega
+    error = max(found.error for found in torque) * omega + 2.0**-52 * power
+    bounds = [
+        *_both(name, force_),
+        *(() if normal is None else _both("contact_force", normal)),
+        *_both("torque", torque),
+        *_bound("greatest_power", power, error, relative=True),
+    ]
+    for title, found in (("jump_speed", leaves), ("stress", stress)):
+        if found is not None:
+            bounds += _bound(title, found.value, found.error, relative=True)
+    return tuple(bounds)
+
+
+def _both(name: str, found: "tuple[Found, Found]") -> "list[ErrorBound]":
+    low, high = found
+    return [
+        *_bound(f"least_{name}", low.value, low.error, relative=False),
+        *_bound(f"greatest_{name}", high.value, high.error, relative=high.value > 1e-3 * abs(low.value)),
+    ]
+
+
+def _bound(name: str, value: float, error: float, *, relative: bool) -> "list[ErrorBound]":
+    share = relative and value != 0.0
+    return [ErrorBound(name, error / abs(value) if share else error, share)]
+
+
+def _tables(
+    motion: Motion, geometry: "Geometry | None", load: Load, count: int
+) -> "tuple[tuple[Any, Any, Any], tuple[Check, ...]]":
+    """Forces over the turn, and where a follower is given the contact, with a check of statics."""
     from dynamics_cli.cam.revolution import MOST_POINTS, angles_of_turn
 
     require(2 <= count <= MOST_POINTS, "a table has 2 to {0} points, not {1}", MOST_POINTS, count, code="count")
-    angles, _ = angles_of_turn(loads.motion, count)
-    s, s1, s2 = loads.motion.at(angles, 2)
-    axial = loads.force(s, s2)
-    return Columns(ForcePoint, angle=angles, lift=s, axial_force=axial, torque=axial * s1)
+    angles, _ = angles_of_turn(motion, count)
+    s, s1, s2 = (column.copy() for column in motion.at(angles, 2))
+    s[-1], s1[-1], s2[-1] = motion.at(float(angles[-1]), 2, -1)
+    pressing = load.force(s, s2)
+    # minus zero is zero
+    lift, torque = s + 0.0, pressing * s1 + 0.0
+    first: tuple[Any, Any]
+    if motion.swing:
+        first = None, Columns(ArmPoint, angle=angles, swing=lift, arm_torque=pressing + 0.0, torque=torque)
+    else:
+        first = Columns(ForcePoint, angle=angles, lift=lift, axial_force=pressing + 0.0, torque=torque), None
+    if geometry is None:
+        return (*first, None), ()
+    return (*first, _contacts(geometry, load, angles, (s, s1, s2))), (_statics(motion, geometry, load),)
 
 
-def _mean_torque(loads: Load) -> Check:
-    """The torque does no work over a turn: spring and inertia give back what they take."""
-    from dynamics_cli.cam.searching import integral
+def _contacts(geometry: "Geometry", load: Load, angles: "Any", state: "tuple[Any, Any, Any]") -> "Any":
+    import numpy as np
 
-    mean, size = integral(loads.motion, lambda s, s1, s2: loads.force(s, s2) * s1)
-    left = abs(mean) / size if size else 0.0
-    return Check("work over a turn is zero", left <= 1e-12, left, 1e-12)
+    from dynamics_cli.cam.stress import Touching
+
+    lean = np.broadcast_to(geometry.touch(*state).pressure_angle, angles.shape)
+    normal = np.broadcast_to(Touching(geometry, load).normal(*state), angles.shape)
+    return Columns(ContactPoint, angle=angles, pressure_angle=lean + 0.0, contact_force=normal + 0.0)
 
 
-def _advice(
-    jump: "Found | None", low: Found, omega: float, preload: float, order: float | None
-) -> "tuple[Advice, ...]":
-    found = []
-    if low.value < 0.0:
-        found.append(
-            Advice(
-                "follower-leaves",
-                f"the force falls to {low.value:.6g} N at {low.at * 180.0 / pi:.6g} deg: the follower leaves the cam",
-                "serious",
-                f"raise the preload to {preload - low.value:.6g} N"
-                + (f", or stay below {jump.value * 30.0 / pi:.6g} rpm" if jump and jump.value else ""),
-            )
-        )
-    elif jump is not None and jump.value < 1.2 * omega:
-        found.append(
-            Advice(
-                "near-jump",
-                f"the follower jumps at {jump.value * 30.0 / pi:.6g} rpm, "
-                f"{jump.value / omega - 1.0:.1%} above this speed",
-                "caution",
-                "raise the preload or the spring rate",
-            )
-        )
-    if jump is None:
-        found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
-    if order is not None and order < SURGE_ORDER:
-        found.append(
-            Advice(
-                "spring-surge",
-                f"the spring surges at {order:.4g} times the shaft's speed: "
-                "harmonics of the cam up to the twelfth excite it",
-                "caution" if order > 0.7 * SURGE_ORDER else "serious",
-                "take a lighter or a stiffer spring",
-            )
-        )
-    return tuple(found)
+def _mean_torque(motion: Motion, load: Load, survey: "Survey") -> Check:
+    """Spring and inertia give back over a turn what they take; where the velocity jumps, the impact takes the rest."""
+    work, size = survey.integral(1)
+    count = len(motion.zones)
+    ends = [(motion.in_zone(i, 0.0, 1)[1], motion.in_zone(i, 1.0, 1)[1]) for i in range(count)]
+    steps = [ends[i][0] * ends[i][0] - ends[i - 1][1] * ends[i - 1][1] for i in range(count)]
+    impacts = 0.5 * load.inertial * sum(steps)
+    size += 0.5 * load.inertial * sum(map(abs, steps))
+    left = abs(work + impacts) / size if size else 0.0
+    return Check("work over a turn is zero", left <= BALANCE, left, BALANCE)
+
+
+def _statics(motion: Motion, geometry: "Geometry", load: Load) -> Check:
+    """The torque by virtual work is the moment of the contact force about the cam's axis, N r × n."""
+    import numpy as np
+
+    from dynamics_cli.cam.certified import states
+    from dynamics_cli.cam.stress import Touching
+
+    s, s1, s2 = states(motion)
+    touch = geometry.touch(s, s1, s2)
+    normal = Touching(geometry, load).normal(s, s1, s2)
+    (x, y), (nx, ny) = touch.point, touch.normal
+    moment = geometry.turn * normal * (x * ny - y * nx)
+    gap = float(np.max(np.abs(moment - load.force(s, s2) * s1)))
+    size = float(np.max(np.abs(normal) * (np.abs(x) + np.abs(y))))
+    left = gap / size if size else 0.0
+    return Check("torque is the moment of the contact force", left <= BALANCE, left, BALANCE)

@@ -1,8 +1,7 @@
-"""Pictures of cam motion: lift, velocity, acceleration and jerk over the turn, peak factors, and forces."""
+"""Pictures of cam motion: lift, velocity, acceleration and jerk over the turn, and peak factors."""
 
 from math import nan
 
-from dynamics_cli.cam.force_records import Forces
 from dynamics_cli.cam.laws import LawName
 from dynamics_cli.cam.motion import Motion
 from dynamics_cli.cam.program import Program, motion_of
@@ -15,11 +14,9 @@ from dynamics_cli.quantities import (
     CamJerk,
     CamVelocity,
     Coordinate,
-    Force,
     SwingAcceleration,
     SwingJerk,
     SwingVelocity,
-    Torque,
 )
 
 TYPE_CHECKING = False
@@ -63,7 +60,7 @@ def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") 
             Panel(
                 Axis("cam angle", Angle),
                 Axis(name, kind),
-                (*_bands(motion, order), Curve(angles, columns[order]), *marks),
+                (*bands(motion, order), Curve(angles, columns[order]), *marks),
             )
         )
     return Picture(tuple(panels), f"cam motion, {result.continuity}")
@@ -96,8 +93,8 @@ def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list
     return angles, columns
 
 
-def _bands(motion: Motion, order: int) -> "tuple[Band, ...]":
-    """Every segment that moves, named on the first panel."""
+def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
+    """Every segment that moves, named on the first panel, as stretches of a panel."""
     return tuple(
         Band(motion.joints[i], motion.joints[i + 1], f"{span.name} {i + 1}" if order == 0 else "")
         for i, span in enumerate(motion.segments)
@@ -136,45 +133,3 @@ def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any
         points = Curve(asked, [getattr(point, name) for point in result.points], style="points")
         panels.append(Panel(Axis("cam angle", Angle), Axis(name, kind), (curve, points)))
     return Picture(tuple(panels), f"{law} rise")
-
-
-def forces(result: Forces, scene: Program, program: str = "", **given: "Any") -> Picture:
-    """Draw force between cam and follower and torque of the shaft over the turn.
-
-    Parameters
-    ----------
-    result : Forces
-        What `cam force` found.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    Picture
-        Lift, force and torque over the cam angle, with their extremes.
-    """
-    from dynamics_cli.cam.stress import Load
-
-    motion = motion_of(scene, program)
-    steady = given.get("preload", 0.0) + given.get("load", 0.0)
-    load = Load(motion, given["mass"], given.get("spring_rate", 0.0), steady, given["shaft_speed"])
-    angles, (s, s1, s2, _) = sampled(motion)
-    force = [load.force(a, c) for a, c in zip(s, s2, strict=True)]
-    torque = [f * v for f, v in zip(force, s1, strict=True)]
-    marks = (
-        (),
-        (Mark(result.least_force_at, result.least_force), Mark(result.greatest_force_at, result.greatest_force)),
-        (Mark(result.least_torque_at, result.least_torque), Mark(result.greatest_torque_at, result.greatest_torque)),
-    )
-    rows = (("lift", Coordinate, s), ("force on the cam", Force, force), ("torque", Torque, torque))
-    return Picture(
-        tuple(
-            Panel(Axis("cam angle", Angle), Axis(name, kind), (*_bands(motion, i), Curve(angles, values), *marks[i]))
-            for i, (name, kind, values) in enumerate(rows)
-        ),
-        "forces on the cam",
-    )

@@ -1,117 +1,201 @@
-"""Force along the follower's way, and the Hertz pressure it makes where cam and follower touch."""
+"""Force along the common normal of cam and follower, and the Hertz pressure it makes where they touch."""
 
 from math import pi, sqrt
 
-from dynamics_cli.cam.force_records import Contact
-from dynamics_cli.cam.motion import Motion
-from dynamics_cli.cam.searching import Found, greatest
+import numpy as np
+
+from dynamics_cli.cam.certified import Found, Sum, Survey
+from dynamics_cli.cam.contact import Geometry, check_speed
+from dynamics_cli.cam.followers import FlatFace, OscillatingFlat, OscillatingRoller
 from dynamics_cli.errors import require
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.cam.force_records import Contact
+    from dynamics_cli.cam.loads import Load
+    from dynamics_cli.cam.motion import Motion
 
-class Load:
-    """Force along the follower's way, F = k s + P + m ω² s″, with P the preload and the external load together."""
-
-    def __init__(self, motion: Motion, mass: float, rate: float, steady: float, omega: float) -> None:
-        self.motion = motion
-        self.rate = rate
-        self.steady = steady
-        self.inertia = mass * omega * omega
-        self.mass = mass
-
-    def force(self, s: "Any", s2: "Any") -> "Any":
-        """The force, from lift and second derivative."""
-        return self.rate * s + self.steady + self.inertia * s2
+DEGREE = pi / 180.0
+UNIT = 2.0**-53
+TINY = 1e-30
 
 
-def stress(loads: Load, contact: Contact) -> Found:
-    """Give the greatest Hertz pressure over the turn.
-
-    Equation
-    --------
-    p = √(N E*/(π b ρ)), 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/ρ = 1/ρ_cam + 1/R_r, N = F/cos φ.
+class Touching:
+    """How a follower's load goes into the common normal, and how close cam and follower lie; complex numbers too.
 
     Parameters
     ----------
-    loads : Load
-        Forces along the follower's way.
-    contact : Contact
-        What touches.
+    geometry : Geometry
+        The follower in place.
+    load : Load
+        What the cam has to give: a force, or an arm's torque.
+    """
 
-    Returns
-    -------
-    Found
-        The pressure [Pa] and where it is [rad].
+    def __init__(self, geometry: Geometry, load: "Load") -> None:
+        self.geometry = geometry
+        self.load = load
+        self.follower = geometry.follower
+        self.turn, self.start = geometry.turn, geometry.start
+
+    def gain(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
+        """Normal force for each unit of load: 1/cos φ for a slide, 1/(lever of the normal about the pivot) for an arm.
+
+        N/F = w/X; N/M = w/(L c sin ψ) with a roller, (1 + ψ′)/(c cos ψ) with a flat face.
+        """
+        f, s1 = self.follower, self.turn * s1
+        if isinstance(f, FlatFace):
+            return 1.0 + 0.0 * s
+        if isinstance(f, OscillatingFlat):
+            return (1.0 + s1) / (f.pivot_distance * np.cos(self.start + s))
+        if isinstance(f, OscillatingRoller):
+            angle, c = self.start + s, f.pivot_distance
+            # w² = (g − c)² + 4 g c sin²(ψ/2), g = L(1 + ψ′): nothing cancels near the line of pivot and axis
+            apart, half = (f.arm - c) + f.arm * s1, np.sin(0.5 * angle)
+            square = apart * apart + 4.0 * (f.arm * (1.0 + s1)) * c * half * half
+            return np.sqrt(square) / (f.arm * c * np.sin(angle))
+        x, y = self.start + s, s1 - f.offset  # type: ignore[union-attr]
+        return np.sqrt(x * x + y * y) / x
+
+    def normal(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
+        """The force along the common normal."""
+        return self.load.force(s, s2) * self.gain(s, s1, s2)
+
+    def room(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
+        """1 − R κ of a roller on the pitch curve, or the radius of curvature under a flat face: zero at a cusp."""
+        f, s1 = self.follower, self.turn * s1
+        if isinstance(f, FlatFace):
+            return self.start + s + s2
+        if isinstance(f, OscillatingFlat):
+            angle, speed = self.start + s, 1.0 + s1
+            bend = np.sin(angle) * (1.0 + 2.0 * s1) * speed + s2 * np.cos(angle)
+            return f.pivot_distance * bend / (speed * speed * speed) - f.face_offset
+        _, _, x, y, x1, y1 = self.geometry.pitch(s, s1, s2)[:6]
+        square = x * x + y * y
+        return 1.0 - self.geometry.roller * (square + y * x1 - x * y1) / (square * np.sqrt(square))
+
+    def rounding(self, s: float, s1: float, s2: float) -> float:
+        """What the normal force rounds by, and what the start of the follower it stands on does to it."""
+        value, gain = abs(self.normal(s, s1, s2)), abs(self.gain(s, s1, s2))
+        moved = complex(self.gain(complex(s, TINY), s1, s2)).imag / TINY
+        start = 8.0 * UNIT * abs(self.start) * abs(moved) * abs(self.load.force(s, s2))
+        return float(self.load.rounding(s, s2) * gain + 16.0 * UNIT * value + start)
+
+    def rounding_of_room(self, s: float, s1: float, s2: float) -> float:
+        """What `room` rounds by, next to a cusp left over from larger terms, with what the start brings to it."""
+        f, room = self.follower, float(self.room(s, s1, s2))
+        if isinstance(f, FlatFace):
+            size = abs(s) + abs(s2)
+        elif isinstance(f, OscillatingFlat):
+            size = abs(room) + 2.0 * abs(f.face_offset) + 4.0 * f.pivot_distance
+        elif isinstance(f, OscillatingRoller):
+            w = self.gain(s, s1, s2) * f.arm * f.pivot_distance * np.sin(self.start + s)
+            size = 1.0 + abs(1.0 - room) * (1.0 + 3.0 * (f.arm + f.pivot_distance) / w)
+        else:
+            size = 1.0 + abs(1.0 - room)
+        moved = complex(self.room(complex(s, TINY), s1, s2)).imag / TINY
+        return 8.0 * UNIT * float(2.0 * size + abs(self.start * moved))
+
+
+def require_lever(geometry: Geometry, motion: "Motion") -> None:
+    """Refuse a follower that the contact force cannot drive all the way: certified, from the stroke.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The motion.
 
     Raises
     ------
     InadmissibleError
-        When the cam would be undercut, or a size or modulus is zero.
+        When a slide comes down to the height of the cam's axis, an arm to the line of pivot and axis, a flat face to
+        the pivot, or a flat face would have to turn as fast as the cam.
     """
-    require(contact.width > 0.0, "a contact of no width bears nothing", code="width")
-    require(contact.base_radius > 0.0, "a base circle of radius {0:.6g} m", contact.base_radius, code="base-radius")
-    require(
-        contact.cam_modulus > 0.0 and contact.follower_modulus > 0.0, "Young's modulus is above zero", code="modulus"
-    )
-    give = (1.0 - contact.cam_poisson * contact.cam_poisson) / contact.cam_modulus
-    give += (1.0 - contact.follower_poisson * contact.follower_poisson) / contact.follower_modulus
-    curved = _relative_curvature(contact)
-
-    def squared(s: "Any", s1: "Any", s2: "Any") -> "Any":
-        import numpy as np
-
-        curvature, lean = curved(s, s1, s2)
-        normal = np.maximum(loads.force(s, s2), 0.0) * lean
-        return normal * curvature / (pi * contact.width * give)
-
-    found = greatest(loads.motion, squared)
-    return Found(sqrt(found.value), found.at)
-
-
-def _relative_curvature(contact: Contact) -> "Any":
-    """Sum of the curvatures of cam and follower, and 1/cos φ, as a function of s and its derivatives."""
-    import numpy as np
-
-    base, roller, offset = contact.base_radius, contact.roller_radius, contact.offset
-
-    def flat(s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, Any]":
-        radius = base + s + s2
-        _require_convex(radius)
-        return 1.0 / radius, 1.0
-
-    def rolling(s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, Any]":
-        assert roller is not None
-        prime = base + roller
-        require(abs(offset) < prime, "the offset {0:.6g} m passes the cam", offset, code="offset")
-        x = sqrt((prime - offset) * (prime + offset)) + s
-        y = s1 - offset
-        w = np.hypot(x, y)
-        # Curvature of the pitch curve; the cam's is κ/(1 − R κ), so that 1/ρ_cam + 1/R = 1/(R (1 − R κ)).
-        pitch = (w * w + y * s1 - x * s2) / (w * w * w)
-        left = 1.0 - roller * pitch
-        _require_convex(left)
-        return 1.0 / (roller * left), w / x
-
-    if roller is None:
+    least, most = (geometry.start + end for end in motion.stroke)
+    if isinstance(geometry.follower, FlatFace):
+        return
+    if not geometry.oscillating:
         require(
-            offset == 0.0,
-            "a flat face has no offset",
-            code="offset",
-            hint="give a roller radius, or leave the offset out",
+            least > 0.0,
+            "the follower comes down to {0:.6g} mm above the cam's axis: the pressure angle reaches a right angle",
+            1e3 * least,
+            code="through-axis",
+            hint="take a larger base circle, or a smaller offset",
         )
-        return flat
-    require(roller > 0.0, "a roller of radius {0:.6g} m is a knife edge: its stress is infinite", roller, code="roller")
-    return rolling
-
-
-def _require_convex(radius: "Any") -> None:
-    worst = float(getattr(radius, "min", lambda: radius)())
+        return
+    top = 90.0 if geometry.flat else 180.0
     require(
-        worst > 0.0,
-        "the cam would be undercut: no contact to carry a stress",
+        least > 0.0 and most < top * DEGREE,
+        "the arm swings from {0:.6g} to {1:.6g} deg off the line of pivot and cam axis: beyond 0 and {2:.0f} deg the "
+        "contact force has no lever",
+        least / DEGREE, most / DEGREE, top,
+        code="no-lever",
+        hint="take another base circle, arm or pivot distance",
+    )  # fmt: skip
+    for index in range(len(motion.zones)):
+        check_speed(geometry, motion.in_zone(index, np.linspace(0.0, 1.0, 65), 1)[1])
+
+
+def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
+    """Give the greatest Hertz pressure over the turn.
+
+    p = √(N E*/(π b ρ)), 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/ρ = 1/ρ_cam + 1/R.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    touching : Touching
+        The follower on the cam.
+    contact : Contact
+        Width and materials.
+
+    Returns
+    -------
+    Found
+        The pressure [Pa], where it is [rad], and its bound.
+
+    Raises
+    ------
+    InadmissibleError
+        When the cam comes to a cusp, the follower is an edge, or the width or a modulus is zero.
+    """
+    geometry = touching.geometry
+    give = _compliance(contact)
+    require(
+        geometry.flat or geometry.roller > 0.0,
+        "an edge bears nothing: its stress is infinite",
+        code="edge",
+        hint="give a roller radius, or leave the contact out",
+    )
+    survey = Survey(motion, touching.normal, touching.room)
+    least, _ = survey.extremes(1, touching.rounding_of_room)
+    require(
+        least.value > 0.0,
+        "the cam is undercut at {0:.6g} deg: there is no contact to carry a stress",
+        least.at / DEGREE,
         code="undercut",
         hint="take a larger base circle or a smaller roller; `dynamics cam size` finds the least",
     )
+    # N/ρ is the normal force over the room under a flat face, or over the room R(1 − R κ) of a roller
+    normal = Sum((0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding)
+    room = Sum((0.0, 0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding_of_room)
+    most = survey.greatest_quotient(normal, room)
+    if most.value <= 0.0:
+        return Found(0.0, most.at, 0.0)
+    pressure = sqrt(most.value / (pi * contact.width * give * (1.0 if geometry.flat else geometry.roller)))
+    return Found(pressure, most.at, pressure * (0.5 * most.error / most.value + 8.0 * UNIT))
+
+
+def _compliance(contact: "Contact") -> float:
+    require(contact.width > 0.0, "a contact of no width bears nothing", code="width")
+    require(
+        contact.cam_modulus > 0.0 and contact.follower_modulus > 0.0, "Young's modulus is above zero", code="modulus"
+    )
+    for ratio in (contact.cam_poisson, contact.follower_poisson):
+        require(-1.0 < ratio <= 0.5, "Poisson's ratio is {0:.6g}: between -1 and 0.5 it can be", ratio, code="poisson")
+    give = (1.0 - contact.cam_poisson * contact.cam_poisson) / contact.cam_modulus
+    return give + (1.0 - contact.follower_poisson * contact.follower_poisson) / contact.follower_modulus

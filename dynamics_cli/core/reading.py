@@ -183,8 +183,9 @@ class Reader:
     def _tagged(self, field: Field, node: Tagged, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
         tag = raw.get(node.key)
         own = _join(address, node.key)
+        names = {name for other in node.members.values() for name in other.names}
         if tag is None:
-            if field.required or alone:
+            if field.required or alone or any(raw.get(name) is not None for name in names):
                 self._fail(own, f"{node.key} is missing", code="missing", hint=f"one of {', '.join(node.members)}")
             return None
         member = node.members.get(kebab(str(tag).strip().lower().replace(" ", "-")))
@@ -195,7 +196,6 @@ class Reader:
             hint = f"did you mean {' or '.join(near)}?" if near else f"one of {', '.join(node.members)}"
             self._fail(own, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
             return None
-        names = {name for other in node.members.values() for name in other.names}
         given = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}
         fields = self._object(member.fields, given, address)
         return Fields(member.cls, fields, spread=not alone, tag=member.cls.tag)  # type: ignore[attr-defined]

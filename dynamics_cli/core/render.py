@@ -258,9 +258,9 @@ def header(name: str, unit: str) -> str:
 
 
 def to_csv(document: "Document", table: str) -> str:
-    """The task's main table, or else its results on one line."""
+    """The task's main table (the first there is of several names), or else its results on one line."""
     results = document["results"]
-    node = results.get(table) if table else None
+    node = next((results[name] for name in table.split() if results.get(name)), None)
     plain = [] if node else _split_lists(flatten(results))
     if plain and "uncertainty" in document["numerics"]:
         from dynamics_cli.core.uncertain.render import spread_columns

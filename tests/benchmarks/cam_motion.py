@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from mpmath import cos, mp, mpf, pi, sin
 
+from dynamics_cli.cam.followers import OscillatingRoller
+from dynamics_cli.cam.force_records import ArmOnTorsionSpring, Contact, Slide
 from dynamics_cli.cam.forces import force
 from dynamics_cli.cam.laws import LawName, law_named
 from dynamics_cli.cam.peaks import extremes
@@ -21,6 +23,7 @@ from dynamics_cli.cam.revolution import motion
 from dynamics_cli.cam.rises import rise
 
 LINE = "rise 20 mm in 90 deg cycloidal; dwell 90 deg; return in 90 deg cycloidal; dwell"
+SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg modified-sine; dwell"
 NOTHING = Program()
 
 
@@ -39,8 +42,14 @@ def designs() -> None:
     calls = {
         "motion from its line": lambda: motion_of(NOTHING, LINE),
         "whole `cam motion` (extremes, joints, rms, 361 points)": lambda: motion(NOTHING, program=LINE, count=361),
-        "whole `cam force`": lambda: force(
-            NOTHING, program=LINE, shaft_speed=50.0, mass=0.5, spring_rate=5e3, preload=60.0
+        "whole `cam force`": lambda: force(NOTHING, program=LINE, shaft_speed=50.0, train=Slide(0.5, 5e3, 60.0)),
+        "whole `cam force` of an arm, with contact force and stress": lambda: force(
+            NOTHING,
+            program=SWING,
+            shaft_speed=50.0,
+            train=ArmOnTorsionSpring(0.002, 10.0, 2.0),
+            follower=OscillatingRoller(0.03, 0.008, 0.08, 0.1),
+            contact=Contact(0.01),
         ),
         "whole `cam rise` at one angle": lambda: rise(law=LawName("cycloidal"), lift=0.02, span=1.5, at=(0.4,)),
     }

@@ -4,9 +4,11 @@ from math import isnan, pi
 
 import pytest
 
+from dynamics_cli.cam.force_pictures import forces
+from dynamics_cli.cam.force_records import Slide
 from dynamics_cli.cam.forces import force
 from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.motion_pictures import forces, one_rise, svaj
+from dynamics_cli.cam.motion_pictures import one_rise, svaj
 from dynamics_cli.cam.program import Program
 from dynamics_cli.cam.revolution import motion
 from dynamics_cli.cam.rises import rise
@@ -55,7 +57,7 @@ def test_a_rise_marks_the_points_asked_for() -> None:
 
 
 def test_forces_are_drawn_with_their_extremes() -> None:
-    given = {"shaft_speed": 50.0, "mass": 0.5, "spring_rate": 5000.0, "preload": 60.0}
+    given = {"shaft_speed": 50.0, "train": Slide(0.5, 5000.0, 60.0)}
     found = force(Program(), program=LINE, **given)
     picture = forces(found, Program(), program=LINE, **given)
     drawn = [y for y in curve(picture.panels[1]).y if not isnan(y)]

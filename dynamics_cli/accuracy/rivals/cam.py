@@ -6,6 +6,7 @@ LAWS = "dynamics_cli.accuracy.rivals.cam_laws:"
 EXTREMES = "dynamics_cli.accuracy.rivals.cam_extremes:"
 POINTS = "dynamics_cli.accuracy.rivals.cam_points:"
 EXPORT = "dynamics_cli.accuracy.rivals.cam_export:"
+FORCES = "dynamics_cli.accuracy.rivals.cam_forces:"
 SIZES = "dynamics_cli.accuracy.rivals.cam_sizes:"
 MOTIONS = "dynamics_cli.accuracy.rivals.cam_motions:"
 
@@ -19,4 +20,5 @@ QUESTIONS = (
     Comparison("cam", "export", "cam export, arcs", EXPORT + "compare_arcs"),
     Comparison("cam", "export", "cam export, cubics", EXPORT + "compare_cubics"),
     Comparison("cam", "size", "cam size", SIZES + "compare"),
+    Comparison("cam", "force", "cam force", FORCES + "compare"),
 )

@@ -49,6 +49,7 @@ RISE = Task(
 )
 
 LINE = '--program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"'
+SWING = '--program "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"'
 
 MOTION = Task(
     "motion",
@@ -67,7 +68,7 @@ MOTION = Task(
         "--singularity --units us",
         'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
     ),
-    table="table",
+    table="table swing_table",
     plot=HERE + "motion_pictures:svaj",
     arrays=False,
     tracked=False,
@@ -75,25 +76,44 @@ MOTION = Task(
 
 FORCE = Task(
     "force",
-    "Contact force, torque, jump speed, Hertz stress, spring surge and valve durations of a spring-loaded follower.",
+    "Contact force, torque, jump speed, Hertz stress, spring surge and valve durations of a follower on a spring.",
     Model(
         "rigid follower on a spring",
         HERE + "forces:force",
-        source="Newton's law along the follower's way; Hertz's line contact; motion: " + BOOK,
-        formula="F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, "
-        "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
-        assumptions=("the follower's train is rigid and without friction", "the cam shaft turns at a constant speed"),
-        method="closed-form motion, extremes refined on each zone",
+        source="Newton's law along the follower's way, virtual work for the torque; Hertz's line contact; motion: "
+        + BOOK,
+        formula=(
+            "F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, N = F/cos φ, "
+            "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
+            "M = {spring_radius|r}·({spring_rate|k}·{spring_radius|r}·ψ + {preload|P}) + {load_torque|L} + "
+            "{inertia|I}·{shaft_speed|ω}²·ψ″, T = M·ψ′, N = M/lever, ω_jump² = min (M at ω = 0)/(−{inertia|I}·ψ″)",
+            "M = {torsion_rate|k}·ψ + {preload_torque|P} + {load_torque|L} + {inertia|I}·{shaft_speed|ω}²·ψ″, "
+            "T = M·ψ′, N = M/lever, ω_jump² = min ({torsion_rate|k}·ψ + {preload_torque|P} + {load_torque|L})"
+            "/(−{inertia|I}·ψ″)",
+        ),
+        assumptions=(
+            "the follower's train is rigid and without friction",
+            "the cam shaft turns at a constant speed",
+            "a linear spring on an arm acts square to its radius at every swing",
+        ),
+        method="closed-form motion; every extreme certified by Chebyshev proxies",
     ),
     examples=(
         f'dynamics cam force {LINE} --shaft-speed "600 rpm" --mass "0.5 kg" --spring-rate "5 N/mm" --preload "60 N"',
         f'dynamics cam force {LINE} --shaft-speed "400 rpm" --mass "1 lb" --spring-rate "30 lbf/in" --preload "20 lbf" '
-        '--contact-base-radius "40 mm" --contact-roller-radius "10 mm" --contact-width "12 mm" --spring-mass "0.1 kg"',
+        '--follower roller --base-radius "40 mm" --roller-radius "10 mm" --contact-width "12 mm" '
+        '--spring-mass "0.1 kg"',
         'dynamics cam force --program "rise 9 mm in 65 deg 4-5-6-7; return in 65 deg 4-5-6-7; dwell" '
         '--shaft-speed "3000 rpm" --mass "0.25 kg" --spring-rate "40 N/mm" --preload "300 N" --lash "0.2 mm"',
+        f'dynamics cam force {SWING} --shaft-speed "500 rpm" --inertia "0.002 kg*m^2" --torsion-rate "10 N*m/rad" '
+        '--preload-torque "2 N*m" --follower oscillating-roller --base-radius "30 mm" --roller-radius "8 mm" '
+        '--arm "80 mm" --pivot-distance "100 mm" --contact-width "10 mm"',
+        f'dynamics cam force {SWING} --shaft-speed "500 rpm" --inertia "0.002 kg*m^2" --spring-radius "50 mm" '
+        '--spring-rate "4 N/mm" --preload "40 N" --follower oscillating-flat --base-radius "40 mm" '
+        '--pivot-distance "120 mm" --face-offset "4 mm" --count 13',
     ),
-    table="table",
-    plot=HERE + "motion_pictures:forces",
+    table="table arm_table",
+    plot=HERE + "force_pictures:forces",
     arrays=False,
     tracked=False,
 )

@@ -1,0 +1,185 @@
+"""Extremes of forces, torques, stress and jump speed: references of 40 digits, and random programs on dense grids."""
+
+import json
+import random
+from decimal import Decimal
+from math import pi
+from typing import Any
+
+import numpy as np
+import pytest
+from geometry_cases import KINDS, NOTHING, SWINGING, random_follower
+
+from dynamics_cli.accuracy.cases import DATA
+from dynamics_cli.cam import followers
+from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.force_records import ArmOnSpring, ArmOnTorsionSpring, Contact, Forces, Slide
+from dynamics_cli.cam.forces import force
+from dynamics_cli.cam.laws import LawName
+from dynamics_cli.cam.loads import load_of
+from dynamics_cli.cam.program import motion_of
+from dynamics_cli.errors import InadmissibleError
+
+CASES = json.loads((DATA / "cam_forces.json").read_text(encoding="utf-8"))["cases"]
+TRAINS = {one.__name__: one for one in (Slide, ArmOnTorsionSpring, ArmOnSpring)}
+LAWS = [name for name in LawName.names if name not in ("scca", "polynomial", "spline") and not name.startswith("half")]
+GRID = np.linspace(0.0, 1.0, 1501)
+
+
+def numbers(tree: dict[str, str]) -> dict[str, float]:
+    return {key: float(value) for key, value in tree.items() if key != "record"}
+
+
+def answered(inputs: dict[str, Any]) -> Forces:
+    train, follower, contact = (inputs.get(key) for key in ("train", "follower", "contact"))
+    return force(
+        NOTHING,
+        program=inputs["program"],
+        shaft_speed=float(inputs["shaft_speed"]),
+        train=TRAINS[train["record"]](**numbers(train)),
+        follower=follower and getattr(followers, follower["record"])(**numbers(follower)),
+        rotation=followers.Rotation(inputs["rotation"]),
+        contact=contact and Contact(**numbers(contact)),
+        count=2,
+    )
+
+
+@pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
+def test_results_keep_their_bounds(case: dict[str, Any]) -> None:
+    found = answered(case["inputs"])
+    assert found.numerics is not None
+    bounds = {bound.result: bound for bound in found.numerics.bounds}
+    for name, text in case["results"].items():
+        value, bound = getattr(found, name), bounds[name]
+        error = abs(Decimal(value) - Decimal(text))
+        stated = Decimal(bound.bound) * (abs(Decimal(text)) if bound.relative else 1)
+        assert error <= stated, (name, float(error), float(stated))
+
+
+@pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
+def test_bounds_are_of_the_size_of_rounding(case: dict[str, Any]) -> None:
+    found = answered(case["inputs"])
+    assert found.numerics is not None
+    for bound in found.numerics.bounds:
+        ends = [abs(getattr(found, end + bound.result.partition("_")[2])) for end in ("least_", "greatest_")
+                if hasattr(found, end + bound.result.partition("_")[2])]  # fmt: skip
+        size = 1.0 if bound.relative else max(ends)
+        loose = any(
+            word in case["name"] for word in ("of the radius of curvature", "off a cusp", "stretched beyond the axis")
+        )
+        assert bound.bound <= (1e-6 if loose else 1e-12) * size, bound.result
+
+
+def test_enough_cases_are_hard() -> None:
+    assert sum(case["kind"] == "hard" for case in CASES) >= 12
+    assert all(case["why"] for case in CASES if case["kind"] == "hard")
+
+
+def program(chance: random.Random, swing: bool) -> str:
+    spans = [round(chance.uniform(25, 110), 2) for _ in range(3)]
+    lift = f"{chance.uniform(2, 15):.2f} deg" if swing else f"{chance.uniform(2, 25):.2f} mm"
+    first, second = chance.choice(LAWS), chance.choice(LAWS)
+    return f"rise {lift} in {spans[0]} deg {first}; dwell {spans[1]} deg; return in {spans[2]} deg {second}; dwell"
+
+
+def free_program(chance: random.Random) -> str:
+    """Free polynomials, a spline's neighbours and shares of one's own, for a slide."""
+    a, b, c = (round(chance.uniform(30, 90), 2) for _ in range(3))
+    share = round(chance.uniform(0.05, 0.4), 3)
+    law = f"scca {share} {round(0.9 - share, 3)} 0.1" if chance.random() < 0.5 else "modified-constant-velocity"
+    part = round(chance.uniform(1, 8), 2)
+    return (
+        f"rise 20 mm in {a} deg {law}; return {part} mm in {b} deg polynomial; "
+        f"return {10 - part:.2f} mm in 30 deg linear; return 10 mm in {c} deg polynomial; dwell"
+    )
+
+
+def train_of(chance: random.Random, swing: bool) -> Any:
+    if not swing:
+        return Slide(chance.uniform(0.05, 2), chance.uniform(0, 40000), chance.uniform(0.5, 300), chance.uniform(0, 50))
+    if chance.random() < 0.5:
+        return ArmOnTorsionSpring(chance.uniform(1e-4, 0.01), chance.uniform(0, 50), chance.uniform(0.1, 5))
+    inertia, radius = chance.uniform(1e-4, 0.01), chance.uniform(0.02, 0.1)
+    return ArmOnSpring(inertia, radius, chance.uniform(0, 4e4), chance.uniform(1, 90))
+
+
+def curves(motion: Any, geometry: Geometry, load: Any, kind: str) -> dict[str, list[Any]]:
+    """Every quantity on a dense grid of every zone, by other formulas than the program's."""
+    found: dict[str, list[Any]] = {name: [] for name in ("force", "torque", "contact_force", "crowding", "jump")}
+    follower: Any = geometry.follower
+    for index in range(len(motion.zones)):
+        s, s1, s2 = motion.in_zone(index, GRID, 2)
+        pressing = load.force(s, s2)
+        touch = geometry.touch(s, s1, s2)
+        (x, y), (nx, ny) = touch.point, touch.normal
+        if kind in SWINGING:
+            # moment balance of the arm about its pivot
+            normal = pressing / -((x - follower.pivot_distance) * ny - y * nx)
+        else:
+            normal = pressing / np.cos(touch.pressure_angle)
+        with np.errstate(all="ignore"):
+            bend = 1.0 / touch.radius if geometry.flat else 1.0 / (1.0 / touch.curvature - geometry.roller)
+        bend = bend + (0.0 if geometry.flat or not geometry.roller else 1.0 / geometry.roller)
+        down = s2 < 0.0
+        speeds = (load.rate * s[down] + load.steady) / (-load.inertia * s2[down])
+        for name, values in (
+            ("force", pressing), ("torque", pressing * s1), ("contact_force", normal), ("crowding", normal * bend),
+            ("jump", speeds),
+        ):  # fmt: skip
+            found[name].append(values)
+    return found
+
+
+def compared(kind: str, seed: int) -> bool:
+    chance = random.Random(1000 + seed)
+    swing = kind in SWINGING
+    line = free_program(chance) if seed % 4 == 3 and not swing else program(chance, swing)
+    train, follower = train_of(chance, swing), random_follower(chance, kind)
+    speed, rotation = chance.uniform(5, 200), followers.Rotation(chance.choice(("ccw", "cw")))
+    try:
+        found = force(NOTHING, program=line, shaft_speed=speed, train=train, follower=follower, rotation=rotation,
+                      count=2, at_lifts=None if swing else ())  # fmt: skip
+    except InadmissibleError:
+        return False
+    motion = motion_of(NOTHING, line)
+    if any(advice.code == "velocity-jump" for advice in found.advice):
+        return False
+    load, geometry = load_of(train, motion, speed), Geometry(follower, rotation)
+    dense = curves(motion, geometry, load, kind)
+    assert all(check.passed for check in found.checks), (kind, seed)
+    for name in ("force", "torque", "contact_force"):
+        own = "arm_torque" if swing and name == "force" else name
+        high, low = (end(map(end, dense[name])) for end in (max, min))
+        least, greatest = getattr(found, f"least_{own}"), getattr(found, f"greatest_{own}")
+        scale = max(abs(high), abs(low))
+        # no dense grid goes beyond what was found, and what was found is not beyond what a grid can miss
+        assert greatest >= high - 1e-12 * scale, (kind, seed, name)
+        assert least <= low + 1e-12 * scale, (kind, seed, name)
+        assert greatest <= high + 5e-4 * scale, (kind, seed, name)
+        assert least >= low - 5e-4 * scale, (kind, seed, name)
+    slowest = min(float(part.min()) for part in dense["jump"] if part.size) ** 0.5
+    assert slowest * (1.0 - 5e-4) <= found.jump_speed <= slowest * (1.0 + 1e-12), (kind, seed)
+    _stress_compared(kind, seed, found, dense, (line, speed, train, follower, rotation))
+    return True
+
+
+def _stress_compared(kind: str, seed: int, found: Forces, dense: Any, given: Any) -> None:
+    line, speed, train, follower, rotation = given
+    try:
+        pressed = force(NOTHING, program=line, shaft_speed=speed, train=train, follower=follower, rotation=rotation,
+                        contact=Contact(0.01), count=2)  # fmt: skip
+    except InadmissibleError as refused:
+        if refused.code not in ("undercut", "edge"):
+            raise
+        return
+    give = 2.0 * (1.0 - 0.09) / 206e9
+    top = max(float(part.max()) for part in dense["crowding"])
+    worst = (max(top, 0.0) / (pi * 0.01 * give)) ** 0.5
+    assert pressed.stress >= worst * (1.0 - 1e-11), (kind, seed)
+    assert pressed.stress <= worst * (1.0 + 1e-3), (kind, seed)
+    assert pressed.greatest_force == found.greatest_force
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_extreme_is_missed_in_eighty_cams_of_each_kind(kind: str) -> None:
+    assert sum(compared(kind, seed) for seed in range(80)) >= 65
