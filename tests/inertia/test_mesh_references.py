@@ -9,13 +9,14 @@ import pytest
 from mpmath import mp, mpf
 from references.inertia_solids import triangles, write_stl
 
+from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.inertia.amount import OfArealDensity, OfDensity
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.task import mesh
 from dynamics_cli.numerics.tracked import Tracked
 
-FILE = Path(__file__).parents[1] / "references" / "inertia_mesh.json"
-CASES: list[dict[str, Any]] = json.loads(FILE.read_text(encoding="utf-8"))["cases"]
+EVERY_CASE = json.loads((DATA / "inertia_mesh.json").read_text(encoding="utf-8"))["cases"]
+CASES: list[dict[str, Any]] = [case for case in EVERY_CASE if case["task"] == "mesh"]
 U = mpf(2) ** -53
 EVERY = pytest.mark.parametrize("index", range(len(CASES)), ids=[case["name"] for case in CASES])
 
