@@ -22,8 +22,6 @@ FUNCTIONS: dict[str, Any] = {
     "tensor": inertia_bodies.tensor,
     "torque": torque,
 }
-# These have no bound: the angle between axes is not tracked.
-UNBOUNDED = ("axes_angle",)
 UNIT_ROUNDOFF = mpf(2) ** -53
 
 
@@ -34,10 +32,10 @@ def measured(index: int) -> list[tuple[str, Any, Any, Any]]:
     case = CASES[index]
     function = FUNCTIONS[case.task]
     bare, tracked = (flat(function(**inertia_bodies.arguments(case, tracked=flag))) for flag in (False, True))
+    if case.task == "compare":
+        tracked = inertia_bodies.both_stated(case)
     found = []
     for address, text in case.results.items():
-        if address in UNBOUNDED:
-            continue
         own, plain = tracked[address], bare[address]
         value = getattr(own, "value", own)
         assert value == getattr(plain, "value", plain), address
@@ -62,6 +60,9 @@ def test_no_bound_is_more_than_a_hundred_times_the_error_or_a_rounding(index: in
     rows = measured(index)
     sizes = {address: Decimal(nstr(abs(reference), 45)) for address, reference, _, _ in rows}
     for address, _, error, bound in rows:
+        if address == "axes_angle":
+            # worst cases of both bodies over the gaps of their moments, which errors that differ in sign stay far below
+            continue
         size = mpf(str(scale(address, sizes)))
         if CASES[index].name.startswith(("ball less ball", "points on a line")):
             # a difference of large numbers: what rounding the inputs alone does to it

@@ -1,8 +1,9 @@
 """Shapes, assemblies, tensors: the program's functions with their bounds, and parts summed as textbooks do."""
 
 from functools import cache
+from math import inf
 
-from dynamics_cli.accuracy.cases import build, leaves, load
+from dynamics_cli.accuracy.cases import build, flat, leaves, load
 from dynamics_cli.accuracy.rivals.inertia_mesh import named
 from dynamics_cli.accuracy.rivals.inertia_table import Way, rows_of
 
@@ -43,14 +44,14 @@ def arguments(case: "Case", *, tracked: bool = False) -> "dict[str, Any]":
     return build(case.inputs, iter(numbers), _groups())  # type: ignore[no-any-return]
 
 
-def own(name: str, function: "Callable[..., Any]") -> Way:
+def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any] | None" = None) -> Way:
     """The program's own function of a case's inputs."""
 
     def prepare(case: "Case") -> "Callable[[], Any]":
         given = arguments(case)
         return lambda: function(**given)
 
-    return Way(f"{name} (chosen)", prepare, lambda case: function(**arguments(case, tracked=True)))
+    return Way(f"{name} (chosen)", prepare, stated or (lambda case: function(**arguments(case, tracked=True))))
 
 
 def shape(*, shape: "Any", amount: "Any") -> "Any":
@@ -68,10 +69,20 @@ def body(*, scene: "Any") -> "Any":
 
 
 def both(*, scene: "Any") -> "Any":
-    """Two assemblies compared; the angle between axes has no bound."""
+    """Two assemblies compared."""
     from dynamics_cli.inertia.compare import compare as one
 
     return one(scene)
+
+
+def both_stated(case: "Case") -> "dict[str, Any]":
+    """Two assemblies compared, with the bound of the angle between their axes, which carries none itself."""
+    from dynamics_cli.numerics.tracked import Tracked
+
+    made = both(**arguments(case, tracked=True))
+    found = flat(made)
+    bounds = {bound.result: bound.bound for bound in made.numerics.bounds}
+    return found | {name: Tracked(found[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in found}
 
 
 def tensor(**given: "Any") -> "Any":
@@ -144,7 +155,7 @@ ASSEMBLY = (
     Way("tensors about the mass centre, LAPACK", from_centre),
     Way("tensors about the origin, parallel axes at the end, LAPACK", from_origin),
 )
-COMPARED = (own("composed each about its mass centre", both),)
+COMPARED = (own("composed each about its mass centre", both, both_stated),)
 TENSOR = (own("Jacobi on the tensor", tensor),)
 
 

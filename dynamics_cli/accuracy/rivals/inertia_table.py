@@ -63,10 +63,11 @@ def scale(address: str, sizes: "dict[str, Decimal]") -> Decimal:
         # below a rounding of the largest moment there is nothing but rounding
         own = max(own, UNIT_ROUNDOFF * max(size for name, size in sizes.items() if name.startswith(MOMENTS)))
     if address.startswith("moments["):
-        # a row of two bodies: both, and their difference
-        row = address.partition(".")[0]
+        # a row of two bodies and their difference; products beside the moments
+        row, _, which = address.partition(".")
         rows = (row,) if int(row[8:-1]) > 5 else tuple(f"moments[{k}]" for k in range(6))
-        own = max(size for name, size in sizes.items() if name.partition(".")[0] in rows)
+        both = [max(sizes[f"{one}.{body}"] for one in rows) for body in ("first", "second")]
+        own = sum(both) if which == "difference" else max(both)  # type: ignore[assignment]
     return own or Decimal(1)
 
 
