@@ -14,6 +14,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import inertia_found
 from inertia_exact import answer, exact, rotation
 from inertia_scenes import arguments
 from mpmath import cos, mp, mpf, nstr, sin
@@ -349,6 +350,7 @@ def main(path: Path) -> None:
         *tensors(generator),
         *torques(generator),
         *comparisons(generator),
+        *((task, "hard", name, why, inputs) for task, name, why, inputs in inertia_found.BODIES),
     ):
         found = answer(task, inputs)
         largest = max(abs(value) for value in found.values())

@@ -15,6 +15,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import inertia_found
 from inertia_solids import triangles
 from mpmath import eigsy, matrix, mp, mpf, nstr, sqrt
 
@@ -103,6 +104,9 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
         inputs = recipe("ball 2", (1.0, 0.75, thin), TURN, (10.0, 4.0, -3.0), shell=True)
         why = "two sheets that nearly touch: the least second moment is that of their distance"
         yield "hard", f"shell plate 1e{power} turned at 10 sizes", why, inputs
+
+    for name, why, inputs in inertia_found.MESHES:
+        yield "hard", name, why, inputs
 
 
 def large_cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:

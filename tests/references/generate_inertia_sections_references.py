@@ -14,6 +14,9 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import inertia_found
 from mpmath import atan2, cos, mp, mpf, nstr, pi, sin, sqrt
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -85,6 +88,8 @@ def cases(rng: random.Random) -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "hard", "eccentric bore far off", why, far
     why = "two small pieces far apart: almost all of the moment is the parallel axis term"
     yield "hard", "two wires", why, {"pieces": [{"diameter": 1e-3, "x": 1.0}, {"diameter": 1e-3, "x": -1.0, "y": 0.25}]}
+    for name, why, inputs in inertia_found.SECTIONS:
+        yield "hard", name, why, inputs
 
 
 def polygon(numbers: list[float]) -> list[Fraction]:
