@@ -1,9 +1,13 @@
 """Two bodies side by side: masses, mass centres, principal moments, and how far their principal axes are turned."""
 
+from math import inf
+
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.assembly import Assembly, compose_scene
-from dynamics_cli.inertia.lump import less, product, tensor_of, transposed
+from dynamics_cli.inertia.lump import less, product, tensor_of, transposed, turned
+from dynamics_cli.inertia.parts import each_number
 from dynamics_cli.inertia.report import stated
+from dynamics_cli.inertia.spread import plain
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.quantities import Angle, Mass, PartPosition, ProductOfInertia, Ratio, SignedMass, Size, Text
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
@@ -15,6 +19,9 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.compose import Composed
     from dynamics_cli.inertia.lump import Matrix
 
+UNIT_ROUNDOFF = 2.0**-53
+# Of the products of unit vectors that the turn between two frames is read from.
+TURN_ROUNDINGS = 32.0
 SIGNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
 
 
@@ -138,6 +145,7 @@ def compare(scene: Pair, /) -> Compared:
     shift = less(b.lump.centroid, a.lump.centroid)
     rows = tuple(_row(*row) for row in _numbers(a, b))
     angle, advice = _angle(a, b)
+    tilt = None if angle is None else _tilt(a) + _tilt(b) + TURN_ROUNDINGS * UNIT_ROUNDOFF
     first, second = a.lump.mass, b.lump.mass
     found = {
         "first_mass": first,
@@ -149,6 +157,8 @@ def compare(scene: Pair, /) -> Compared:
     }
     bounds: list[ErrorBound] = []
     scalars = found if a.sloped else {name: stated(name, value, bounds) for name, value in found.items()}
+    if tilt is not None and tilt < 0.5:
+        bounds.append(ErrorBound("axes_angle", tilt, relative=False))
     return Compared(
         **scalars,
         centroid_shift=shift,
@@ -177,7 +187,11 @@ def _distance(rows: "tuple[MomentRow, ...]") -> float:
     away = total(w * row.difference * row.difference for w, row in zip(weights, rows, strict=False))
     size = total(w * row.first * row.first for w, row in zip(weights, rows, strict=False))
     require(size > 0.0, "the first body has no inertia to compare with: it is one point", code="point")
-    return sqrt(away / size) if away > 0.0 else 0.0
+    if away > 0.0:
+        return sqrt(away / size)
+    error = getattr(away, "error", 0.0)
+    # differences that all round to nothing: of their tracked squares only the errors are left
+    return type(away)(0.0, (error / (plain(size) - size.error)) ** 0.5, away.slopes) if error else 0.0  # type: ignore[attr-defined, call-arg]
 
 
 def total(numbers: "Iterable[float]") -> float:
@@ -200,6 +214,33 @@ def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, .
             ),
         )
     return min(turn_between(a.spread.axes, b.spread.axes, signs) for signs in SIGNS), ()
+
+
+def _tilt(one: "Composed") -> float:
+    """How far the principal axes may be turned from the true ones; infinite where that is not known.
+
+    Along its axes the matrix is T, and unit vector k lies within |T eₖ − tₖₖ eₖ|/gap of an eigenvector (Davis and
+    Kahan); a turn by ω moves the three by |ω × eₖ|, whose squares add up to 2 ω².
+    """
+    from dynamics_cli.numerics.tracked import Tracked
+
+    bare = each_number(one.lump.second, lambda x: Tracked(x.value, x.error, ()), Tracked)
+    along = turned(bare, one.spread.axes)
+    squares = 0.0
+    for k in range(3):
+        others = [j for j in range(3) if j != k]
+        off = sum((abs(plain(along[k][j])) + _error(along[k][j])) ** 2 for j in others)
+        gaps = [
+            abs(plain(along[k][k]) - plain(along[j][j])) - _error(along[k][k]) - _error(along[j][j]) for j in others
+        ]
+        room = min(gaps) - off**0.5
+        squares += off / (room * room) if room > 0.0 else inf
+    return (0.5 * squares) ** 0.5
+
+
+def _error(x: float) -> float:
+    """The bound that a tracked number carries; infinite for a bare one, of which nothing is known."""
+    return getattr(x, "error", inf)
 
 
 def turn_between(a: "Matrix", b: "Matrix", signs: "tuple[float, ...]") -> float:

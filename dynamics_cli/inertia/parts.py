@@ -237,8 +237,10 @@ def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
     require(found.moments.measure != 0.0, "the mesh of {0} encloses nothing", own, code="no-volume")
     lift = Lift(found, part.length_unit, width or 0)  # type: ignore[arg-type]
     volume = lift.measure()
-    mass = mass_of(_amount(part, own), volume, 3, own)
-    lump = Lump(mass, lift.centroid(), lift.second(mass / volume))
+    amount = _amount(part, own)
+    mass = mass_of(amount, volume, 3, own)
+    density = mass / volume if isinstance(amount, OfMass) else mass_of(amount, 1.0, 3, own)
+    lump = Lump(mass, lift.centroid(), lift.second(density))
     if width is not None:
         return lump, (3, volume)
     return each_number(lump, plain, type(volume)), (3, plain(volume))

@@ -95,11 +95,18 @@ def matrix_of(turn: Turn) -> "Matrix":
 
 
 def axis_angle(axis: "tuple[float, float, float]", angle: float) -> "Matrix":
-    """Rodrigues' rotation by the half angle's quaternion, which loses nothing at small angles."""
-    square = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]
+    """Rodrigues' rotation cos θ·1 + (1 − cos θ) n nᵀ + sin θ [n×], by the half angle, which loses no small angles."""
+    x, y, z = axis
+    square = x * x + y * y + z * z
     require(square > 0.0, "the rotation axis has no length", code="rotation")
-    s = sin(0.5 * angle) / sqrt(square)
-    return from_quaternion((cos(0.5 * angle), s * axis[0], s * axis[1], s * axis[2]))
+    half = sin(0.5 * angle)
+    versed = 2.0 * half * half / square
+    sine = sin(angle) / sqrt(square)
+    return (
+        (1.0 - versed * (y * y + z * z), versed * x * y - sine * z, versed * x * z + sine * y),
+        (versed * x * y + sine * z, 1.0 - versed * (x * x + z * z), versed * y * z - sine * x),
+        (versed * x * z - sine * y, versed * y * z + sine * x, 1.0 - versed * (x * x + y * y)),
+    )
 
 
 def from_quaternion(q: "tuple[float, float, float, float]") -> "Matrix":

@@ -9,6 +9,9 @@ import random
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import inertia_found
 from mpmath import mp, mpf
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -37,6 +40,8 @@ def matrices():
     for gap in (1e-4, 1e-8, 1e-12, 1e-15):
         why = "two eigenvalues nearly equal: the trigonometric formula loses half of the digits"
         yield "hard", f"gap {gap:g}", why, [[1.0, gap, 0.0], [gap, 1.0, gap], [0.0, gap, 1.0 + gap]]
+    for name, why, rows in inertia_found.MATRICES:
+        yield "hard", name, why, rows
 
 
 def eigenvalues(rows):

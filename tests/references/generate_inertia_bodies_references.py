@@ -14,30 +14,14 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import inertia_patches
-from mpmath import cos, eigsy, matrix, mp, mpf, nstr, sin, sqrt
+import inertia_found
+from inertia_exact import answer, exact, rotation
+from inertia_scenes import arguments
+from mpmath import cos, mp, mpf, nstr, sin
 
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
+ABOUT = "Written by generate_inertia_bodies_references.py: mass properties of bodies of doubles, to 40 digits."
 Case = tuple[str, str, str, str, dict[str, Any]]
-WORDS = ("shape", "ends", "sides", "closed", "euler_order", "subtract", "name")
-
-
-def exact(tree: Any) -> Any:
-    """Doubles as exact numbers."""
-    if isinstance(tree, float):
-        return mpf(tree)
-    if isinstance(tree, dict):
-        return {name: exact(part) for name, part in tree.items()}
-    return [exact(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
 
 
 SIZES = {
@@ -187,102 +171,6 @@ def shapes(generator: random.Random) -> Iterator[Case]:
         yield "shape", "hard", f"sliver wedge {ratio:g}", why, case
 
 
-def rotation(spec: dict[str, Any]) -> Any:
-    """A part's rotation matrix, each way of writing it by its definition."""
-    one = matrix([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
-    if "rotation_axis" in spec:
-        x = spec["rotation_axis"]
-        n = sqrt(sum(part * part for part in x))
-        x = [part / n for part in x]
-        c, s = cos(spec["rotation_angle"]), sin(spec["rotation_angle"])
-        cross = matrix([[0, -x[2], x[1]], [x[2], 0, -x[0]], [-x[1], x[0], 0]])
-        return one + s * cross + (1 - c) * cross * cross
-    if "euler_angles" in spec:
-        made = one
-        for letter, angle in zip(spec["euler_order"].lower(), spec["euler_angles"], strict=True):
-            axis = [mpf(letter == k) for k in "xyz"]
-            turn = rotation({"rotation_axis": axis, "rotation_angle": angle})
-            made = made * turn if spec["euler_order"].islower() else turn * made
-        return made
-    if "quaternion" in spec:
-        w, x, y, z = spec["quaternion"]
-        n = sqrt(w * w + x * x + y * y + z * z)
-        half = 2 * mp.atan2(sqrt(x * x + y * y + z * z), w)
-        return rotation({"rotation_axis": [x / n, y / n, z / n], "rotation_angle": half})
-    return one
-
-
-def symmetric(six: Any) -> Any:
-    xx, yy, zz, xy, yz, zx = six
-    return matrix([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
-
-
-def added(parts: list[dict[str, Any]], origin: Any, frame: Any, sign: int, sums: list[Any]) -> None:
-    """Mass, first and second moments about the origin, summed over the leaves."""
-    for part in parts:
-        place = origin + frame * matrix(part.get("position", [0, 0, 0]))
-        turn = frame * rotation(part)
-        own = -sign if part.get("subtract") else sign
-        if "shape" in part or "mass" in part:
-            if "shape" in part:
-                unit = inertia_patches.integrate(inertia_patches.patches(part["shape"], part))
-                mass = part["mass"] if "mass" in part else part["density"] * unit["measure"]
-                middle, second = matrix(unit["centroid"]), symmetric(unit["second"])
-            else:
-                mass = part["mass"]
-                middle, second = matrix(part.get("centroid", [0, 0, 0])), matrix(3, 3)
-                if "tensor" in part:
-                    tensor = matrix(part["tensor"])
-                    trace = tensor[0, 0] + tensor[1, 1] + tensor[2, 2]
-                    second = (trace / 2 * mp.eye(3) - tensor) / mass
-            r = place + turn * middle
-            sums[0] += own * mass
-            sums[1] += own * mass * r
-            sums[2] += own * mass * (turn * second * turn.T + r * r.T)
-        added(part.get("parts", []), place, turn, own, sums)
-
-
-def results(mass: Any, centroid: Any, second: Any) -> dict[str, Any]:
-    """The results by address, from mass, centroid and central second moments."""
-    trace = second[0, 0] + second[1, 1] + second[2, 2]
-    found = {"mass": mass, **{f"centroid[{k}]": centroid[k] for k in range(3)}}
-    for k, name in enumerate(("xx", "yy", "zz")):
-        found[f"moments.{name}"] = trace - second[k, k]
-    for (i, j), name in (((0, 1), "xy"), ((1, 2), "yz"), ((2, 0), "zx")):
-        found[f"products.{name}"] = -second[i, j]
-    values = sorted(eigsy(second, eigvals_only=True), reverse=True)
-    for k, name in enumerate(("first", "second", "third")):
-        found[f"principal_moments.{name}"] = sum(values) - values[k]
-    return found
-
-
-def answer(task: str, inputs: dict[str, Any]) -> dict[str, Any]:
-    own = exact(inputs)
-    if task == "shape":
-        unit = inertia_patches.integrate(inertia_patches.patches(own["shape"], own))
-        second = symmetric(unit["second"]) * own["mass"]
-        return {"measure": unit["measure"], **results(own["mass"], unit["centroid"], second)}
-    if task == "tensor":
-        tensor = matrix(own["tensor"])
-        values = sorted(eigsy(tensor, eigvals_only=True))
-        names = ("first", "second", "third")
-        return {
-            **{f"principal_moments.{name}": value for name, value in zip(names, values, strict=True)},
-            "greatest_product": (values[2] - values[0]) / 2,
-            "slack": (values[0] + values[1] - values[2]) / values[2],
-        }
-    if task == "torque":
-        tensor, w, alpha = matrix(own["tensor"]), matrix(own["angular_velocity"]), matrix(own["angular_acceleration"])
-        h, t = tensor * w, tensor * alpha
-        cross = matrix([w[1] * h[2] - w[2] * h[1], w[2] * h[0] - w[0] * h[2], w[0] * h[1] - w[1] * h[0]])
-        found = {f"inertia_torque[{k}]": -t[k] - cross[k] for k in range(3)}
-        return {**found, "rotational_energy": (w.T * h)[0] / 2}
-    sums = [mpf(0), matrix([0, 0, 0]), matrix(3, 3)]
-    added(own["parts"], matrix([0, 0, 0]), mp.eye(3), 1, sums)
-    mass, centroid = sums[0], sums[1] / sums[0]
-    return results(mass, centroid, sums[2] - mass * centroid * centroid.T)
-
-
 def turned(generator: random.Random) -> dict[str, Any]:
     way = generator.randrange(4)
     if way == 0:
@@ -423,6 +311,36 @@ def torques(generator: random.Random) -> Iterator[Case]:
     )
 
 
+def comparisons(generator: random.Random) -> Iterator[Case]:
+    for count in (1, 3, 6):
+        both = {name: {"parts": [part(generator) for _ in range(count)]} for name in ("first", "second")}
+        yield "compare", "ordinary", f"{count} parts each", "", both
+    block = {
+        "shape": "block",
+        "width": 0.6,
+        "depth": 0.4,
+        "height": 0.1,
+        "mass": 2.0,
+        **LEAN,
+        "position": [0.1, 0.2, 0.3],
+    }
+    parts = [block, part(generator), part(generator)]
+    for nudge in (1e-6, 1e-12):
+        why = f"the same assembly, one part moved by {nudge:g}: every difference is that of nearly equal numbers"
+        moved = [dict(one) for one in parts]
+        moved[0]["position"] = [moved[0]["position"][0] + nudge, *moved[0]["position"][1:]]
+        yield "compare", "hard", f"moved by {nudge:g}", why, {"first": {"parts": parts}, "second": {"parts": moved}}
+    why = "the same assembly far off: the way between the mass centres is known, what they are made of must not be lost"
+    far = [{**one, "position": [x + 1e6 for x in one["position"]]} for one in parts]
+    yield "compare", "hard", "far off", why, {"first": {"parts": parts}, "second": {"parts": far}}
+    why = "a needle turned by a small angle: the angle between axes comes from a cosine that rounds to one"
+    needle = {key: value for key, value in NEEDLE.items() if key != "mass"}
+    one = {"parts": [{**needle, "density": 7850.0}]}
+    for angle in (1e-5, 1e-9):
+        two = {"parts": [{**needle, "density": 7850.0, "rotation_axis": [0.0, 0.0, 1.0], "rotation_angle": angle}]}
+        yield "compare", "hard", f"needle turned by {angle:g}", why, {"first": one, "second": two}
+
+
 def main(path: Path) -> None:
     generator = random.Random(20260101)
     cases = []
@@ -431,16 +349,25 @@ def main(path: Path) -> None:
         *bodies(generator),
         *tensors(generator),
         *torques(generator),
+        *comparisons(generator),
+        *((task, "hard", name, why, inputs) for task, name, why, inputs in inertia_found.BODIES),
     ):
         found = answer(task, inputs)
         largest = max(abs(value) for value in found.values())
         # what quadrature leaves of an exact zero
         found = {key: nstr(value, 40) if abs(value) > 1e-48 * largest else "0.0" for key, value in found.items()}
-        entry = {"task": task, "kind": kind, "name": name, "why": why, "inputs": written(inputs), "results": found}
+        entry = {
+            "task": task,
+            "kind": kind,
+            "name": name,
+            "why": why,
+            "inputs": arguments(task, inputs),
+            "results": found,
+        }
         cases.append(entry if why else {key: part for key, part in entry.items() if key != "why"})
     text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in cases)
-    path.write_text('{"cases": [\n' + text + "\n]}\n", encoding="utf-8")
+    path.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "inertia_bodies.json")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "inertia_bodies.json")

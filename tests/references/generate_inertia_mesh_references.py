@@ -15,10 +15,12 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import inertia_found
 from inertia_solids import triangles
 from mpmath import eigsy, matrix, mp, mpf, nstr, sqrt
 
-HERE = Path(__file__).resolve().parent
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
+ABOUT = "Written by generate_inertia_mesh_references.py: solids and shells of triangles of doubles, to 40 digits."
 STILL = (1.0, 0.0, 0.0, 0.0)
 TURN = (0.75, -0.5, 0.25, 0.375)
 
@@ -85,29 +87,56 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "hard", "least of single precision", why, recipe("bracket", (1e-38, 1e-38, 1e-38), TURN, single=True)
     why = "a thin wall between two surfaces that nearly cancel"
     yield "hard", "hollow ball far off", why, recipe("hollow ball", (1.0, 0.75, 0.5), TURN, (1e3, -2e3, 5e2))
+    for power in (4, 8):
+        far = 10.0**power
+        why = "a shell's moments about the origin exceed those about the centroid by the square of the offset"
+        inputs = recipe("ball 2", (1.0, 0.75, 0.5), TURN, (far, -0.7 * far, 0.3 * far), shell=True)
+        yield "hard", f"shell at 1e{power} sizes", why, inputs
+    for power in (3, 6):
+        thin = 10.0**-power
+        why = "areas of slivers are small differences of products unless their edges are short ones"
+        yield (
+            "hard",
+            f"shell needle 1e{power} turned",
+            why,
+            recipe("ball 2", (1.0, 1.25 * thin, thin), TURN, shell=True),
+        )
+        inputs = recipe("ball 2", (1.0, 0.75, thin), TURN, (10.0, 4.0, -3.0), shell=True)
+        why = "two sheets that nearly touch: the least second moment is that of their distance"
+        yield "hard", f"shell plate 1e{power} turned at 10 sizes", why, inputs
+
+    for name, why, inputs in inertia_found.MESHES:
+        yield "hard", name, why, inputs
+
+
+def large_cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
+    """Cases of many triangles: kind, name, why it is hard, inputs."""
+    yield "ordinary", "ball 6 turned", "", recipe("ball 6", (1.0, 0.75, 0.5), TURN, (0.25, -0.5, 1.0))
+    why = "many triangles at 1e4 sizes: what each loses adds up"
+    yield "hard", "ball 6 at 1e4 sizes", why, recipe("ball 6", (1.0, 0.75, 0.5), TURN, (1e4, -7e3, 3e3))
 
 
 def integrals(inputs: dict[str, Any]) -> dict[str, str]:
     """Measure, centroid, tensor and principal moments of unit density."""
-    total, first, second = (Fraction(0) if not inputs["shell"] else mpf(0)), [0, 0, 0], [[0] * 3 for _ in range(3)]
-    for triangle in triangles(inputs):
-        corners = [[Fraction(x) for x in p] for p in triangle]
-        weight = area_of(corners) if inputs["shell"] else six_volumes(corners)
-        if inputs["shell"]:
-            corners = [[real(x) for x in p] for p in corners]
+    shell = inputs["shell"]
+    whole, unit = in_whole_numbers(triangles(inputs))
+    total, first, second = 0, [0, 0, 0], [[0] * 3 for _ in range(3)]
+    for corners in whole:
+        weight = area_of(corners) if shell else six_volumes(corners)
         middle = [sum(p[k] for p in corners) for k in range(3)]
         total += weight
         for i in range(3):
             first[i] += weight * middle[i]
             for j in range(3):
                 second[i][j] += weight * (middle[i] * middle[j] + sum(p[i] * p[j] for p in corners))
-    divisors = (2, 6, 24) if inputs["shell"] else (6, 24, 120)
-    measure = total / divisors[0]
-    centre = [x / divisors[1] / measure for x in first]
-    s = [[real(second[i][j] / divisors[2] - measure * centre[i] * centre[j]) for j in range(3)] for i in range(3)]
+    divisors, power = ((2, 6, 24), 2) if shell else ((6, 24, 120), 3)
+    measure = ratio(total, divisors[0] * unit**power)
+    centre = [ratio(x, divisors[1] * unit ** (power + 1)) / measure for x in first]
+    s = [[ratio(x, divisors[2] * unit ** (power + 2)) for x in row] for row in second]
+    s = [[real(s[i][j] - measure * centre[i] * centre[j]) for j in range(3)] for i in range(3)]
     spread = sorted(eigsy(matrix(s), eigvals_only=True), reverse=True)
     trace = s[0][0] + s[1][1] + s[2][2]
-    out = {"area" if inputs["shell"] else "volume": real(measure)}
+    out = {"area" if shell else "volume": real(measure)}
     out |= {f"centroid[{k}]": real(centre[k]) for k in range(3)}
     out |= {f"moments.{n}": trace - s[k][k] for k, n in enumerate(("xx", "yy", "zz"))}
     out |= {f"products.{n}": -s[i][j] for n, (i, j) in {"xy": (0, 1), "yz": (1, 2), "zx": (2, 0)}.items()}
@@ -117,23 +146,39 @@ def integrals(inputs: dict[str, Any]) -> dict[str, str]:
     return {name: nstr(value, 40) for name, value in out.items()}
 
 
+def in_whole_numbers(made: list[Any]) -> tuple[list[Any], int]:
+    """Corners as multiples of one over a power of two."""
+    unit = max(x.as_integer_ratio()[1] for t in made for p in t for x in p)
+
+    def whole(x: float) -> int:
+        up, down = x.as_integer_ratio()
+        return up * (unit // down)
+
+    return [[[whole(x) for x in p] for p in t] for t in made], unit
+
+
+def ratio(up: Any, down: int) -> Any:
+    """A ratio: exact of whole numbers."""
+    return Fraction(up, down) if isinstance(up, int) else up / down
+
+
 def real(x: Any) -> mpf:
     """A ratio as a real number."""
     return mpf(x.numerator) / x.denominator if isinstance(x, Fraction) else mpf(x)
 
 
-def six_volumes(corners: list[list[Fraction]]) -> Fraction:
+def six_volumes(corners: list[list[int]]) -> int:
     """Six times the volume of the tetrahedron on a triangle from the origin."""
     a, b, c = corners
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 
 
-def area_of(corners: list[list[Fraction]]) -> mpf:
+def area_of(corners: list[list[int]]) -> mpf:
     """Twice the area of a triangle."""
     a, b, c = corners
     e, f = [b[k] - a[k] for k in range(3)], [c[k] - a[k] for k in range(3)]
     n = [e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3] for k in range(3)]
-    return sqrt(real(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]))
+    return sqrt(mpf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]))
 
 
 def written(tree: Any) -> Any:
@@ -149,12 +194,13 @@ def main(file: Path) -> None:
     """Write every case."""
     mp.dps = 90
     out = []
-    for kind, name, why, inputs in cases():
-        case = {"task": "mesh", "kind": kind, "name": name, **({"why": why} if why else {})}
+    every = [("mesh", *case) for case in cases()] + [("large mesh", *case) for case in large_cases()]
+    for task, kind, name, why, inputs in every:
+        case = {"task": task, "kind": kind, "name": name, **({"why": why} if why else {})}
         out.append({**case, "inputs": written(inputs), "results": integrals(inputs)})
-    data = {"about": __doc__.split("\n\n")[0].strip(), "cases": out} if __doc__ else {}
-    file.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in out)
+    file.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "inertia_mesh.json")
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "inertia_mesh.json")

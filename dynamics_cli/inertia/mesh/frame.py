@@ -22,7 +22,10 @@ _BITS = 25
 
 
 class Frame:
-    """Axes as rows and a point to look from; `size` bounds the coordinates seen."""
+    """Axes as rows and a point to look from; `size` bounds the coordinates seen.
+
+    A coordinate's error is a rounding of itself and of `grain`, what the grid leaves of the longest ones.
+    """
 
     def __init__(self, rows: "Array", point: "Array", size: float, room: int) -> None:
         self.rows = rows
@@ -31,17 +34,8 @@ class Frame:
         self._point = point[:, None]
         # adding and taking away this number rounds to a multiple of 2⁻²⁵ of the size
         self._grid = ldexp(1.5, frexp(size)[1] + 52 - _BITS)
+        self.grain = ldexp(1.0, frexp(size)[1] - _BITS)
         self._x, self._lost, self._lead, self._seen = np.empty((4, 9 * room))
-
-    def excess(self) -> "Array":
-        """Length of each axis less one, of their very doubles."""
-        out = []
-        for row in self.rows.tolist():
-            pairs = [part.as_integer_ratio() for part in row]
-            common = max(down for _, down in pairs)
-            square = sum((up * (common // down)) ** 2 for up, down in pairs)
-            out.append((square - common * common) / (2 * common * common))
-        return np.array(out)
 
     def seen(self, corners: "Array") -> "Array":
         """A block as coordinates by vectors a, e, f by triangles, seen in these axes from this point."""
@@ -60,6 +54,17 @@ class Frame:
         seen += self._low @ x.reshape(flat)
         seen += self._high @ lead.reshape(flat)
         return out
+
+
+def departure(rows: "Array") -> "Array":
+    """R Rᵀ − 1 of the very doubles of the axes."""
+    ratios = [[part.as_integer_ratio() for part in row] for row in rows.tolist()]
+    common = max(down for row in ratios for _, down in row)
+    whole = [[up * (common // down) for up, down in row] for row in ratios]
+    one = common * common
+    return np.array(
+        [[(sum(x * y for x, y in zip(a, b, strict=True)) - one * (a is b)) / one for b in whole] for a in whole]
+    )
 
 
 def _difference(a: "Array", b: "Array", x: "Array", lost: "Array") -> None:

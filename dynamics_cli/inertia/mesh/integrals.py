@@ -13,7 +13,7 @@ import numpy as np
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.mesh.closure import Boundary
-from dynamics_cli.inertia.mesh.frame import Frame
+from dynamics_cli.inertia.mesh.frame import Frame, departure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,13 +24,15 @@ if TYPE_CHECKING:
     Array = np.ndarray[Any, np.dtype[Any]]
 
 UNIT_ROUNDOFF = 2.0**-53
-# Roundings of one term of the sums; the sums themselves are compensated from block to block.
-ROUNDINGS, ROUNDINGS_SECOND = 3.0, 2.0
+# Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
+# sums themselves are compensated from block to block.
+ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.0
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
-# What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|, Σ |nₖ|.
-_SECOND, _FIRST, _CLOSURE, _SQUARES, _TOTAL, _AREA, _NORMALS = (
-    slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20),
+# What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
+# Σ |eᵢ fⱼ| + |eⱼ fᵢ|, Σ eₖ², Σ fₖ².
+_SECOND, _FIRST, _CLOSURE, _SQUARES, _TOTAL, _AREA, _PRODUCTS, _EDGES = (
+    slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20), slice(20, 26),
 )  # fmt: skip
 # Bits of the reference point's coordinates, as many as single precision has.
 _REFERENCE_BITS = 24
@@ -42,25 +44,27 @@ class Moments:
 
     `measure` is the volume (or the area of a shell), `second` the second moments about `centroid`, both in the axes of
     the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are bounds of what
-    rounding did: of the measure, of each coordinate, and of each second moment.
+    rounding did: of the measure, of each coordinate, and of each second moment; `terms` is that of the weights of all
+    triangles, `box` how far they reach from the reference along the axes of the file.
     """
 
-    def __init__(self, sums: "Sums", reference: "Array", frame: "Frame | None" = None) -> None:
+    def __init__(
+        self, sums: "Sums", reference: "Array", frame: "Frame | None" = None, box: "Array | None" = None
+    ) -> None:
         # the integral of one over a body of weight w, of r, and of r rᵀ
         scale = (2.0, 2.0, 2.0) if sums.shell else (6.0, 8.0, 10.0)
         self.shell = sums.shell
         self.frame = None if frame is None else frame.rows
+        self.box = sums.extent if box is None else box
         # how much longer than one the axes are, to first order: a solid is given back what they stretched
-        longer = np.zeros(3) if frame is None or sums.shell else frame.excess()
+        longer = np.zeros(3) if frame is None or sums.shell else 0.5 * np.diag(departure(frame.rows))
         self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
         first = sums.first / scale[1]
         xx, yy, zz, xy, yz, zx = sums.second / scale[2]
         second = np.array(((xx, xy, zx), (xy, yy, yz), (zx, yz, zz)))
-        extent = sums.extent
-        # |d| ≤ |a||n|, and ≤ Σ |aₖ||nₖ|, which tells thin axes from long ones
-        weight = 2.0 * sums.area
-        if not sums.shell:
-            weight = min(float(np.hypot.reduce(extent)) * weight, float(extent @ sums.normals))
+        extent, products = sums.extent + sums.grain, sums.products()
+        # turned axes stretch a shell by a few roundings, which are not given back
+        weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
         unit = ROUNDINGS * UNIT_ROUNDOFF
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
@@ -68,13 +72,16 @@ class Moments:
             self.centre = np.zeros(3)
             self.second = second
             self.centre_error = self.second_error = extent * 0.0
+            self.terms = 0.0
             return
         centre = first * (1.0 - float(longer.sum())) / self.measure
         self.centre = centre
         second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
         self.second = second * (1.0 - (longer[:, None] + longer))
         self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
-        self.second_error = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) * np.outer(extent, extent)
+        self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2])
+        reach = np.sqrt(sums.spread) + sums.grain if sums.grain else extent
+        self.second_error = self.terms * np.outer(reach, reach)
 
     @property
     def centroid(self) -> "Array":
@@ -86,14 +93,17 @@ class Moments:
 class Sums:
     """Everything that one pass over the triangles adds up."""
 
-    def __init__(self, *, shell: bool, room: int, boundary: "Boundary | None" = None) -> None:
+    def __init__(self, *, shell: bool, room: int, boundary: "Boundary | None" = None, grain: float = 0.0) -> None:
         self.shell = shell
+        self.grain = grain
         self.boundary = boundary
         self.count = 0
         self.low = np.full(3, np.inf)
         self.high = np.full(3, -np.inf)
         self.extent = np.zeros(3)
-        self._sum, self._lost, self._part = np.zeros((3, 20))
+        # the greatest mean square of a triangle's coordinates, of the second pass
+        self.spread = np.zeros(3)
+        self._sum, self._lost, self._part = np.zeros((3, 26))
         self._w, self._n, self._t = (np.empty(rows * room) for rows in (9, 3, 3))
 
     second = property(lambda self: self._sum[_SECOND])
@@ -102,7 +112,21 @@ class Sums:
     squares = property(lambda self: 0.25 * self._sum[_SQUARES])
     total = property(lambda self: float(self._sum[_TOTAL]))
     area = property(lambda self: 0.5 * float(self._sum[_AREA]))
-    normals = property(lambda self: self._sum[_NORMALS])
+
+    def products(self) -> "Array":
+        """Σ |eᵢ fⱼ| + |eⱼ fᵢ|, by whose rounding n = e × f is off: a sliver's normal is a small difference.
+
+        Turned edges are off by a rounding of themselves and of the grain, or of their length where that is less.
+        """
+        exact = self._sum[_PRODUCTS]
+        if not self.grain:
+            return exact
+        squares = self._sum[_EDGES].reshape(2, 3)
+        e, f = np.sqrt(squares)
+        more, other = np.minimum(np.sqrt(self.count) * self.grain, np.sqrt(squares.sum(axis=1)))
+        # Cauchy and Schwarz: Σ |eᵢ fⱼ| ≤ √(Σ eᵢ² Σ fⱼ²)
+        turned = [more * (f[k - 1] + f[k - 2]) + other * (e[k - 1] + e[k - 2]) + 2.0 * more * other for k in range(3)]
+        return exact + np.array(turned)
 
     def add(self, x: "Array") -> None:
         """Add a block seen from the reference point, coordinates by vectors a, e, f by triangles; overwrites it."""
@@ -111,9 +135,10 @@ class Sums:
         n, t = (m[: 3 * size].reshape(3, size) for m in (self._n, self._t))
         part = self._part
         a, e, f = x[:, 0], x[:, 1], x[:, 2]
-        _cross(e, f, n, t[0])
+        part[_PRODUCTS] = _cross(e, f, n, t)
+        if self.grain:
+            part[_EDGES] = [np.dot(row, row) for edge in (e, f) for row in edge]
         np.add.reduce(n, axis=1, out=part[_CLOSURE])
-        np.add.reduce(np.abs(n, out=t), axis=1, out=part[_NORMALS])
         np.add.reduce(np.multiply(n, n, out=t), axis=1, out=part[_SQUARES])
         t[0] += t[1]
         t[0] += t[2]
@@ -129,6 +154,9 @@ class Sums:
         a += n
         np.multiply(f, 0.5, out=n)
         e -= n
+        if self.grain:
+            spread = a * a + e * e * (1.0 / 18.0) + f * f * (1.0 / 24.0)
+            np.maximum(self.spread, spread.max(axis=1), out=self.spread)
         np.multiply(a, d, out=w[:, 0])
         np.multiply(e, np.multiply(d, 1.0 / 18.0, out=t[1]), out=w[:, 1])
         np.multiply(f, np.multiply(d, 1.0 / 24.0, out=t[1]), out=w[:, 2])
@@ -191,15 +219,17 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 
     Coordinates in these axes are exact to a rounding of themselves, so what is thin in them keeps all its digits.
     """
-    sums = Sums(shell=moments.shell, room=source.room)
     reference = moments.centroid
     frame = Frame(rows, reference, float(max(before.high - before.low)), source.room)
+    sums = Sums(shell=moments.shell, room=source.room, grain=frame.grain)
     for corners in source.blocks():
         block = frame.seen(corners)
-        np.maximum(sums.extent, np.abs(block[:, 0]).max(axis=1), out=sums.extent)
+        a, e, f = block[:, 0], block[:, 1], block[:, 2]
+        for corner in (a, a + e, a + f):
+            np.maximum(sums.extent, np.abs(corner).max(axis=1), out=sums.extent)
         sums.add(block)
     sums.finish()
-    return Moments(sums, reference, frame)
+    return Moments(sums, reference, frame, np.maximum(before.high - reference, reference - before.low))
 
 
 def _reference(corners: "Array") -> "Array":
@@ -230,10 +260,16 @@ def _box(corners: "Array", before: int) -> "tuple[Array, Array]":
     return low.astype(np.float64), high.astype(np.float64)
 
 
-def _cross(e: "Array", f: "Array", n: "Array", t: "Array") -> None:
-    """The cross product of the edges."""
+def _cross(e: "Array", f: "Array", n: "Array", t: "Array") -> "list[float]":
+    """The cross product of the edges; returns the sums of the sizes of the products that it is differences of."""
+    sizes = []
     for k in range(3):
         i, j = (k + 1) % 3, (k + 2) % 3
         np.multiply(e[i], f[j], out=n[k])
-        np.multiply(e[j], f[i], out=t)
-        n[k] -= t
+        np.multiply(e[j], f[i], out=t[0])
+        np.abs(n[k], out=t[1])
+        np.abs(t[0], out=t[2])
+        t[1] += t[2]
+        sizes.append(np.add.reduce(t[1]))
+        n[k] -= t[0]
+    return sizes

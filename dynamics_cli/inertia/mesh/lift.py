@@ -4,6 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.mesh.measured import rows
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.spread import Spread
+from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
 TYPE_CHECKING = False
@@ -56,11 +57,20 @@ class Lift:
 
     def second(self, density: float) -> "Any":
         """Second moments in the axes of the file."""
+        import numpy as np
+
+        from dynamics_cli.inertia.mesh.frame import departure
+
         own = self.moments
         matrix, error = own.second, own.second_error
         if own.frame is not None:
-            turn = abs(own.frame.T)
-            error = turn @ (error + 8.0 * UNIT_ROUNDOFF * abs(matrix)) @ turn.T
+            turn, size = abs(own.frame.T), abs(matrix)
+            # axes that are not quite across one another do not turn back by their transpose
+            apart = abs(departure(own.frame))
+            # what weights are off by is told as well by how far the body reaches along the axes of the file
+            error = np.minimum(turn @ error @ turn.T, own.terms * np.outer(own.box, own.box))
+            error = error + turn @ (8.0 * UNIT_ROUNDOFF * size + apart @ size + size @ apart) @ turn.T
+            error = error + UNIT_ROUNDOFF**2 * size.sum()
             matrix = own.frame.T @ matrix @ own.frame
         return self._matrix(matrix, error, density)
 
@@ -82,18 +92,18 @@ class Lift:
         errors = own.second_error
         frame = None if own.frame is None else rows(own.frame)
         blur = float(errors.sum(axis=1).max())
-        found = principal(matrix, 0.0, frame)
+        found, raw = principal(matrix, 0.0, frame), eigen(matrix)
+        off = [(blur if own.frame is None else _weyl(own, k)) + raw.bounds[k] for k in range(3)]
         require(
-            found.seconds[2] >= -blur,
+            raw.values[2] >= -off[2],
             "second moments come out negative: the surface crosses itself, and parts of it are inside out",
             code="crossing",
             hint="mend the surface; far from the origin single precision alone can do this",
         )
         power = 4 if own.shell else 5
         seconds = []
-        for k, value in enumerate(found.seconds):
-            error = _weyl(own, k) if own.frame is not None else blur
-            seconds.append(density * self.number(max(value, 0.0), error + found.bounds[k], power))
+        for value, own_value, error in zip(found.seconds, raw.values, off, strict=True):
+            seconds.append(density * self.number(max(value, 0.0), error + max(-own_value, 0.0), power))
         return Spread(tuple(seconds), found.axes, found.degeneracy)  # type: ignore[arg-type]
 
 

@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.inertia.mesh.stl import Source
     from dynamics_cli.inertia.mesh.surface import Faults
 
 # A body this much thinner one way than another is integrated once more in its principal axes; small files always are,
@@ -20,11 +21,9 @@ SMALL = 100_000
 class Measured:
     """A mesh read, proved and integrated, in the unit of its file."""
 
-    def __init__(self, name: str, *, shell: bool, diagnosed: bool) -> None:
+    def __init__(self, source: "Source", *, shell: bool, diagnosed: bool = False) -> None:
         from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
-        from dynamics_cli.inertia.mesh.opening import open_mesh
 
-        source = open_mesh(name)
         self.form = source.form
         self.single = source.single
         self.sums, self.moments = first_pass(source, shell=shell, prove=True)
@@ -61,7 +60,9 @@ def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
     state = os.stat(name)
     key = (name, state.st_mtime_ns, state.st_size, shell, diagnosed)
     if key not in _LAST:
-        made = Measured(name, shell=shell, diagnosed=diagnosed)
+        from dynamics_cli.inertia.mesh.opening import open_mesh
+
+        made = Measured(open_mesh(name), shell=shell, diagnosed=diagnosed)
         _LAST.clear()
         _LAST[key] = made
     return _LAST[key]

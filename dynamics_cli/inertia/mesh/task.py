@@ -1,7 +1,7 @@
 """Mass properties of a body bounded by triangles, or of a thin shell along them."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.amount import Amount, OfArealDensity, mass_of
+from dynamics_cli.inertia.amount import Amount, OfArealDensity, OfMass, mass_of
 from dynamics_cli.inertia.lump import Lump
 from dynamics_cli.inertia.mesh.lift import Lift
 from dynamics_cli.inertia.mesh.measured import measured, require_closed
@@ -122,7 +122,8 @@ def mesh(
     lift = Lift(found, length_unit, width or 0)
     measure = lift.measure()
     body = measure * thickness if thickness is not None else measure
-    mass = mass_of(amount, body, 2 if shell and thickness is None else 3, "the shell" if shell else "the body")
+    dimension = 2 if shell and thickness is None else 3
+    mass = mass_of(amount, body, dimension, "the shell" if shell else "the body")
     words, point = named_point(about, about_point)
     view = View(
         words,
@@ -132,7 +133,9 @@ def mesh(
         product_sign=product_sign,
         shaft=shaft,
     )
-    density = mass / measure
+    # a density that is given need not come back from mass over measure, with the rounding of both
+    given_mass = isinstance(amount, OfMass)
+    density = mass / measure if given_mass else mass_of(amount, thickness if thickness is not None else 1.0, dimension)
     made = properties(
         Lump(mass, lift.centroid(), lift.second(density)),
         view,

@@ -13,6 +13,8 @@ PI, PI_SCALE = (
 # Common denominator of all integrals, beside the powers of the unit: 24 of polygons, 64 of circles.
 _D = 24 * 64 * PI_SCALE
 _ROOT_BITS = 160
+# Enough for the distance of a fibre from an axis that it is nearly on.
+_DIRECTION_BITS = 400
 
 
 class Integrals:
@@ -87,3 +89,13 @@ def principal(xx: int, yy: int, xy: int) -> "tuple[tuple[int, int], tuple[int, i
     up, down = root(spread, 1)
     greatest = (xx + yy) * down + up
     return (greatest, 2 * down), (2 * down * (xx * yy - xy * xy), greatest)
+
+
+def direction(xx: int, yy: int, xy: int) -> "tuple[int, int]":
+    """A vector along the axis of the greatest moment, in whole numbers: tan 2φ = −2 Ixy/(Ix − Iy)."""
+    up, down = root((xx - yy) ** 2 + 4 * xy * xy, 1)
+    along, across = up + abs(xx - yy) * down, -2 * xy * down
+    excess = max(along.bit_length(), across.bit_length()) - _DIRECTION_BITS
+    if excess > 0:
+        along, across = along >> excess, across >> excess
+    return (along, across) if xx >= yy else (abs(across), along if across >= 0 else -along)

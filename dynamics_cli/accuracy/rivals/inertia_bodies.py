@@ -1,0 +1,174 @@
+"""Shapes, assemblies, tensors: the program's functions with their bounds, and parts summed as textbooks do."""
+
+from functools import cache
+from math import inf
+
+from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.rivals.inertia_mesh import named
+from dynamics_cli.accuracy.rivals.inertia_table import Way, rows_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    import numpy as np
+
+    from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.rows import Row
+
+    Array = np.ndarray[Any, np.dtype[Any]]
+
+FILE = "inertia_bodies.json"
+
+
+def of_task(task: str, *, hard: bool) -> "list[Case]":
+    """The cases of a task."""
+    return [case for case in load(FILE) if case.task == task and (case.hard or not hard)]
+
+
+@cache
+def _groups() -> "dict[str, type]":
+    from dynamics_cli.accuracy.catalogue import groups
+
+    return groups("inertia")
+
+
+def arguments(case: "Case", *, tracked: bool = False) -> "dict[str, Any]":
+    """What a case gives to its task: floats, or numbers that carry their rounding."""
+    numbers: list[Any] = list(leaves(case.inputs))
+    if tracked:
+        from dynamics_cli.numerics.tracked import Tracked
+
+        numbers = Tracked.inputs(numbers)
+    return build(case.inputs, iter(numbers), _groups())  # type: ignore[no-any-return]
+
+
+def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any] | None" = None) -> Way:
+    """The program's own function of a case's inputs."""
+
+    def prepare(case: "Case") -> "Callable[[], Any]":
+        given = arguments(case)
+        return lambda: function(**given)
+
+    return Way(f"{name} (chosen)", prepare, stated or (lambda case: function(**arguments(case, tracked=True))))
+
+
+def shape(*, shape: "Any", amount: "Any") -> "Any":
+    """One shape."""
+    from dynamics_cli.inertia.shape import shape as one
+
+    return one(shape, amount=amount)
+
+
+def body(*, scene: "Any") -> "Any":
+    """An assembly."""
+    from dynamics_cli.inertia.assembly import body as one
+
+    return one(scene)
+
+
+def both(*, scene: "Any") -> "Any":
+    """Two assemblies compared."""
+    from dynamics_cli.inertia.compare import compare as one
+
+    return one(scene)
+
+
+def both_stated(case: "Case") -> "dict[str, Any]":
+    """Two assemblies compared, with the bound of the angle between their axes, which carries none itself."""
+    from dynamics_cli.numerics.tracked import Tracked
+
+    made = both(**arguments(case, tracked=True))
+    found = flat(made)
+    bounds = {bound.result: bound.bound for bound in made.numerics.bounds}
+    return found | {name: Tracked(found[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in found}
+
+
+def tensor(**given: "Any") -> "Any":
+    """A given tensor."""
+    from dynamics_cli.inertia.tensor import tensor as one
+
+    return one(**given)
+
+
+def placed(case: "Case") -> "list[tuple[float, Array, Array]]":
+    """Mass, mass centre and tensor about it of every part, in the axes of the assembly."""
+    import numpy as np
+
+    from dynamics_cli.inertia.lump import IDENTITY
+    from dynamics_cli.inertia.parts import Walk
+
+    walk = Walk()
+    walk.into(arguments(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
+    found = []
+    for leaf in walk.leaves:
+        turn, second = np.array(leaf.rotation), np.array(leaf.lump.second)
+        inner = np.trace(second) * np.eye(3) - second
+        centre = np.array(leaf.origin) + turn @ np.array(leaf.lump.centroid)
+        found.append((leaf.sign * leaf.lump.mass, centre, leaf.sign * (turn @ inner @ turn.T)))
+    return found
+
+
+def transport(mass: float, d: "Array") -> "Array":
+    """What the parallel axis theorem adds: m (d²·1 − d dᵀ)."""
+    import numpy as np
+
+    return mass * (d @ d * np.eye(3) - np.outer(d, d))  # type: ignore[no-any-return]
+
+
+def from_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
+    """The textbook: tensors summed about the origin, I = I₀ − m (c²·1 − c cᵀ) at the end, LAPACK."""
+    import numpy as np
+
+    def answer() -> "dict[str, Any]":
+        parts = placed(case)
+        mass = sum(part[0] for part in parts)
+        centre = sum(m * c for m, c, _ in parts) / mass
+        whole = sum(inner + transport(m, c) for m, c, inner in parts) - transport(mass, centre)
+        return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
+
+    return answer
+
+
+def from_centre(case: "Case") -> "Callable[[], dict[str, Any]]":
+    """The mass centre first, each tensor moved to it, LAPACK."""
+    import numpy as np
+
+    def answer() -> "dict[str, Any]":
+        parts = placed(case)
+        mass = sum(part[0] for part in parts)
+        centre = sum(m * c for m, c, _ in parts) / mass
+        whole = sum(inner + transport(m, c - centre) for m, c, inner in parts)
+        return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
+
+    return answer
+
+
+def _results(centre: "Array", whole: "Array", moments: "Array") -> "dict[str, Any]":
+    found = named(0.0, centre.tolist(), whole.tolist(), moments.tolist(), shell=False)
+    return {name: value for name, value in found.items() if name != "volume"}
+
+
+ASSEMBLY = (
+    own("second moments from a part on, again in the principal axes, Jacobi", body),
+    Way("tensors about the mass centre, LAPACK", from_centre),
+    Way("tensors about the origin, parallel axes at the end, LAPACK", from_origin),
+)
+COMPARED = (own("composed each about its mass centre", both, both_stated),)
+TENSOR = (own("Jacobi on the tensor", tensor),)
+
+
+def compare_assemblies(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Assemblies of parts and holes."""
+    return rows_of(name, of_task("body", hard=hard), ASSEMBLY, full=full, timed=timed)
+
+
+def compare_pairs(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Two bodies side by side."""
+    return rows_of(name, of_task("compare", hard=hard), COMPARED, full=full, timed=timed)
+
+
+def compare_tensors(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Given tensors."""
+    return rows_of(name, of_task("tensor", hard=hard), TENSOR, full=full, timed=timed)
