@@ -1,7 +1,7 @@
 """Reference cases: inputs as doubles in text, results to 40 digits, each with its kind and why it is hard.
 
-An input tree's leaves are doubles as text, a group is a list, and a record of a union is an object whose "record" names
-its class.
+An input tree's leaves are doubles as text, vectors and groups are lists, a record is an object whose "record" names its
+class (in a group it need not), and {"word": "edge"} is a word, given as it is.
 """
 
 import json
@@ -46,7 +46,7 @@ def leaves(tree: "Any") -> "Iterator[float]":
     """Every double of an input tree, in order."""
     if isinstance(tree, dict):
         for name, part in tree.items():
-            if name != "record":
+            if name not in ("record", "word"):
                 yield from leaves(part)
     elif isinstance(tree, list):
         for part in tree:
@@ -57,18 +57,20 @@ def leaves(tree: "Any") -> "Iterator[float]":
 
 def build(tree: "Any", numbers: "Iterator[Any]", groups: "Mapping[str, type]") -> "Any":
     """The function's arguments, with `numbers` in place of the leaves; `groups` gives the class of a group's items."""
-    if not isinstance(tree, dict):
-        raise TypeError(tree)
-    parts: dict[str, Any] = {}
-    for name, part in tree.items():
-        if isinstance(part, list):
-            parts[name] = tuple(groups[name](**build(item, numbers, groups)) for item in part)
-        elif isinstance(part, dict):
-            inner = {key: value for key, value in part.items() if key != "record"}
-            parts[name] = groups[part["record"]](**build(inner, numbers, groups))
-        else:
-            parts[name] = next(numbers) if isinstance(part, str) else part
-    return parts
+    return {name: _part(name, part, numbers, groups) for name, part in tree.items()}
+
+
+def _part(name: str, part: "Any", numbers: "Iterator[Any]", groups: "Mapping[str, type]") -> "Any":
+    if isinstance(part, str):
+        return next(numbers)
+    if isinstance(part, list):
+        return tuple(_part(name, item, numbers, groups) for item in part)
+    if not isinstance(part, dict):
+        return part
+    if "word" in part:
+        return part["word"]
+    inner = {key: value for key, value in part.items() if key != "record"}
+    return groups[part.get("record", name)](**build(inner, numbers, groups))
 
 
 def flat(result: "Any", prefix: str = "") -> "dict[str, Any]":

@@ -80,7 +80,7 @@ class Body:
 def results(inputs: dict[str, Any]) -> dict[str, Any]:
     one, two = Body(inputs["first"]), Body(inputs["second"])
     angle, mu, e = mpf(inputs["normal"]), mpf(inputs["friction"]), mpf(inputs["contact"]["restitution"])
-    law = inputs["law"]["name"]
+    law = inputs["law"]["word"]
     n = -cos(angle), -sin(angle)
     t = -n[1], n[0]
     a, b = one.at_contact(one.v, one.w), two.at_contact(two.v, two.w)
@@ -200,7 +200,7 @@ def scene(first: Any, second: Any, normal: float, mu: float, e: float, law: str,
         "normal": normal,
         "friction": mu,
         "contact": {"record": "Restituted", "restitution": e},
-        "law": {"choice": "Law", "name": law},
+        "law": {"word": law},
         **more,
     }
 
@@ -234,7 +234,7 @@ def hard() -> list[Case]:
     cases: list[Case] = []
 
     def add(name: str, why: str, inputs: dict[str, Any]) -> None:
-        cases.append((f"{name}, {inputs['law']['name']}", why, inputs))
+        cases.append((f"{name}, {inputs['law']['word']}", why, inputs))
 
     for law in LAWS:
         add("mass ratio 1e20", "a change of velocity taken as a difference would lose every digit",
@@ -299,7 +299,7 @@ def all_cases() -> list[dict[str, Any]]:
     for kind, name, why, inputs in found:
         answer = results(inputs)
         if answer["closing_speed"] <= 0 or answer["energy_lost"] < -(mpf(10) ** -60) or answer["normal_impulse"] <= 0:
-            assert kind == "ordinary" or inputs["law"]["name"] not in ("stronge", "poisson"), name
+            assert kind == "ordinary" or inputs["law"]["word"] not in ("stronge", "poisson"), name
             continue
         case = {"task": "planar", "kind": kind, "name": name}
         if why:

@@ -1,0 +1,3 @@
+"""Impacts: the questions asked of them."""
+
+QUESTIONS = ()
