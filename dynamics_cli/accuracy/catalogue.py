@@ -19,7 +19,7 @@ FAMILIES: "dict[str, tuple[str, tuple[str, ...], str]]" = {
     "inertia": ("dynamics_cli.inertia.commands", (), "dynamics_cli.accuracy.rivals.inertia"),
     "cam": ("dynamics_cli.cam.commands", (), "dynamics_cli.accuracy.rivals.cam"),
     "gear": ("dynamics_cli.gear.commands", (), "dynamics_cli.accuracy.rivals.gear"),
-    "impact": ("dynamics_cli.impact.commands", ("impact_particles.json", "impact_rigid.json"), IMPACT),
+    "impact": ("dynamics_cli.impact.commands", ("impact_particles.json", "impact_rigid.json", "impact_spatial.json"), IMPACT),
     "uncertainty": ("", (), "dynamics_cli.accuracy.rivals.uncertainty"),
 }
 
