@@ -2,7 +2,8 @@
 
 Run: python tests/references/generate_impact_rigid_references.py [FILE]. The same bytes every time. The contact's
 matrix is found by giving each body unit impulses, the path is followed event by event (impact_events), the ratio laws
-solve their linear equations, and energies are differences of kinetic energies, all in 120 digits.
+solve their linear equations, and energies are differences of kinetic energies, all in 120 digits. Contacts without
+bodies (impact_contacts) follow.
 """
 
 import json
@@ -15,6 +16,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import atan2, cos, mp, mpf, nint, pi, sin, sqrt
+from references.impact_contacts import cases as contacts
 from references.impact_events import brach, follow, kudlich_slibar
 
 mp.dps = 120
@@ -311,7 +313,7 @@ def all_cases() -> list[dict[str, Any]]:
 
 def main() -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_rigid.json"
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in all_cases())
+    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in [*all_cases(), *contacts()])
     about = "Written by generate_impact_rigid_references.py: SI inputs as doubles, results to 40 digits from 120."
     target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
 

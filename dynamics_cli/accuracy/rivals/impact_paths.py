@@ -1,4 +1,4 @@
-"""The path of a planar impact: closed form by cases, beside steps, integrators, a spring, and the textbook's two cases."""
+"""The path of a planar impact: closed form by cases, beside steps, an integrator, a spring, and textbooks' two cases."""
 
 from math import copysign, sqrt, tanh
 
@@ -63,6 +63,18 @@ def plain_sums(case: Case) -> "Callable[[], tuple[float, float]]":
     return answer
 
 
+def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
+    """So many of one contact, each with a friction of its own."""
+    import numpy as np
+
+    from dynamics_cli.impact.path_arrays import planar_impacts
+
+    c = Contact(case)
+    given = [np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un)]
+    friction = np.linspace(0.0, 1.0, rows)
+    return lambda: planar_impacts(*given, friction, c.e, law=c.law)
+
+
 def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
     """The textbook: it slides to the end, or else it sticks at the end; slip that turns round is not thought of."""
     c = Contact(case)
@@ -81,7 +93,7 @@ def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
 
 
 def steps(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
-    """Equal steps of normal impulse, so many to the compression without friction; slip that changes sign sticks or not."""
+    """Equal steps of normal impulse, so many to the compression without friction; slip may stop after each."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
         c = Contact(case)
@@ -117,7 +129,7 @@ def _over(c: Contact, un: float, pn: float, work: float, compression: float, don
 
 
 def integrated(case: Case) -> "Callable[[], tuple[float, float]]":
-    """scipy's solve_ivp in normal impulse, with events where slip stops, compression ends and the law ends it."""
+    """Scipy's solve_ivp in normal impulse, with events where slip stops, compression ends and the law ends it."""
     c = Contact(case)
 
     def answer() -> "tuple[float, float]":
@@ -171,7 +183,7 @@ def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "l
 
 
 def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
-    """A stiff spring, stiffer by 1/e² when it gives way, and smoothed friction, in so many steps of RK4: Stronge's law."""
+    """A spring, stiffer by 1/e² when it opens, and smoothed friction, in so many steps of RK4: Stronge's law."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
         c = Contact(case)
@@ -195,7 +207,9 @@ def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
                 b = rates(_ahead(y, a, 0.5 * step), deepest)
                 d = rates(_ahead(y, b, 0.5 * step), deepest)
                 f = rates(_ahead(y, d, step), deepest)
-                y = tuple(v + step / 6.0 * (p + 2.0 * q + 2.0 * r + s) for v, p, q, r, s in zip(y, a, b, d, f, strict=True))
+                y = tuple(
+                    v + step / 6.0 * (p + 2.0 * q + 2.0 * r + s) for v, p, q, r, s in zip(y, a, b, d, f, strict=True)
+                )
                 if not deepest and y[1] >= 0.0:
                     deepest = y[2]
                 if deepest and y[2] <= deepest * (1.0 - c.e * c.e):
@@ -213,16 +227,16 @@ def _ahead(y: "tuple[float, ...]", slope: "tuple[float, ...]", step: float) -> "
 
 RIVALS = (
     Rival("closed form by cases (chosen)", closed_form, lambda _: PROMISE),
-    Rival("the same in plain sums, for maps", plain_sums),
+    Rival("the same in plain sums, for maps", plain_sums, many=plain_arrays),
     Rival("slides or sticks, as in textbooks", two_cases),
     Rival("100 steps of normal impulse", steps(100)),
     Rival("1,000 steps of normal impulse", steps(1000)),
-    Rival("solve_ivp with events", integrated),
+    Rival("scipy solve_ivp with events", integrated, needs="scipy"),
     Rival("spring and smoothed friction, RK4", spring(200)),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Normal and tangential impulse by every method."""
     cases = [case for case in load(FILE) if case.task == "path" and (case.hard or not hard)]
-    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed)
+    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed, peers=peers)
