@@ -12,7 +12,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 from mpmath import acos, atan2, cos, matrix, mp, mpf, pi, polyroots, sin, sqrt
+from references.impact_approaches import approach, approaches
 
 mp.dps = 300
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -803,7 +806,7 @@ def momentum(x: dict[str, Any]) -> dict[str, Any]:
         wanted = (weights[j] * speeds[j]) ** 2
         quadratic = [a[0] ** 2 + a[1] ** 2, 2 * (a[0] * held[0] + a[1] * held[1]), held[0] ** 2 + held[1] ** 2 - wanted]
         roots = [root for root in polyroots(quadratic, maxsteps=800, extraprec=1200) if root >= 0]
-        speeds[i] = min(roots) if x.get("branch", {}).get("name") == "smaller" else max(roots)
+        speeds[i] = min(roots) if x.get("branch", {}).get("word") == "smaller" else max(roots)
         left = held[0] + a[0] * speeds[i], held[1] + a[1] * speeds[i]
         headings[j] = atan2(-left[1] / weights[j], -left[0] / weights[j])
     return out | closed(x, speeds, headings, masses)
@@ -1057,13 +1060,14 @@ PARTS = {
     "pendulum": {"block": "Block"},
     "momentum": {"first": "Vehicle", "second": "Vehicle"},
     "momentum_and_energy": {"first": "Vehicle", "second": "Vehicle"},
+    "approach": {"first": "Vehicle", "second": "Vehicle"},
     "crush": {"first": "Damaged", "second": "Opponent"},
 }
 ALL = (
     ("central", centrals, central), ("oblique", obliques, oblique), ("drop", drops, drop),
     ("pendulum", pendulums, pendulum), ("seize", seizes, seize), ("step", steps, step), ("chain", chains, chain),
     ("momentum", momenta, momentum), ("momentum_and_energy", collinear, momentum_and_energy),
-    ("crush", crushes, crush), ("yaw_inertia", yaw_inertias, yaw_inertia),
+    ("crush", crushes, crush), ("yaw_inertia", yaw_inertias, yaw_inertia), ("approach", approaches, approach),
 )  # fmt: skip
 
 

@@ -13,10 +13,11 @@ QUESTIONS = (
         Method("velocities, then differences", BODIES + "central"),
     ),
     Question(
-        "impact", "momentum", "impact momentum", PARTICLES, "momentum",
-        Method("2×2 system, numpy.linalg.solve", BODIES + "momentum_by_matrix"),
-        Method("2×2 system, Cramer's rule", BODIES + "momentum_by_cramer"),
-        Method("2×2 system, elimination by hand", BODIES + "momentum_by_elimination"),
+        "impact", "momentum", "momentum, speeds before", PARTICLES, "approach",
+        Method("cross products", BODIES + "cross_products", chosen=True, tracked=True, arrays=True),
+        Method("2×2 system, numpy.linalg.solve", BODIES + "by_matrix"),
+        Method("2×2 system, Cramer's rule", BODIES + "by_cramer"),
+        Method("2×2 system, elimination by hand", BODIES + "by_elimination"),
     ),
     Question(
         "impact", "planar", "impact planar", RIGID, "planar",

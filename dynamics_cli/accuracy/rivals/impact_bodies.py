@@ -74,52 +74,56 @@ def planar(**given: "Any") -> "dict[str, float]":
     return made
 
 
-def _system(first: "Any", second: "Any", gravity: float) -> "tuple[list[list[float]], list[float], list[float]]":
-    """The equations of momentum along x and y for the two speeds before."""
-    masses = [_mass(one.bulk, gravity) for one in (first, second)]
-    given = (first.approach_speed, second.approach_speed, first.exit_heading, second.exit_heading)
-    wanted = (first.approach_heading, second.approach_heading, first.exit_speed, second.exit_speed)
-    if any(value is not None for value in given[:2]) or any(value is None for value in (*given[2:], *wanted)):
-        # other unknowns make another system
-        raise ArithmeticError
-    matrix = [[m * f(one.approach_heading) for m, one in zip(masses, (first, second), strict=True)] for f in (cos, sin)]
-    right = [
-        sum(m * one.exit_speed * f(one.exit_heading) for m, one in zip(masses, (first, second), strict=True))
-        for f in (cos, sin)
+def cross_products(*, first: "Any", second: "Any", gravity: float) -> "dict[str, Any]":
+    """The program's own: each speed from the parts of momentum across the other's path."""
+    from dynamics_cli.impact.momentum_terms import Term, solve
+
+    terms = [
+        Term(sign, one.bulk.mass, speed, heading, name)
+        for sign, one, speed, heading, name in (
+            (1.0, first, None, first.approach_heading, "the first"),
+            (1.0, second, None, second.approach_heading, "the second"),
+            (-1.0, first, first.exit_speed, first.exit_heading, "the first exit"),
+            (-1.0, second, second.exit_speed, second.exit_heading, "the second exit"),
+        )
     ]
-    return matrix, right, masses
+    solve(terms, None)
+    return {"first.approach_speed": terms[0].speed, "second.approach_speed": terms[1].speed}
 
 
-def _speeds(first: "Any", second: "Any", masses: "list[float]", found: "tuple[float, float]") -> "dict[str, float]":
-    made = {"energy_lost": 0.0}
-    for name, one, mass, speed in zip(("first", "second"), (first, second), masses, found, strict=True):
-        changes = [one.exit_speed * f(one.exit_heading) - speed * f(one.approach_heading) for f in (cos, sin)]
-        made |= {f"{name}.approach_speed": speed, f"{name}.delta_v.magnitude": hypot(*changes)}
-        made["energy_lost"] += 0.5 * mass * speed * speed - 0.5 * mass * one.exit_speed * one.exit_speed
-    return made
+def _system(first: "Any", second: "Any") -> "tuple[list[list[float]], list[float]]":
+    """The equations of momentum along x and y for the two speeds before."""
+    both = first, second
+    return (
+        [[one.bulk.mass * f(one.approach_heading) for one in both] for f in (cos, sin)],
+        [sum(one.bulk.mass * one.exit_speed * f(one.exit_heading) for one in both) for f in (cos, sin)],
+    )
 
 
-def momentum_by_matrix(*, first: "Any", second: "Any", gravity: float, **_: "Any") -> "dict[str, float]":
+def _named(one: float, two: float) -> "dict[str, float]":
+    return {"first.approach_speed": one, "second.approach_speed": two}
+
+
+def by_matrix(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
     """The 2×2 system by LU with pivots, `numpy.linalg.solve`."""
     import numpy as np
 
-    matrix, right, masses = _system(first, second, gravity)
-    one, two = np.linalg.solve(matrix, right)
-    return _speeds(first, second, masses, (float(one), float(two)))
+    one, two = np.linalg.solve(*_system(first, second))
+    return _named(float(one), float(two))
 
 
-def momentum_by_cramer(*, first: "Any", second: "Any", gravity: float, **_: "Any") -> "dict[str, float]":
+def by_cramer(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
     """The 2×2 system by Cramer's rule."""
-    ((a, b), (c, d)), (x, y), masses = _system(first, second, gravity)
+    ((a, b), (c, d)), (x, y) = _system(first, second)
     whole = a * d - b * c
-    return _speeds(first, second, masses, ((x * d - b * y) / whole, (a * y - c * x) / whole))
+    return _named((x * d - b * y) / whole, (a * y - c * x) / whole)
 
 
-def momentum_by_elimination(*, first: "Any", second: "Any", gravity: float, **_: "Any") -> "dict[str, float]":
-    """As by hand: the second speed from the sum across the first vehicle's axis, the first from that along it."""
-    ((a, b), (c, d)), (x, y), masses = _system(first, second, gravity)
+def by_elimination(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
+    """As by hand: the second speed from the sum with the first eliminated, and the first from that along x."""
+    ((a, b), (c, d)), (x, y) = _system(first, second)
     two = (y - c / a * x) / (d - c / a * b)
-    return _speeds(first, second, masses, ((x - b * two) / a, two))
+    return _named((x - b * two) / a, two)
 
 
 def planar_by_pycrash(

@@ -1,4 +1,4 @@
-"""The path of a planar impact: closed form by cases, beside steps, an integrator, a spring, and textbooks' two cases."""
+"""The path of a planar impact: closed form by cases, beside steps, an integrator, a spring and textbooks' two cases."""
 
 from math import copysign, sqrt, tanh
 
