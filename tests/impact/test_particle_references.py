@@ -21,10 +21,6 @@ WELL_CONDITIONED = 10.0
 MOST_ULPS = 8.0
 # The running bound adds what may cancel: it may exceed 100 × the error of a lucky result a little.
 ROOM = 2.0
-# Rounding decides here which side of a pole the inputs are on, or cancels by luck.
-CORNERS = {"oblique 21", "oblique 20"}
-# Nearly no damage: separation over closing is 1 minus a share that the inputs no longer see.
-INSENSITIVE = {"momentum_and_energy 8: restitution"}
 
 
 def cases(task: str) -> list[dict[str, Any]]:
@@ -42,11 +38,7 @@ def test_there_are_enough_hard_cases() -> None:
 @pytest.mark.parametrize("task", TRACKED)
 def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
     measured = [one for case in cases(task) for one in measure(TASKS[task], case)]
-    judged = [
-        one
-        for one in measured
-        if one.condition <= WELL_CONDITIONED and one.where not in INSENSITIVE and one.reference != 0
-    ]
+    judged = [one for one in measured if one.condition <= WELL_CONDITIONED and one.reference != 0]
     assert len(judged) > len(measured) / 2
     worst = max(judged, key=lambda one: one.ulps)
     assert worst.ulps <= MOST_ULPS, worst
@@ -67,7 +59,7 @@ def test_stated_bound_holds_and_is_tight(task: str) -> None:
     for case in cases(task):
         for one in measure(TASKS[task], case):
             assert one.error <= one.bound, one
-            if one.value == 0.0 or task in UNTRACKED or case["name"] in CORNERS:
+            if one.value == 0.0 or task in UNTRACKED:
                 continue
             if one.condition <= WELL_CONDITIONED:
                 assert one.excess <= ROOM, one

@@ -732,12 +732,19 @@ def chains(generator: random.Random) -> Iterator[Case]:
     yield "hard", why, row((1.0, 2.0), (1e12, 0.0), (1.0, 0.0), e=0.5, law="simultaneous")
 
 
-def closed(x: dict[str, Any], speeds: list[Any], headings: list[Any], masses: list[Any]) -> dict[str, Any]:
-    """Everything else, from speeds and headings (first, second before; first, second after)."""
+def closed(
+    x: dict[str, Any], speeds: list[Any], headings: list[Any], masses: list[Any], along: list[Any] | None = None
+) -> dict[str, Any]:
+    """Everything else, from speeds and headings (first, second before; first, second after).
+
+    Of vehicles that met on one line, the first's, `along` has the velocities along it in the same order.
+    """
     axes = x["axes"]["word"]
     v = [tuple(s * part for part in direction(h, axes)) for s, h in zip(speeds, headings, strict=True)]
     out: dict[str, Any] = {}
     changes = [(v[i + 2][0] - v[i][0], v[i + 2][1] - v[i][1]) for i in (0, 1)]
+    if along:
+        changes = [tuple((along[i + 2] - along[i]) * part for part in direction(headings[0], axes)) for i in (0, 1)]
     for i, name in enumerate(("first", "second")):
         nose = math_angle(direction(x[name].get("nose", headings[i]), axes))
         zeros = {
@@ -757,6 +764,9 @@ def closed(x: dict[str, Any], speeds: list[Any], headings: list[Any], masses: li
     before = v[0][0] - v[1][0], v[0][1] - v[1][1]
     after = v[2][0] - v[3][0], v[2][1] - v[3][1]
     closing, parting = -(before[0] * way[0] + before[1] * way[1]), after[0] * way[0] + after[1] * way[1]
+    if along:
+        sense = 1 if along[0] > along[1] else -1
+        closing, parting = sense * (along[0] - along[1]), sense * (along[3] - along[2])
     total = [masses[0] * v[2][k] + masses[1] * v[3][k] for k in (0, 1)]
     return out | {
         "impulse": size,
@@ -831,7 +841,8 @@ def momentum_and_energy(x: dict[str, Any]) -> dict[str, Any]:
     speeds[0] = max(roots)
     sense = 1 if cos(headings[1] - line) >= 0 else -1
     speeds[1] = sense * (total - m1 * speeds[0]) / m2
-    return closed(x, speeds, headings, masses)
+    found = closed(x, speeds, headings, masses, [speeds[0], sense * speeds[1], *u])
+    return found | {"energy_lost": energy}
 
 
 def momenta(generator: random.Random) -> Iterator[Case]:
@@ -904,6 +915,12 @@ def collinear(generator: random.Random) -> Iterator[Case]:
     small = {"record": "CrushEnergies", "first_crush_energy": 1e-9, "second_crush_energy": 0.0}
     own = line(0.0)
     yield "hard", "hardly any damage: the closing speed is that of separation", {**own, "damage": small}
+    damage = {"record": "CrushEnergies", "first_crush_energy": 2e4, "second_crush_energy": 9e3}
+    for heavier in ("first", "second"):
+        own = {**line(0.0, 0.08), "damage": damage}
+        own[heavier]["bulk"] = mass(9000.0)
+        why = f"paths five degrees from one line, the {heavier} heavy: what is neglected is so for both vehicles alike"
+        yield "hard", why, own
 
 
 def crush(x: dict[str, Any]) -> dict[str, Any]:
