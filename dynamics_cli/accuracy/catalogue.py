@@ -10,6 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.core.task import Family
 
+IMPACT = ("impact_particles.json", "impact_rigid.json", "impact_spatial.json")
 # Each family's module, its files of references, and its rivals: methods beside the chosen one, by the cases' task.
 FAMILIES: "dict[str, tuple[str, tuple[str, ...], str]]" = {
     "convert": ("dynamics_cli.convert.commands", (), "dynamics_cli.accuracy.rivals.convert"),
@@ -18,6 +19,7 @@ FAMILIES: "dict[str, tuple[str, tuple[str, ...], str]]" = {
     "inertia": ("dynamics_cli.inertia.commands", (), "dynamics_cli.accuracy.rivals.inertia"),
     "cam": ("dynamics_cli.cam.commands", (), "dynamics_cli.accuracy.rivals.cam"),
     "gear": ("dynamics_cli.gear.commands", (), "dynamics_cli.accuracy.rivals.gear"),
+    "impact": ("dynamics_cli.impact.commands", IMPACT, "dynamics_cli.accuracy.rivals.impact"),
     "uncertainty": ("", (), "dynamics_cli.accuracy.rivals.uncertainty"),
 }
 

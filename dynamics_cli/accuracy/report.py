@@ -127,10 +127,14 @@ def _answered(
 
 def _installed(name: str, missing: "dict[str, None]") -> bool:
     """Whether a library can be imported: one that is there but broken is as good as none."""
+    from contextlib import redirect_stdout
     from importlib import import_module
+    from io import StringIO
 
     try:
-        import_module(name)
+        # some print when they are imported
+        with redirect_stdout(StringIO()):
+            import_module(name)
     except ImportError:
         missing[name] = None
         return False

@@ -209,10 +209,13 @@ def central(
     lost = 0.5 * share * (compression * closing)
     shares = -(reduced / one), 0.0 if two is None else reduced / two
     changes = -(impulse / one), 0.0 if two is None else impulse / two
-    # to the common velocity and on from it: 1 + e would round away digits of what is left after the impact
-    common = multiply_add(shares[0], closing, before[0])
-    meeting = common, multiply_add(shares[1], closing, before[1])
-    after = [multiply_add(restitution * share, closing, way) for share, way in zip(shares, meeting, strict=True)]
+    common, after = velocities_after((one, two), before, shares, closing, restitution)
+    if closing_speed is not None and first.velocity is not None and second.velocity is not None:
+        # the velocities tell the closing speed less well: each body's own is kept
+        after = [
+            multiply_add(restitution * share, closing, multiply_add(share, closing, velocity))
+            for share, velocity in zip(shares, before, strict=True)
+        ]
     answer = CentralImpact(
         first=AfterCentral(after[0], changes[0], -impulse * (before[0] + 0.5 * changes[0]), one),
         second=AfterCentral(after[1], changes[1], impulse * (before[1] + 0.5 * changes[1]), two),
@@ -228,6 +231,25 @@ def central(
         advice=contact_advice(contact),
     )
     return CentralImpact(**{**answer.__dict__, "checks": _checks(answer, before, restitution)})
+
+
+def velocities_after(
+    masses: tuple[float, float | None],
+    before: tuple[float, float],
+    shares: tuple[float, float],
+    closing: float,
+    restitution: float,
+) -> tuple[float, list[float]]:
+    """The common velocity of the greatest compression, and both velocities after: on from it by e times the same share.
+
+    From the heavier body, which changes less, nothing cancels that was not nearly equal before.
+    """
+    one, two = masses
+    common = before[1]
+    if two is not None:
+        ways = multiply_add(shares[0], closing, before[0]), multiply_add(shares[1], closing, before[1])
+        common = where(one > two, ways[0], where(one < two, ways[1], 0.5 * (ways[0] + ways[1])))
+    return common, [multiply_add(restitution * share, closing, common) for share in shares]
 
 
 def _approach(first: float | None, second: float | None, closing: float | None) -> tuple[tuple[float, float], float]:

@@ -186,7 +186,7 @@ def drop(
     """
     require_sizes(evidence=evidence, height=height, mass=mass, gravity=gravity)
     require(bounces <= 10000, f"{bounces} bounces are more than a list should hold", code="too-many")
-    restitution, height = _found(evidence, height, gravity)
+    restitution, missing, height = _found(evidence, height, gravity)
     require(height > 0.0, "a drop from a height of {0:.6g} m is no impact", height, code="no-impact")
     fall = sqrt(2.0 * (height / gravity))
     speed = sqrt(2.0 * gravity * height)
@@ -198,9 +198,9 @@ def drop(
         way = restitution * restitution * way
         listed.append(Bounce(number, moment, coming, going, way, flight))
         moment, coming = moment + flight, going
-    share = (1.0 - restitution) * (1.0 + restitution)
+    share = missing * (1.0 + restitution)
     ends = share > 0.0
-    rest = fall * ((1.0 + restitution) / (1.0 - restitution)) if ends else None
+    rest = fall * ((1.0 + restitution) / missing) if ends else None
     path = height * ((1.0 + restitution * restitution) / share) if ends else None
     return Dropped(
         restitution=restitution,
@@ -219,8 +219,8 @@ def drop(
 
 def _found(
     evidence: Restituted | ReboundHeight | FlightTimes | RestTime, height: float | None, gravity: float
-) -> tuple[float, float]:
-    """Restitution and the height of the drop."""
+) -> tuple[float, float, float]:
+    """Restitution, what it lacks of 1 and the height of the drop."""
     if isinstance(evidence, FlightTimes):
         first, second = evidence.flight_time, evidence.next_flight_time
         require(first > 0.0, "a flight of {0:.6g} s is no bounce", first, code="no-flight")
@@ -236,7 +236,7 @@ def _found(
             require(restitution > 0.0, "without a second flight the height is unknown", code="no-height")
             half = 0.5 * gravity * first / restitution
             height = 0.5 * half * (half / gravity)
-        return restitution, height
+        return restitution, (first - second) / first, height
     require(
         height is not None,
         "the height of the drop is missing",
@@ -245,10 +245,10 @@ def _found(
     )
     assert height is not None
     if isinstance(evidence, Restituted):
-        return evidence.restitution, height
+        return evidence.restitution, 1.0 - evidence.restitution, height
     require(height > 0.0, "a drop from a height of {0:.6g} m is no impact", height, code="no-impact")
     if isinstance(evidence, ReboundHeight):
-        return _from_height(evidence, height), height
+        return *_from_height(evidence, height), height
     fall = sqrt(2.0 * (height / gravity))
     require(
         evidence.rest_time >= fall,
@@ -257,10 +257,12 @@ def _found(
         fall,
         code="too-early",
     )
-    return (evidence.rest_time - fall) / (evidence.rest_time + fall), height
+    whole = evidence.rest_time + fall
+    return (evidence.rest_time - fall) / whole, 2.0 * fall / whole, height
 
 
-def _from_height(evidence: ReboundHeight, height: float) -> float:
+def _from_height(evidence: ReboundHeight, height: float) -> tuple[float, float]:
+    """Restitution, and what it lacks of 1: of equal heights that is their difference, not that of roots."""
     require(
         evidence.rebound_height <= height,
         "a rebound to {0:.6g} m from a drop of {1:.6g} m would give energy",
@@ -270,11 +272,20 @@ def _from_height(evidence: ReboundHeight, height: float) -> float:
     )
     require(evidence.after_bounces >= 1, "a height is reached after the first bounce or a later one", code="no-bounce")
     share = evidence.rebound_height / height
-    if evidence.after_bounces == 1:
-        return sqrt(share)
-    reached = share > 0.0
-    root = exp(log(where(reached, share, 1.0)) / (2.0 * evidence.after_bounces))
-    return where(reached, root, 0.0)
+    count = evidence.after_bounces
+    if count == 1:
+        restitution = sqrt(share)
+    else:
+        reached = share > 0.0
+        root = exp(log(where(reached, share, 1.0)) / (2.0 * count))
+        restitution = where(reached, root, 0.0)
+    if count > 1000:
+        return restitution, 1.0 - restitution
+    # 1 − e²ⁿ = (1 − e)(1 + e + … + e²ⁿ⁻¹)
+    total: float = 1.0
+    for _ in range(2 * count - 1):
+        total = 1.0 + restitution * total
+    return restitution, (height - evidence.rebound_height) / height / total
 
 
 def _checks(listed: list[Bounce], restitution: float, height: float, gravity: float) -> tuple[Check, ...]:

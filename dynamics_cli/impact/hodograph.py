@@ -7,6 +7,8 @@ not monotone (a contact that jams), so that neither step by impulse nor step by 
 
 from math import exp, log, sqrt
 
+from dynamics_cli.impact.straight import End, P, Slip, V, W, X, Y, end_of, from_rest, glide, settled
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     Vector = tuple[float, float, float]
@@ -19,23 +21,6 @@ STRIDE = exp(-2.0)
 MOST_STEPS = 5000
 # Slip this much smaller than that which one impact makes has stopped.
 STOPPED = 1e-17
-# u_t, u_n, p_n, p_t, normal work, heat of friction
-X, Y, V, P, FX, FY, W, H = range(8)
-
-
-class Slip:
-    """The state while the contact slips, and what is known of the end."""
-
-    __slots__ = ("compression", "restoring", "state", "steps", "stopped", "turn", "work")
-
-    def __init__(self, state: "list[float]") -> None:
-        self.state = state
-        self.steps = 0
-        self.stopped = False
-        self.compression: float | None = None
-        self.work = 0.0
-        self.restoring = False
-        self.turn = 0.0
 
 
 def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "Series":
@@ -123,6 +108,10 @@ def march(
         if sqrt(state[X] * state[X] + state[Y] * state[Y]) <= STOPPED * unit:
             slip.stopped = True
             return slip
+        way = settled(k, friction, slip)
+        if way is not None:
+            glide(k, slip, way, friction, start[2], restitution, law)
+            return slip
         coefficients = series(k, friction, state, order)
         step = reach(coefficients, order, stride)
         slip.steps += 1
@@ -135,7 +124,10 @@ def march(
                 step = crossing(coefficients[index], target, low, high)
                 slip.state = [value(series_, step) for series_ in coefficients]
                 slip.state[index] = target
-                if slip.restoring or _ends(slip, restitution):
+                if slip.restoring:
+                    return slip
+                slip.compressed()
+                if restitution == 0.0:
                     return slip
                 break
             low = high
@@ -155,91 +147,6 @@ def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[in
     return W, (restitution * restitution - 1.0) * slip.work
 
 
-def _ends(slip: Slip, restitution: float) -> bool:
-    """The end of compression; whether it is the end of all."""
-    slip.compression = slip.state[P]
-    slip.work = -slip.state[W]
-    slip.restoring = True
-    return restitution == 0.0
-
-
-def stick_ratio(k: "Matrix") -> "tuple[float, float]":
-    """Friction per normal impulse that keeps the contact from slipping, −K_tt⁻¹ k_tn."""
-    (k11, k12, k13), (_, k22, k23), _ = k
-    det = k11 * k22 - k12 * k12
-    return (k12 * k23 - k22 * k13) / det, (k12 * k13 - k11 * k23) / det
-
-
-def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
-    """Direction in which slip starts from rest where friction cannot hold: −μ K_tt ŝ + k_tn = g ŝ with g > 0.
-
-    (g + μ K_tt) ŝ = k_tn with |ŝ| = 1: the size of (g + μ K_tt)⁻¹ k_tn falls with g, so there is one such g.
-    """
-    (k11, k12, k13), (_, k22, k23), _ = k
-
-    def direction(growth: float) -> "tuple[float, float]":
-        a, b, d = growth + friction * k11, friction * k12, growth + friction * k22
-        det = a * d - b * b
-        return (d * k13 - b * k23) / det, (a * k23 - b * k13) / det
-
-    low, high = 0.0, sqrt(k13 * k13 + k23 * k23)
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        x, y = direction(middle)
-        if x * x + y * y > 1.0:
-            low = middle
-        else:
-            high = middle
-    x, y = direction(0.5 * (low + high))
-    size = sqrt(x * x + y * y)
-    return x / size, y / size
-
-
-class End:
-    """How an impact in space ended, in the frame of the contact."""
-
-    __slots__ = ("compression", "heat", "history", "impulse", "slip_impulse", "steps", "velocity", "work", "work_back")
-
-    def __init__(
-        self,
-        velocity: "Vector",
-        impulse: "Vector",
-        compression: float,
-        work: float,
-        work_back: float,
-        heat: float,
-        history: str,
-        slip_impulse: float,
-        steps: int = 0,
-    ) -> None:
-        self.velocity = velocity
-        self.impulse = impulse
-        self.compression = compression
-        self.work = work
-        self.work_back = work_back
-        self.heat = heat
-        self.history = history
-        self.slip_impulse = slip_impulse
-        self.steps = steps
-
-
-def _end_of(slip: Slip, history: str) -> End:
-    state = slip.state
-    return End(
-        velocity=(state[X], state[Y], state[V]),
-        impulse=(state[FX], state[FY], state[P]),
-        compression=slip.compression or 0.0,
-        work=slip.work,
-        work_back=state[W] + slip.work,
-        heat=state[H],
-        history=history,
-        slip_impulse=state[P],
-        steps=slip.steps,
-    )
-
-
 def travel(
     k: "Matrix",
     start: "Vector",
@@ -257,55 +164,5 @@ def travel(
     else:
         slip = march(k, start, friction, restitution, law, order, stride)
         if not slip.stopped:
-            return _end_of(slip, "slip")
-    return _straight(k, slip, start[2], friction, restitution, law, at_rest)
-
-
-def _straight(
-    k: "Matrix", slip: Slip, approach: float, friction: float, restitution: float, law: str, at_rest: bool
-) -> End:
-    """After the slip has stopped: p_t = c p_n with a constant c."""
-    (_, _, k13), (_, _, k23), (_, _, k33) = k
-    state = slip.state
-    ratio = stick_ratio(k)
-    sticks = ratio[0] * ratio[0] + ratio[1] * ratio[1] <= friction * friction
-    growth = 0.0, 0.0
-    if not sticks:
-        out = way_out(k, friction)
-        ratio = -friction * out[0], -friction * out[1]
-        growth = tuple(row[0] * ratio[0] + row[1] * ratio[1] + row[2] for row in k[:2])  # type: ignore[assignment]
-    slope = k33 + k13 * ratio[0] + k23 * ratio[1]
-    begin = state[P]
-    words = ("slip from rest", "stick") if at_rest else ("slip, slip anew", "slip, stick")
-    end = _end_of(slip, words[sticks] if friction > 0.0 else "slip without friction")
-    more, speed = 0.0, state[V]
-    if not slip.restoring:
-        more = -speed / slope
-        end.compression = begin + more
-        end.work = -state[W] + 0.5 * more * -speed
-        end.work_back = 0.0
-        speed = 0.0
-    rest, after = _restitution(end, speed, slope, begin + more, approach, restitution, law)
-    more += rest
-    end.work_back += 0.5 * (speed + after) * rest
-    end.heat += 0.5 * friction * more * more * sqrt(growth[0] * growth[0] + growth[1] * growth[1])
-    before = (state[X], state[Y]) if at_rest else (0.0, 0.0)
-    end.velocity = before[0] + growth[0] * more, before[1] + growth[1] * more, after
-    end.impulse = state[FX] + ratio[0] * more, state[FY] + ratio[1] * more, begin + more
-    end.slip_impulse = begin if friction > 0.0 else begin + more
-    return end
-
-
-def _restitution(
-    end: End, speed: float, slope: float, impulse: float, approach: float, restitution: float, law: str
-) -> "tuple[float, float]":
-    """Impulse still to come in restitution, and the normal velocity at its end."""
-    if law == "newton":
-        after = -restitution * approach
-        return (after - speed) / slope, after
-    if law == "poisson":
-        rest = (1.0 + restitution) * end.compression - impulse
-        return rest, speed + slope * rest
-    left = max(restitution * restitution * end.work - end.work_back, 0.0)
-    after = sqrt(speed * speed + 2.0 * slope * left)
-    return (2.0 * left / (speed + after) if after > 0.0 else 0.0), after
+            return end_of(slip, "slip")
+    return from_rest(k, slip, start[2], friction, restitution, law, at_rest)

@@ -210,8 +210,12 @@ def momentum_and_energy(
             code="backwards",
             hint="check its heading; --branch smaller says that the second vehicle closed in on the first",
         )
-    answer = _answer(terms, (first, second), axes, pdof_zero, None, None)
-    answer = MomentumFound(**{**answer.__dict__, "energy_lost": energy})
+    apart = side * parting
+    straight = line, -side * reduced * (closing + apart)
+    answer = _answer(terms, (first, second), axes, pdof_zero, None, None, straight)
+    # along the line these are known without a difference of velocities
+    known = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
+    answer = MomentumFound(**{**answer.__dict__, **known, "restitution": apart / closing})
     return _certified(answer, terms, check=False, along=line)
 
 
@@ -257,8 +261,9 @@ def _answer(
     zero: PdofZero,
     condition: float | None,
     closure: float | None,
+    straight: Pair | None = None,
 ) -> MomentumFound:
-    exchange = Exchange(terms, axes)
+    exchange = Exchange(terms, axes, straight)
     velocities = exchange.plane
     impulse = exchange.components(None)
     size = hypot(*impulse)

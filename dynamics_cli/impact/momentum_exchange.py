@@ -22,11 +22,14 @@ def _velocity(term: Term, axes: Axes) -> Pair:
 class Exchange:
     """The impulse on the first vehicle along any heading, from whichever vehicle has the smaller momenta.
 
-    Differences of headings go into sine and cosine, so what a speed cannot reach does not spoil it.
+    Differences of headings go into sine and cosine, so what a speed cannot reach does not spoil it. Vehicles that met
+    on one line have exchanged a known impulse along it: `straight` is its heading and its amount on the first.
     """
 
-    def __init__(self, terms: list[Term], axes: Axes) -> None:
+    def __init__(self, terms: list[Term], axes: Axes, straight: Pair | None = None) -> None:
         self.terms = terms
+        self.axes = axes
+        self.straight = straight
         self.plane = [_velocity(term, axes) for term in terms]
         self.left = -1.0 if axes == "compass" else 1.0
         amounts = [absolute(t.amount) for t in terms]
@@ -42,8 +45,18 @@ class Exchange:
         apart = term.heading - heading  # type: ignore[operator]
         return term.speed * cos(apart), self.left * (term.speed * sin(apart))  # type: ignore[operator]
 
+    def _along_the_line(self, line: float, amount: float, heading: float | None) -> Pair:
+        if heading is None:
+            x, y = direction_of(line, self.axes)
+            return amount * x, amount * y
+        if heading is line:
+            return amount, 0.0
+        return amount * cos(line - heading), self.left * (amount * sin(line - heading))
+
     def components(self, heading: float | None) -> Pair:
         """Impulse along a heading, and to its left (in SAE axes to its right); along the axes x and y for None."""
+        if self.straight is not None:
+            return self._along_the_line(*self.straight, heading)
         smaller = self.first_smaller
         found: list[Pair] = []
         for before, after, mass, wanted in (

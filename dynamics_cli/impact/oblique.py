@@ -1,7 +1,14 @@
 """Oblique impact of particles and smooth spheres: the central impact on the line of impact, nothing across it."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.central import contact_advice, plain_above, reduced_mass, require_approach, struck_mass
+from dynamics_cli.impact.central import (
+    contact_advice,
+    plain_above,
+    reduced_mass,
+    require_approach,
+    struck_mass,
+    velocities_after,
+)
 from dynamics_cli.impact.contact import push
 from dynamics_cli.impact.conventions import (
     AXES,
@@ -99,8 +106,7 @@ def oblique(
     two = struck_mass(second.bulk, gravity, "the second body")
     before = velocity_of(first.motion, axes), velocity_of(second.motion, axes)
     relative = before[0][0] - before[1][0], before[0][1] - before[1][1]
-    normal = _normal(line, relative, axes)
-    closing = dot(relative, normal)
+    normal, closing = _normal(line, relative, axes)
     require_approach(closing, "the line of impact points from the first body to the second: turn it by 180 degrees")
     reduced = reduced_mass(one, two)
     compression = reduced * closing
@@ -108,9 +114,14 @@ def oblique(
     require_finite(size * closing, "the energy of the impact")
     back = -normal[0], -normal[1]
     share = (1.0 - contact.restitution) * (1.0 + contact.restitution)
+    shares = -(reduced / one), 0.0 if two is None else reduced / two
+    along = dot(before[0], normal), dot(before[1], normal)
+    final = velocities_after((one, two), along, shares, closing, contact.restitution)[1]
     answer = ObliqueImpact(
-        first=_after(one, before[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
-        second=_after(two, before[1], size, normal, _nose(second.nose, before[1], axes), axes, pdof_zero, 1.0),
+        first=_after(one, before[0], final[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
+        second=_after(
+            two, before[1], final[1], size, normal, _nose(second.nose, before[1], axes), axes, pdof_zero, 1.0
+        ),
         impulse=size,
         normal_direction=heading_of(normal[0], normal[1], axes),
         closing_speed=closing,
@@ -134,29 +145,39 @@ def cross(a: Pair, b: Pair) -> float:
     return multiply_add(a[0], b[1], -(a[1] * b[0]))
 
 
-def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> Pair:
-    """Unit vector of the line of impact, from the first body to the second."""
+def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> tuple[Pair, float]:
+    """Unit vector of the line of impact, from the first body to the second, and the closing speed along it."""
     if isinstance(line, Normal):
-        return direction_of(line.normal, axes)
+        normal = direction_of(line.normal, axes)
+        return normal, dot(relative, normal)
     if isinstance(line, Centres):
-        return _unit(
+        normal = _unit(
             (line.second_centre[0] - line.first_centre[0], line.second_centre[1] - line.first_centre[1]),
             "the centres coincide: the line of impact has no direction",
             "no-line",
         )
-    way = _unit(relative, "no impact: the bodies do not move against each other", "no-impact")
+        return normal, dot(relative, normal)
+    speed = hypot(relative[0], relative[1])
+    require(speed > 0.0, "no impact: the bodies do not move against each other", code="no-impact")
     reach = line.first_radius + line.second_radius
     require(reach > 0.0, "spheres of radius zero have no offset", code="no-radius")
+    across = line.offset
     require(
-        absolute(line.offset) < reach,
+        absolute(across) < reach,
         "no impact: an offset of {0:.6g} m passes spheres whose radii sum to {1:.6g} m",
-        line.offset,
+        across,
         reach,
         code="no-impact",
     )
-    across = line.offset / reach
-    along = sqrt((reach - line.offset) / reach * ((reach + line.offset) / reach))
-    return along * way[0] - across * way[1], along * way[1] + across * way[0]
+    # of spheres that all but pass, both differences are exact
+    larger = where(line.first_radius >= line.second_radius, line.first_radius, line.second_radius)
+    smaller = where(line.first_radius >= line.second_radius, line.second_radius, line.first_radius)
+    overlap = (larger - absolute(across)) + smaller
+    along = sqrt(overlap / reach) * sqrt((reach + absolute(across)) / reach)
+    across = across / reach
+    x, y = relative
+    normal = multiply_add(along, x, -(across * y)) / speed, multiply_add(along, y, across * x) / speed
+    return normal, along * speed
 
 
 def _unit(vector: Pair, message: str, code: str) -> Pair:
@@ -182,12 +203,16 @@ def travel_of(velocity: Pair, axes: Axes) -> Pair:
 
 
 def _after(
-    mass: float | None, before: Pair, size: float, way: Pair, nose: Pair, axes: Axes, zero: PdofZero, sense: float
-) -> AfterOblique:
-    """State of one body after an impulse of a size along a direction, which is the normal times `sense`."""
+    mass: float | None, before: Pair, final: float, size: float, way: Pair, nose: Pair, axes: Axes, zero: PdofZero,
+    sense: float,
+) -> AfterOblique:  # fmt: skip
+    """State of one body after an impulse of a size along a direction, which is the normal times `sense`.
+
+    `final` is its velocity along the normal.
+    """
     change: DeltaV | None = None
-    after, along, gain = before, dot(before, way), 0.0
-    middle = along
+    after = before
+    middle = along = dot(before, way)
     if mass is not None:
         travel = travel_of(before, axes)
         change = delta_v(way, mass, nose, axes=axes, pdof_zero=zero, travel=travel, size=size)
@@ -198,7 +223,7 @@ def _after(
         velocity=after,
         speed=hypot(after[0], after[1]),
         heading=heading_of(after[0], after[1], axes),
-        normal_velocity=sense * (along + gain),
+        normal_velocity=final,
         tangential_velocity=sense * cross(way, before),
         delta_v=change,
         energy_change=size * middle,

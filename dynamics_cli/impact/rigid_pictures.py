@@ -4,13 +4,14 @@ import math
 
 from dynamics_cli.impact.bodies import solid
 from dynamics_cli.impact.conventions import AXES, direction_of
-from dynamics_cli.impact.hodograph import STRIDE, X, Y, series, value
+from dynamics_cli.impact.hodograph import STRIDE, series, value
 from dynamics_cli.impact.hodograph import reach as reach_of
 from dynamics_cli.impact.path import travel
 from dynamics_cli.impact.planar import meeting_of
 from dynamics_cli.impact.space import frame_about, mobility, unit
 from dynamics_cli.impact.spatial import approach
 from dynamics_cli.impact.spatial import solid as solid_in_space
+from dynamics_cli.impact.straight import X, Y
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Friction, Impulse, Length, RoadSpeed, Speed
 

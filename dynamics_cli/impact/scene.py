@@ -6,7 +6,6 @@ All models see the scene through one matrix K in the frame of its contact; each 
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import BySpeed, Fixed, Restituted, direction_of, mass_of
-from dynamics_cli.impact.hodograph import End
 from dynamics_cli.impact.path import Mobility, travel
 from dynamics_cli.impact.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
 from dynamics_cli.impact.space import (
@@ -29,6 +28,7 @@ from dynamics_cli.impact.spatial import (
     lever_of,
 )
 from dynamics_cli.impact.spatial_results import SpatialImpact, bounds
+from dynamics_cli.impact.straight import End
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,

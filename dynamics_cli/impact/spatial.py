@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.central import contact_advice, require_approach
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
 from dynamics_cli.impact.diagnostics import require_finite
-from dynamics_cli.impact.hodograph import End, travel
+from dynamics_cli.impact.hodograph import travel
 from dynamics_cli.impact.space import (
     Matrix,
     SolidInSpace,
@@ -18,6 +18,7 @@ from dynamics_cli.impact.space import (
     unit,
 )
 from dynamics_cli.impact.spatial_results import SpatialImpact, bounds, certificate, report
+from dynamics_cli.impact.straight import End
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     AngularVelocity,

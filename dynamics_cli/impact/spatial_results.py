@@ -2,7 +2,6 @@
 
 from dynamics_cli.impact.conventions import clock, pdof
 from dynamics_cli.impact.diagnostics import balance, not_above
-from dynamics_cli.impact.hodograph import End, stick_ratio
 from dynamics_cli.impact.space import (
     ZERO,
     Matrix,
@@ -16,6 +15,7 @@ from dynamics_cli.impact.space import (
     subtract,
     times,
 )
+from dynamics_cli.impact.straight import End, stick_ratio
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.quantities import (
     Angle,
@@ -209,7 +209,7 @@ def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
     if body.mass is not None:
         change = impulse[0] / body.mass, impulse[1] / body.mass, impulse[2] / body.mass
         half = 0.5 * change[0], 0.5 * change[1], 0.5 * change[2]
-        turned = ZERO if body.inverse is None else times(body.inverse, moment)
+        turned = body.turned(moment)
         after = add(body.velocity, change)
         size = sqrt(dot(change, change))
         angle = pdof((impulse[0], impulse[1]), body.nose)

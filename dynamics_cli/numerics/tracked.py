@@ -63,8 +63,11 @@ class Tracked:
                 return self
             return self._result(self.value + other, self.error, self.slopes)
         slopes = tuple(a + b for a, b in zip(self.slopes, other.slopes, strict=True))
-        exact = self.value == 0.0 or other.value == 0.0
-        return self._result(self.value + other.value, self.error + other.error, slopes, 0.0 if exact else 1.0)
+        value = self.value + other.value
+        # Knuth: what rounding took from the sum, which is nothing when nearly equal numbers are subtracted
+        part = value - self.value
+        exact = (self.value - (value - part)) + (other.value - part) == 0.0
+        return self._result(value, self.error + other.error, slopes, 0.0 if exact else 1.0)
 
     __radd__ = __add__
 

@@ -2,7 +2,8 @@
 
 Run: python tests/references/generate_impact_rigid_references.py [FILE]. The same bytes every time. The contact's
 matrix is found by giving each body unit impulses, the path is followed event by event (impact_events), the ratio laws
-solve their linear equations, and energies are differences of kinetic energies, all in 120 digits.
+solve their linear equations, and energies are differences of kinetic energies, all in 120 digits. Contacts without
+bodies (impact_contacts) follow.
 """
 
 import json
@@ -15,6 +16,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import atan2, cos, mp, mpf, nint, pi, sin, sqrt
+from references.impact_contacts import cases as contacts
 from references.impact_events import brach, follow, kudlich_slibar
 
 mp.dps = 120
@@ -80,7 +82,7 @@ class Body:
 def results(inputs: dict[str, Any]) -> dict[str, Any]:
     one, two = Body(inputs["first"]), Body(inputs["second"])
     angle, mu, e = mpf(inputs["normal"]), mpf(inputs["friction"]), mpf(inputs["contact"]["restitution"])
-    law = inputs["law"]["name"]
+    law = inputs["law"]["word"]
     n = -cos(angle), -sin(angle)
     t = -n[1], n[0]
     a, b = one.at_contact(one.v, one.w), two.at_contact(two.v, two.w)
@@ -200,7 +202,7 @@ def scene(first: Any, second: Any, normal: float, mu: float, e: float, law: str,
         "normal": normal,
         "friction": mu,
         "contact": {"record": "Restituted", "restitution": e},
-        "law": {"choice": "Law", "name": law},
+        "law": {"word": law},
         **more,
     }
 
@@ -234,7 +236,7 @@ def hard() -> list[Case]:
     cases: list[Case] = []
 
     def add(name: str, why: str, inputs: dict[str, Any]) -> None:
-        cases.append((f"{name}, {inputs['law']['name']}", why, inputs))
+        cases.append((f"{name}, {inputs['law']['word']}", why, inputs))
 
     for law in LAWS:
         add("mass ratio 1e20", "a change of velocity taken as a difference would lose every digit",
@@ -299,7 +301,7 @@ def all_cases() -> list[dict[str, Any]]:
     for kind, name, why, inputs in found:
         answer = results(inputs)
         if answer["closing_speed"] <= 0 or answer["energy_lost"] < -(mpf(10) ** -60) or answer["normal_impulse"] <= 0:
-            assert kind == "ordinary" or inputs["law"]["name"] not in ("stronge", "poisson"), name
+            assert kind == "ordinary" or inputs["law"]["word"] not in ("stronge", "poisson"), name
             continue
         case = {"task": "planar", "kind": kind, "name": name}
         if why:
@@ -311,7 +313,7 @@ def all_cases() -> list[dict[str, Any]]:
 
 def main() -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_rigid.json"
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in all_cases())
+    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in [*all_cases(), *contacts()])
     about = "Written by generate_impact_rigid_references.py: SI inputs as doubles, results to 40 digits from 120."
     target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
 

@@ -1,7 +1,8 @@
-"""Writes impact_spatial.json: impacts in space to 20 digits, in the frame of the contact.
+"""Writes impact_spatial.json: impacts in space to 40 digits, in the frame of the contact and whole.
 
-Run: python tests/references/generate_impact_spatial_references.py [FILE]; some minutes, the same bytes every time.
-See impact_keller: extrapolated midpoint rules in 34 digits.
+Run: python tests/references/generate_impact_spatial_references.py [FILE]; some minutes, the same bytes every time. The
+path is that of impact_keller, arc by arc in normal impulse; whole impacts find K by giving the bodies unit impulses
+(impact_solids), and energies as differences of kinetic energies.
 """
 
 import json
@@ -13,11 +14,14 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from mpmath import mp
-from references.impact_keller import impact
+from mpmath import mp, mpf
+from references.impact_keller import Impact
+from references.impact_solids import Solid, dot, frame, plus, size, turned_about, vector
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LAWS = ("stronge", "newton", "poisson")
+DIGITS = 40
+mp.dps = 70
 
 
 def matrix(generator: random.Random, floor: float = 0.1) -> list[list[float]]:
@@ -75,23 +79,197 @@ def scenes() -> list[tuple[str, str, str, list[list[float]], list[float], float,
 
 
 def answered(scene: Any) -> dict[str, Any]:
-    mp.dps = 34
+    """An impact in the frame of its contact."""
     name, kind, why, k, u, mu, e, law = scene
-    impulse, compression = impact(k, u, mu, e, law)
-    texts = {f"impulse[{i}]": mp.nstr(part + 0, 20, strip_zeros=True) for i, part in enumerate(impulse)}
-    texts["compression"] = mp.nstr(compression, 20, strip_zeros=True)
-    case = {"task": "spatial", "kind": kind, "name": name, **({"why": why} if why else {})}
+    end = Impact(k, u, mu, e, law)
+    texts = {f"impulse[{i}]": digits(part) for i, part in enumerate(end.impulse)}
     inputs = {
         "mobility": [[repr(x) for x in row] for row in k], "velocity": [repr(x) for x in u], "friction": repr(mu),
-        "restitution": repr(e), "law": law,
+        "restitution": repr(e), "law": {"word": law},
     }  # fmt: skip
-    return {**case, "inputs": inputs, "results": texts}
+    case = {"task": "keller", "kind": kind, "name": name, **({"why": why} if why else {})}
+    return {**case, "inputs": inputs, "results": {**texts, "compression": digits(end.compression)}}
+
+
+def digits(value: Any) -> str:
+    with mp.workdps(70):
+        return mp.nstr(mpf(str(value)) + 0, DIGITS, strip_zeros=True)
+
+
+def body(
+    mass: float, inertia: list[list[float]], lever: list[float], velocity: list[float], spin: list[float],
+    nose: list[float] | None = None,
+) -> dict[str, Any]:  # fmt: skip
+    tree = {
+        "record": "BodyInSpace", "bulk": {"record": "ByMass", "mass": mass}, "inertia": inertia,
+        "arm": {"record": "LeverInSpace", "lever": lever}, "velocity": velocity, "spin": spin,
+    }  # fmt: skip
+    return tree if nose is None else {**tree, "nose": nose}
+
+
+def fixed(velocity: list[float]) -> dict[str, Any]:
+    bulk = {"record": "Fixed", "fixed": True}
+    return {"record": "TargetInSpace", "bulk": bulk, "velocity": velocity, "spin": [0.0, 0.0, 0.0]}
+
+
+def box(mass: float, a: float, b: float, c: float, *turns: float) -> list[list[float]]:
+    """A block's tensor in axes turned about x, y and z."""
+    rows = [[mass / 12 * part if i == j else 0.0 for j in range(3)] for i, part in enumerate(
+        (b * b + c * c, a * a + c * c, a * a + b * b))]  # fmt: skip
+    for axis, angle in enumerate(turns):
+        rows = turned_about(axis, angle, rows)
+    return rows
+
+
+def whole(first: Any, second: Any, normal: list[float], mu: float, e: float, law: str) -> dict[str, Any]:
+    return {
+        "first": first, "second": {**second, "record": "TargetInSpace"}, "normal": normal, "friction": mu,
+        "contact": {"record": "Restituted", "restitution": e}, "law": {"word": law},
+    }  # fmt: skip
+
+
+def impacts() -> list[tuple[str, str, str, dict[str, Any]]]:
+    """Whole impacts: name, kind, why, inputs."""
+    r = random.Random(2000)
+
+    def three(reach: float) -> list[float]:
+        return [r.uniform(-reach, reach) for _ in range(3)]
+
+    def block(mass: float, speed: float) -> dict[str, Any]:
+        tensor = box(mass, r.uniform(0.5, 2.0), r.uniform(0.5, 2.0), r.uniform(1.0, 3.0), *three(3.0))
+        return body(mass, tensor, three(1.0), three(speed), three(3.0))
+
+    found = []
+    while len(found) < 12:
+        one = block(r.uniform(0.5, 2000.0), 5.0)
+        two = fixed([0.0, 0.0, 0.0]) if r.random() < 0.4 else block(r.uniform(0.5, 2000.0), 5.0)
+        inputs = whole(one, two, three(1.0), r.uniform(0.05, 0.9), r.uniform(0.0, 1.0), LAWS[len(found) % 3])
+        if closing(inputs) > 1.0:
+            found.append((f"two blocks {len(found)}, {inputs['law']['word']}", "ordinary", "", inputs))
+    car = body(
+        1500.0, box(1500.0, 4.2, 1.7, 1.4), [1.9, -0.5, -0.1], [14.0, 0.0, 0.0], [0.0, 0.0, 0.2], [1.0, 0.0, 0.0]
+    )
+    other = body(1200.0, box(1200.0, 3.9, 1.6, 1.4, 0.0, 0.0, 1.3), [-0.7, 0.6, 0.1], [0.0, 9.0, 0.0], [0.0, 0.0, 0.0])
+    way = [0.97, 0.2, 0.05]
+
+    def hard(name: str, why: str, first: Any, second: Any, normal: list[float], mu: float, e: float, law: str) -> None:
+        found.append((f"{name}, {law}", "hard", why, whole(first, second, normal, mu, e, law)))
+
+    floor, down = fixed([0.0, 0.0, 0.0]), [0.0, 0.0, -1.0]
+    for law in LAWS:
+        hard("two cars", "spin, lean and yaw at once, with noses of their own", car, other, way, 0.45, 0.15, law)
+        hard("mass ratio 1e12", "a change of velocity taken as a difference would have four digits left",
+             body(1.5e15, box(1.5e15, 4.2, 1.7, 1.4), [1.9, -0.5, -0.1], [14.0, 0.0, 0.0], [0.0, 0.0, 0.2]), other, way,
+             0.45, 0.15, law)  # fmt: skip
+        hard("closing 1e-9 m/s at 300 m/s", "the closing speed is the last bits of the velocities",
+             body(1000.0, box(1000.0, 4.0, 2.0, 1.0), [1.0, 0.25, 0.1], [300.0, 1.0, 0.5], [0.0, 0.0, 0.0]),
+             body(900.0, box(900.0, 4.0, 2.0, 1.0), [-1.0, 0.5, 0.2], [299.999999999, 1.1, 0.0], [0.0, 0.0, 0.0]),
+             [1.0, 0.0, 0.0], 0.5, 0.3, law)  # fmt: skip
+        hard("needle", "one moment of inertia is a millionth of the others: K is nearly singular",
+             body(0.2, box(0.2, 1e-3, 1e-3, 1.0, 0.6, 0.3), [0.1, -0.2, -0.4], [1.0, 0.5, -3.0], [0.0, 2.0, 0.0]),
+             floor, down, 0.3, 0.6, law)  # fmt: skip
+        hard("spinning top", "all speed at the contact is of the spin, beside which the approach is small",
+             body(0.05, box(0.05, 0.04, 0.04, 0.02), [0.015, 0.01, -0.02], [0.0, 0.0, -0.05], [0.3, -0.2, 2000.0]),
+             floor, down, 0.2, 0.7, law)  # fmt: skip
+    ball = body(2.7e-3, [[7.2e-7 if i == j else 0.0 for j in range(3)] for i in range(3)], [0.0, 0.0, -0.02],
+                [4.0, 1.0, -3.0], [30.0, -200.0, 80.0])  # fmt: skip
+    for law in ("stronge", "poisson"):
+        hard("ball on a table", "nothing couples: sliding straight to rolling, friction holds at any coefficient", ball,
+             floor, down, 0.25, 0.9, law)  # fmt: skip
+    hard("elastic", "nothing may be lost but to friction", car, other, way, 0.45, 1.0, "stronge")
+    hard("plastic", "the law's end is that of compression", car, other, way, 0.45, 0.0, "stronge")
+    hard("smooth", "no friction: the tangential impulse and its losses are zero, not small", car, other, way, 0.0, 0.5,
+         "stronge")  # fmt: skip
+    hard("rough", "slip stops almost at once and sticks for the rest", car, other, way, 8.0, 0.2, "stronge")
+    hard("moving wall", "a wall that comes to meet the body does work on it", car, fixed([-30.0, 2.0, 1.0]), way, 0.4,
+         0.3, "stronge")  # fmt: skip
+    hard("grazing", "slip is six orders above the approach",
+         body(1.0, box(1.0, 0.5, 0.4, 0.3, 0.2, 0.1), [0.1, 0.05, -0.2], [20.0, 3.0, -2e-5], [0.0, 0.0, 0.0]), floor,
+         down, 0.3, 0.5, "stronge")  # fmt: skip
+    hard("stub on its end", "friction drives the bodies together: the normal velocity falls at first",
+         body(1.0, box(1.0, 0.02, 0.02, 1.0, 0.0, 0.55), [0.26, 0.0, -0.43], [-9.0, 0.3, -1.0], [0.0, 0.0, 0.0]), floor,
+         down, 1.6, 0.5, "stronge")  # fmt: skip
+    return found
+
+
+def closing(inputs: dict[str, Any]) -> Any:
+    """Speed of approach."""
+    one, two = Solid(inputs["first"]), Solid(inputs["second"])
+    inward = frame(tuple(-x for x in vector(inputs["normal"])))[2]
+    return -dot(plus(one.at_contact(one.v, one.w), two.at_contact(two.v, two.w), -1), inward)
+
+
+def written(tree: Any) -> Any:
+    """Doubles as text that reads back to the same bits."""
+    if isinstance(tree, float):
+        return repr(tree)
+    if isinstance(tree, dict):
+        return {name: written(part) for name, part in tree.items()}
+    return [written(part) for part in tree] if isinstance(tree, list) else tree
+
+
+def results(inputs: dict[str, Any]) -> dict[str, Any]:
+    """Everything that a whole impact reports."""
+    mp.dps = 70
+    mp.dps = 70
+    one, two = Solid(inputs["first"]), Solid(inputs["second"])
+    axes = frame(tuple(-x for x in vector(inputs["normal"])))
+    u = plus(one.at_contact(one.v, one.w), two.at_contact(two.v, two.w), -1)
+    moved = [plus(one.answer(axis), two.answer(tuple(-x for x in axis)), -1) for axis in axes]
+    k = [[dot(change, axis) for axis in axes] for change in moved]
+    before = [dot(u, axis) for axis in axes]
+    end = Impact(
+        [[mp.nstr(x, 60) for x in row] for row in k], [mp.nstr(x, 60) for x in before], inputs["friction"],
+        inputs["contact"]["restitution"], inputs["law"]["word"],
+    )  # fmt: skip
+    parts = [mpf(str(part)) for part in end.impulse]
+    impulse = tuple(sum(part * axis[i] for part, axis in zip(parts, axes, strict=True)) for i in range(3))
+    back = tuple(-x for x in impulse)
+    after = plus(one.at_contact(*one.struck(impulse)), two.at_contact(*two.struck(back)), -1)
+    found = {**one.after("first", impulse), **two.after("second", back)}
+    lost = -found["first.energy_change"] - found["second.energy_change"]
+    heat, n = mpf(str(end.heat)), axes[2]
+    det = k[0][0] * k[1][1] - k[0][1] * k[1][0]
+    hold = (k[0][1] * k[1][2] - k[1][1] * k[0][2]) / det, (k[0][1] * k[0][2] - k[0][0] * k[1][2]) / det
+    vectors = {
+        "impulse": back,
+        "sliding_before": plus(u, n, -dot(u, n)),
+        "sliding_after": plus(after, n, -dot(after, n)),
+    }
+    sideways = mp.sqrt(parts[0] ** 2 + parts[1] ** 2)
+    found |= {
+        "impulse_magnitude": size(impulse), "normal_impulse": parts[2], "tangential_impulse": sideways,
+        "impulse_ratio": sideways / parts[2], "stick_friction": mp.sqrt(hold[0] ** 2 + hold[1] ** 2),
+        "compression_impulse": mpf(str(end.compression)), "slip_impulse": mpf(str(end.slip_impulse)),
+        "closing_speed": -before[2], "separation_speed": dot(after, n),
+        "energy_lost": lost, "energy_lost_normal": lost - heat, "energy_lost_tangential": heat,
+    }  # fmt: skip
+    for key, value in vectors.items():
+        found |= {f"{key}[{i}]": part for i, part in enumerate(value)}
+    # the path is right to 44 digits of the impulse: what is left of zeros is smaller than this
+    nothing = {"sliding_after": size(u), "separation_speed": size(u), "energy_lost_normal": abs(lost) + heat}
+    return {
+        name: mpf(0) if abs(value) < mpf(10) ** -40 * nothing.get(name.partition("[")[0], 0) else value
+        for name, value in found.items()
+    }
+
+
+def reported(impact: Any) -> dict[str, Any]:
+    """A whole impact."""
+    name, kind, why, inputs = impact
+    case = {"task": "spatial", "kind": kind, "name": name, **({"why": why} if why else {})}
+    return {
+        **case,
+        "inputs": written(inputs),
+        "results": {key: digits(value) for key, value in results(inputs).items()},
+    }
 
 
 def main() -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_spatial.json"
-    rows = ",\n".join(json.dumps(answered(scene), ensure_ascii=False) for scene in scenes())
-    about = "Written by generate_impact_spatial_references.py: doubles in, 20 digits out, in the frame of the contact."
+    cases = [answered(scene) for scene in scenes()] + [reported(impact) for impact in impacts()]
+    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
+    about = "Written by generate_impact_spatial_references.py: SI inputs as doubles, results to 40 digits from 56."
     target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
 
 

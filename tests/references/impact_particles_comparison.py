@@ -1,68 +1,18 @@
-"""Builds the particle tasks' inputs from reference cases, and measures answers against them."""
+"""Builds the impact tasks' inputs from reference cases, and measures answers against them."""
 
-import json
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from mpmath import mp, mpf
-from references.comparison import HERE, Measured
-from references.impact_particles_tasks import CLASSES, UNTRACKED
+from references.comparison import Measured, build, leaves
+from references.impact_particles_tasks import UNTRACKED
 
+from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.tracked import Tracked
 
-
-@cache
-def cases(task: str) -> list[dict[str, Any]]:
-    """The reference cases of one task."""
-    data = json.loads((HERE / "impact_particles.json").read_text(encoding="utf-8"))
-    return [case for case in data["cases"] if case["task"] == task]
-
-
-def leaves(tree: Any) -> Iterator[float]:
-    """Every double of an input tree, in order."""
-    if isinstance(tree, dict):
-        for name, part in tree.items():
-            if name not in ("record", "choice") and "choice" not in tree:
-                yield from leaves(part)
-    elif isinstance(tree, list):
-        for part in tree:
-            yield from leaves(part)
-    elif isinstance(tree, str):
-        yield float(tree)
-
-
-PARTS = {
-    "central": {"first": "Collinear", "second": "Struck"},
-    "oblique": {"first": "Moving", "second": "Met"},
-    "pendulum": {"block": "Block"},
-    "momentum": {"first": "Vehicle", "second": "Vehicle"},
-    "momentum_and_energy": {"first": "Vehicle", "second": "Vehicle"},
-    "crush": {"first": "Damaged", "second": "Opponent"},
-}
-
-
-def build(task: str, tree: dict[str, Any], numbers: Iterator[Any]) -> dict[str, Any]:
-    """The function's arguments, with `numbers` in place of the leaves."""
-    return {name: _part(task, name, part, numbers) for name, part in tree.items()}
-
-
-def _part(task: str, name: str, part: Any, numbers: Iterator[Any]) -> Any:
-    if isinstance(part, str):
-        return next(numbers)
-    if isinstance(part, list):
-        if part and isinstance(part[0], dict):
-            return tuple(CLASSES["Body"](**build(task, item, numbers)) for item in part)
-        return tuple(_part(task, name, item, numbers) for item in part)
-    if not isinstance(part, dict):
-        return part
-    if "choice" in part:
-        return CLASSES[part["choice"]](part["name"])
-    record = part.get("record") or PARTS[task][name]
-    inner = {key: value for key, value in part.items() if key != "record"}
-    return CLASSES[record](**build(task, inner, numbers))
+GROUPS = groups("impact")
 
 
 def flat(result: Any, prefix: str = "") -> dict[str, Any]:
@@ -85,9 +35,9 @@ def _flat(value: Any, address: str) -> dict[str, Any]:
     return {address: value}
 
 
-def answer(function: Callable[..., Any], task: str, tree: dict[str, Any], numbers: list[Any]) -> Any:
+def answer(function: Callable[..., Any], tree: dict[str, Any], numbers: list[Any]) -> Any:
     """The function's answer."""
-    return function(**build(task, tree, iter(numbers)))
+    return function(**build(tree, iter(numbers), GROUPS))
 
 
 def measure(function: Callable[..., Any], case: dict[str, Any]) -> list[Measured]:
@@ -95,7 +45,7 @@ def measure(function: Callable[..., Any], case: dict[str, Any]) -> list[Measured
     mp.dps = 60
     task, tree = case["task"], case["inputs"]
     numbers = list(leaves(tree))
-    plain_answer = answer(function, task, tree, numbers)
+    plain_answer = answer(function, tree, numbers)
     plain = flat(plain_answer)
     assert plain.keys() == case["results"].keys(), (case["name"], sorted(plain.keys() ^ case["results"].keys()))
     if task in UNTRACKED:
@@ -103,7 +53,7 @@ def measure(function: Callable[..., Any], case: dict[str, Any]) -> list[Measured
         tracked = {name: Tracked(value, abs(value) * stated.get(name, 0.0), (value,)) for name, value in plain.items()}
         numbers = [1.0]
     else:
-        tracked = flat(answer(function, task, tree, Tracked.inputs(numbers)))
+        tracked = flat(answer(function, tree, Tracked.inputs(numbers)))
     found = []
     for name, text in case["results"].items():
         own = tracked[name]
@@ -125,7 +75,7 @@ def measure(function: Callable[..., Any], case: dict[str, Any]) -> list[Measured
 
 def disagreements(function: Callable[..., Any], case: dict[str, Any], seed: int, count: int = 40) -> list[str]:
     """Rows where an array's answer is not the scalar's to the bit, over random rows about the given inputs."""
-    task, tree = case["task"], case["inputs"]
+    tree = case["inputs"]
     generator = np.random.default_rng(seed)
     columns: list[Any] = []
     for number in leaves(tree):
@@ -138,7 +88,7 @@ def disagreements(function: Callable[..., Any], case: dict[str, Any], seed: int,
     while keep.size:
         picked = [column[keep] if isinstance(column, np.ndarray) else column for column in columns]
         try:
-            answers = flat(answer(function, task, tree, picked))
+            answers = flat(answer(function, tree, picked))
             break
         except InadmissibleError as error:
             if not isinstance(error.refused, np.ndarray):
@@ -148,7 +98,7 @@ def disagreements(function: Callable[..., Any], case: dict[str, Any], seed: int,
     for row in range(count):
         numbers = [float(column[row]) if isinstance(column, np.ndarray) else column for column in columns]
         try:
-            single = flat(answer(function, task, tree, numbers))
+            single = flat(answer(function, tree, numbers))
         except InadmissibleError:
             if row in keep:
                 wrong.append(f"row {row} was not refused")

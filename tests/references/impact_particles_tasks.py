@@ -1,21 +1,6 @@
-"""The particle tasks of impact by name, and the records and choices their inputs are made of."""
+"""The particle tasks of impact by name."""
 
-from dynamics_cli.impact import (
-    central,
-    chain,
-    conventions,
-    crush,
-    crush_stiffness,
-    drop,
-    momentum,
-    momentum_terms,
-    oblique,
-    pendulum,
-    seize,
-    springs,
-    step,
-    yaw_inertia,
-)
+from dynamics_cli.impact import central, chain, crush, drop, momentum, oblique, pendulum, seize, step, yaw_inertia
 
 TASKS = {
     "central": central.central,
@@ -33,12 +18,3 @@ TASKS = {
 # Answers that carry a bound of their own, and answers that take no arrays.
 UNTRACKED = ("chain",)
 CASE_BY_CASE = ("chain", "drop")
-CLASSES: dict[str, type] = {
-    name: one
-    for module in (
-        central, chain, conventions, crush, crush_stiffness, drop, momentum, momentum_terms, oblique, pendulum, seize,
-        springs, step, yaw_inertia,
-    )
-    for name, one in vars(module).items()
-    if isinstance(one, type)
-}  # fmt: skip

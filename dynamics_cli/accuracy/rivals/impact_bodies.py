@@ -1,0 +1,169 @@
+"""Impacts of bodies as textbooks and spreadsheets calculate them: velocities first, and all else as differences.
+
+Momentum before a crash by a 2×2 system; whole planar impacts by pycrash, where it is installed.
+"""
+
+from math import cos, hypot, sin
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+FOOT, POUND_FORCE, MILE_PER_HOUR = 0.3048, 4.4482216152605, 0.44704
+# The acceleration of gravity that pycrash divides weights by [ft/s²].
+GRAVITY = 32.2
+DEGREE = 0.017453292519943295
+
+
+def _mass(bulk: "Any", gravity: float) -> float:
+    if hasattr(bulk, "fixed"):
+        raise ArithmeticError
+    return float(bulk.mass if hasattr(bulk, "mass") else bulk.weight / gravity)
+
+
+def central(
+    *, first: "Any", second: "Any", contact: "Any", gravity: float, closing_speed: "float | None" = None,
+    force: "Any" = None,
+) -> "dict[str, float]":  # fmt: skip
+    """Velocities from momentum and restitution; ΔV, impulse and loss as differences."""
+    if closing_speed is not None:
+        raise ArithmeticError
+    m1, m2, e = _mass(first.bulk, gravity), _mass(second.bulk, gravity), contact.restitution
+    v1, v2 = first.velocity or 0.0, second.velocity or 0.0
+    w1 = (m1 * v1 + m2 * v2 - m2 * e * (v1 - v2)) / (m1 + m2)
+    w2 = (m1 * v1 + m2 * v2 + m1 * e * (v1 - v2)) / (m1 + m2)
+    before, after = 0.5 * m1 * v1 * v1 + 0.5 * m2 * v2 * v2, 0.5 * m1 * w1 * w1 + 0.5 * m2 * w2 * w2
+    return {
+        "first.velocity": w1,
+        "second.velocity": w2,
+        "first.delta_v": w1 - v1,
+        "second.delta_v": w2 - v2,
+        "impulse": m2 * w2 - m2 * v2,
+        "separation_speed": w2 - w1,
+        "energy_lost": before - after,
+    }
+
+
+def planar(**given: "Any") -> "dict[str, float]":
+    """The program's velocities after, and ΔV, impulse and energies as the differences that they are often taken as."""
+    from dynamics_cli.impact.planar import planar as own
+
+    found = own(**given)
+    made = {"energy_lost": 0.0}
+    for name in ("first", "second"):
+        body, after = given[name], getattr(found, name)
+        if hasattr(body.bulk, "fixed"):
+            continue
+        mass, before = body.bulk.mass, body.motion.velocity
+        x, y = after.velocity[0] - before[0], after.velocity[1] - before[1]
+        turning = body.turning
+        inertia = turning.inertia if hasattr(turning, "inertia") else mass * turning.radius_of_gyration**2
+        energies = [
+            0.5 * mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * inertia * w * w
+            for v, w in ((before, body.spin), (after.velocity, after.spin))
+        ]
+        made |= {
+            f"{name}.delta_v.magnitude": hypot(x, y),
+            f"{name}.spin_change": after.spin - body.spin,
+            f"{name}.energy_change": energies[1] - energies[0],
+        }
+        made["energy_lost"] += energies[0] - energies[1]
+        made["impulse_magnitude"] = mass * hypot(x, y)
+    if any(hasattr(given[name].bulk, "fixed") for name in ("first", "second")):
+        del made["energy_lost"]
+    return made
+
+
+def cross_products(*, first: "Any", second: "Any", gravity: float) -> "dict[str, Any]":
+    """The program's own: each speed from the parts of momentum across the other's path."""
+    from dynamics_cli.impact.momentum_terms import Term, solve
+
+    terms = [
+        Term(sign, one.bulk.mass, speed, heading, name)
+        for sign, one, speed, heading, name in (
+            (1.0, first, None, first.approach_heading, "the first"),
+            (1.0, second, None, second.approach_heading, "the second"),
+            (-1.0, first, first.exit_speed, first.exit_heading, "the first exit"),
+            (-1.0, second, second.exit_speed, second.exit_heading, "the second exit"),
+        )
+    ]
+    solve(terms, None)
+    return {"first.approach_speed": terms[0].speed, "second.approach_speed": terms[1].speed}
+
+
+def _system(first: "Any", second: "Any") -> "tuple[list[list[float]], list[float]]":
+    """The equations of momentum along x and y for the two speeds before."""
+    both = first, second
+    return (
+        [[one.bulk.mass * f(one.approach_heading) for one in both] for f in (cos, sin)],
+        [sum(one.bulk.mass * one.exit_speed * f(one.exit_heading) for one in both) for f in (cos, sin)],
+    )
+
+
+def _named(one: float, two: float) -> "dict[str, float]":
+    return {"first.approach_speed": one, "second.approach_speed": two}
+
+
+def by_matrix(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
+    """The 2×2 system by LU with pivots, `numpy.linalg.solve`."""
+    import numpy as np
+
+    one, two = np.linalg.solve(*_system(first, second))
+    return _named(float(one), float(two))
+
+
+def by_cramer(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
+    """The 2×2 system by Cramer's rule."""
+    ((a, b), (c, d)), (x, y) = _system(first, second)
+    whole = a * d - b * c
+    return _named((x * d - b * y) / whole, (a * y - c * x) / whole)
+
+
+def by_elimination(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
+    """As by hand: the second speed from the sum with the first eliminated, and the first from that along x."""
+    ((a, b), (c, d)), (x, y) = _system(first, second)
+    two = (y - c / a * x) / (d - c / a * b)
+    return _named((x - b * two) / a, two)
+
+
+def planar_by_pycrash(
+    *, first: "Any", second: "Any", normal: float, friction: float, contact: "Any", law: str, **more: "Any"
+) -> "dict[str, float]":
+    """Static impact of PyPI's `pycrash`, whose law is Kudlich's and Slibar's: feet, pounds, degrees, axes of vehicle 1.
+
+    Its masses are weights over 32.2 ft/s²; they are given so that they come out right. Spins before are left to those
+    that it is given none of, since it adds degrees to radians.
+    """
+    import contextlib
+    import io
+    from types import SimpleNamespace
+
+    if law != "kudlich-slibar" or more or any(hasattr(one.bulk, "fixed") or one.spin for one in (first, second)):
+        raise ArithmeticError
+    with contextlib.redirect_stdout(io.StringIO()):
+        from pycrash.impc import impc_calcs  # type: ignore[import-not-found]
+    bodies = []
+    for one in (first, second):
+        mass = one.bulk.mass / (POUND_FORCE / FOOT)
+        lever, velocity = one.arm.lever, one.motion.velocity
+        bodies.append(
+            SimpleNamespace(
+                weight=mass * GRAVITY, izz=one.turning.inertia / (POUND_FORCE * FOOT), omega_z=0.0, head_angle=0.0,
+                vx_initial=velocity[0] / FOOT, vy_initial=velocity[1] / FOOT, pimpact_x=lever[0] / FOOT,
+                pimpact_y=lever[1] / FOOT, impc_result=None,
+            )
+        )  # fmt: skip
+    inputs = {"cor": contact.restitution, "cof": friction, "impact_norm_deg": normal / DEGREE + 180.0}
+    with contextlib.redirect_stdout(io.StringIO()):
+        made = impc_calcs(*bodies, bodies[1].pimpact_x, bodies[1].pimpact_y, inputs)
+    found = {}
+    for name, one in zip(("first", "second"), made, strict=True):
+        x, y, spin = (float(_last(one[key])) for key in ("dvx", "dvy", "oz_deg"))
+        found |= {f"{name}.delta_v.magnitude": hypot(x, y) * MILE_PER_HOUR, f"{name}.spin_change": spin * DEGREE}
+    return found
+
+
+def _last(value: "Any") -> float:
+    import numpy as np
+
+    return float(np.ravel(value)[-1])

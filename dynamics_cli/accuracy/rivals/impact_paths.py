@@ -1,0 +1,242 @@
+"""The path of a planar impact: closed form by cases, beside steps, an integrator, a spring and textbooks' two cases."""
+
+from math import copysign, sqrt, tanh
+
+from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.accuracy.rows import Row
+
+FILE = "impact_rigid.json"
+NAMES = ("normal", "tangential")
+# What the closed form promises, in shares of the impulse.
+PROMISE = 2e-15
+MOST_STEPS = 200_000
+
+
+class Contact:
+    """K, velocities, friction and restitution of a case, and the law that ends it."""
+
+    def __init__(self, case: Case) -> None:
+        given = case.inputs
+        self.kt, self.kx, self.kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
+        self.ut, self.un = float(given["slip"]), float(given["approach"])
+        self.mu, self.e = float(given["friction"]), float(given["restitution"])
+        self.law: str = given["law"]["word"]
+
+    def ratio(self, ut: float) -> float:
+        """Friction per normal impulse now, with stick where the slip is zero and friction holds."""
+        if ut == 0.0:
+            return -min(max(self.kx / self.kt, -self.mu), self.mu)
+        return -copysign(self.mu, ut)
+
+
+def closed_form(case: Case) -> "Callable[[], tuple[float, float]]":
+    """The program's own."""
+    from dynamics_cli.impact.path import Mobility, determinant, travel
+
+    c = Contact(case)
+
+    def answer() -> "tuple[float, float]":
+        k = Mobility(c.kt, c.kx, c.kn, determinant(c.kt, c.kx, c.kn))
+        path = travel(k, c.ut, c.un, c.mu, c.e, c.law)
+        return path.normal, path.tangential
+
+    return answer
+
+
+def plain_sums(case: Case) -> "Callable[[], tuple[float, float]]":
+    """The program's own for whole maps, in plain sums; here one at a time."""
+    from dynamics_cli.impact.path_arrays import planar_impacts
+
+    c = Contact(case)
+
+    def answer() -> "tuple[float, float]":
+        pn, pt = planar_impacts(c.kt, c.kx, c.kn, c.ut, c.un, c.mu, c.e, law=c.law)
+        return float(pn), float(pt)
+
+    return answer
+
+
+def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
+    """So many of one contact, each with a friction of its own."""
+    import numpy as np
+
+    from dynamics_cli.impact.path_arrays import planar_impacts
+
+    c = Contact(case)
+    given = [np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un)]
+    friction = np.linspace(0.0, 1.0, rows)
+    return lambda: planar_impacts(*given, friction, c.e, law=c.law)
+
+
+def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
+    """The textbook: it slides to the end, or else it sticks at the end; slip that turns round is not thought of."""
+    c = Contact(case)
+
+    def answer() -> "tuple[float, float]":
+        ratio, rise = c.ratio(c.ut), -(1.0 + c.e) * c.un
+        slope = c.kn + c.kx * ratio
+        if slope > 0.0:
+            pn = rise / slope
+            if c.ut * (c.ut + (c.kx + c.kt * ratio) * pn) >= 0.0:
+                return pn, ratio * pn
+        det = c.kt * c.kn - c.kx * c.kx
+        return (c.kt * rise + c.kx * c.ut) / det, (-c.kn * c.ut - c.kx * rise) / det
+
+    return answer
+
+
+def steps(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
+    """Equal steps of normal impulse, so many to the compression without friction; slip may stop after each."""
+
+    def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
+        c = Contact(case)
+
+        def answer() -> "tuple[float, float]":
+            step = -c.un / c.kn / count
+            pn = pt = work = compression = done = 0.0
+            ut, un = c.ut, c.un
+            for _ in range(MOST_STEPS):
+                ratio = c.ratio(ut)
+                before, old = ut, un
+                ut, un = ut + (c.kx + c.kt * ratio) * step, un + (c.kn + c.kx * ratio) * step
+                if before * ut < 0.0:
+                    ut = 0.0
+                pn, pt, work = pn + step, pt + ratio * step, work + 0.5 * (old + un) * step
+                if not compression and un >= 0.0:
+                    compression, done = pn, -work
+                if compression and _over(c, un, pn, work, compression, done):
+                    return pn, pt
+            raise ArithmeticError
+
+        return answer
+
+    return prepare
+
+
+def _over(c: Contact, un: float, pn: float, work: float, compression: float, done: float) -> bool:
+    if c.law == "newton":
+        return un >= -c.e * c.un
+    if c.law == "poisson":
+        return pn >= (1.0 + c.e) * compression
+    return work >= (c.e * c.e - 1.0) * done
+
+
+def integrated(case: Case) -> "Callable[[], tuple[float, float]]":
+    """Scipy's solve_ivp in normal impulse, with events where slip stops, compression ends and the law ends it."""
+    c = Contact(case)
+
+    def answer() -> "tuple[float, float]":
+        from scipy.integrate import solve_ivp
+
+        y, p = [c.ut, c.un, 0.0, 0.0], 0.0
+        compression = done = 0.0
+        longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
+        for _ in range(8):
+            ratio = c.ratio(y[0])
+            rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
+
+            def rhs(_: float, y: "Any", rates: "Any" = rates, ratio: float = ratio) -> "list[float]":
+                return [rates[0], rates[1], ratio, y[1]]
+
+            ends = _events(c, y, compression, done)
+            found = solve_ivp(rhs, [p, p + longest], y, events=ends, rtol=1e-12, atol=1e-15 * -c.un)
+            if found.status != 1:
+                raise ArithmeticError
+            y, p = [float(value) for value in found.y[:, -1]], float(found.t[-1])
+            if len(found.t_events[0]):
+                y[0] = 0.0
+            if len(found.t_events[1]):
+                if compression or c.e == 0.0:
+                    return p, y[2]
+                compression, done = p, -y[3]
+        raise ArithmeticError
+
+    return answer
+
+
+def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "list[Callable[[float, Any], float]]":
+    side = y[0]
+
+    def stops(_: float, y: "Any") -> float:
+        return float(y[0]) if side else 1.0
+
+    def ends(p: float, y: "Any") -> float:
+        if not compression:
+            return float(y[1])
+        if c.law == "newton":
+            return float(y[1] + c.e * c.un)
+        if c.law == "poisson":
+            return p - (1.0 + c.e) * compression
+        return float(y[3] + (1.0 - c.e * c.e) * done)
+
+    for event in (stops, ends):
+        event.terminal = True  # type: ignore[attr-defined]
+    ends.direction = 1.0  # type: ignore[attr-defined]
+    return [stops, ends]
+
+
+def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
+    """A spring, stiffer by 1/e² when it opens, and smoothed friction, in so many steps of RK4: Stronge's law."""
+
+    def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
+        c = Contact(case)
+        if c.law != "stronge" or c.e == 0.0:
+            raise ArithmeticError
+        # of unit stiffness: the path does not depend on it
+        step = sqrt(1.0 / c.kn) / count
+        smooth = 1e-3 * (abs(c.un) + abs(c.ut))
+
+        def rates(y: "tuple[float, ...]", deepest: float) -> "tuple[float, ...]":
+            ut, un, depth = y[:3]
+            push = depth if not deepest else deepest + (depth - deepest) / (c.e * c.e)
+            rub = -c.mu * tanh(ut / smooth) * push
+            return c.kt * rub + c.kx * push, c.kx * rub + c.kn * push, -un, push, rub
+
+        def answer() -> "tuple[float, float]":
+            y: tuple[float, ...] = (c.ut, c.un, 0.0, 0.0, 0.0)
+            deepest = 0.0
+            for _ in range(MOST_STEPS):
+                a = rates(y, deepest)
+                b = rates(_ahead(y, a, 0.5 * step), deepest)
+                d = rates(_ahead(y, b, 0.5 * step), deepest)
+                f = rates(_ahead(y, d, step), deepest)
+                y = tuple(
+                    v + step / 6.0 * (p + 2.0 * q + 2.0 * r + s) for v, p, q, r, s in zip(y, a, b, d, f, strict=True)
+                )
+                if not deepest and y[1] >= 0.0:
+                    deepest = y[2]
+                if deepest and y[2] <= deepest * (1.0 - c.e * c.e):
+                    return y[3], y[4]
+            raise ArithmeticError
+
+        return answer
+
+    return prepare
+
+
+def _ahead(y: "tuple[float, ...]", slope: "tuple[float, ...]", step: float) -> "tuple[float, ...]":
+    return tuple(value + step * rate for value, rate in zip(y, slope, strict=True))
+
+
+RIVALS = (
+    Rival("closed form by cases (chosen)", closed_form, lambda _: PROMISE),
+    Rival("the same in plain sums, for maps", plain_sums, many=plain_arrays),
+    Rival("slides or sticks, as in textbooks", two_cases),
+    Rival("100 steps of normal impulse", steps(100)),
+    Rival("1,000 steps of normal impulse", steps(1000)),
+    Rival("scipy solve_ivp with events", integrated, needs="scipy"),
+    Rival("spring and smoothed friction, RK4", spring(200)),
+)
+
+
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+    """Normal and tangential impulse by every method."""
+    cases = [case for case in load(FILE) if case.task == "path" and (case.hard or not hard)]
+    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed, peers=peers)

@@ -1,0 +1,85 @@
+"""Impulses beside their references: errors in shares of the whole impulse, for methods that give parts of it."""
+
+from decimal import Decimal
+from math import inf, isfinite
+
+from dynamics_cli.accuracy.measure import DIGITS, Errors, Pace, seconds
+from dynamics_cli.accuracy.rows import row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.rows import Row
+
+    Parts = tuple[float, ...]
+    # makes the call of a case; raises ArithmeticError where the method has no answer
+    Prepared = Callable[[Case], Callable[[], Parts]]
+
+
+class Rival:
+    """A method: its name, what makes its call, and what it states for its error in a case, if anything.
+
+    `many` makes a call that answers a case so many times at once, where the method takes arrays; `needs` names the
+    library it comes from.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        prepare: "Prepared",
+        stated: "Callable[[Case], float] | None" = None,
+        many: "Callable[[Case, int], Callable[[], object]] | None" = None,
+        needs: str = "",
+    ) -> None:
+        self.name = name
+        self.prepare = prepare
+        self.stated = stated
+        self.many = many
+        self.needs = needs
+
+
+def share(case: "Case", parts: "Parts", names: "Sequence[str]") -> float:
+    """The largest error of the parts, over the size of the impulse."""
+    exact = [Decimal(case.results[name]) for name in names]
+    size = DIGITS.sqrt(sum((DIGITS.multiply(part, part) for part in exact), Decimal(0)))
+    if not all(map(isfinite, parts)):
+        return inf
+    worst = max(abs(DIGITS.subtract(Decimal(part), true)) for part, true in zip(parts, exact, strict=True))
+    return float(DIGITS.divide(worst, size))
+
+
+def compared(
+    name: str, cases: "Sequence[Case]", rivals: "Sequence[Rival]", names: "Sequence[str]", *, full: bool, timed: bool,
+    peers: "tuple[str, ...]",
+) -> "list[Row]":  # fmt: skip
+    """Rows of the rivals, the chosen one first; times are the mean over some of the cases each can answer."""
+    rivals = [rival for rival in rivals if not rival.needs or rival.needs in peers]
+    pace = Pace(full=full)
+    made: list[Row] = []
+    base: float | None = None
+    for rival in rivals:
+        errors, calls = Errors(), []
+        for case in cases:
+            try:
+                call = rival.prepare(case)
+                error = share(case, call(), names)
+            except (ArithmeticError, ValueError):
+                error = inf
+            if error == inf:
+                errors.refused += 1
+                continue
+            calls.append(call)
+            errors.cases += 1
+            errors.note(case.name, error, rival.stated(case) if rival.stated else None)
+        some = calls[:: max(1, len(calls) // 10)]
+        time = None
+        if timed and some:
+            time = seconds(lambda: [call() for call in some], repeats=3, least=pace.least) / len(some)  # noqa: B023
+        base = base or time
+        array_time = None
+        if timed and rival.many:
+            array_time = seconds(rival.many(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
+        made.append(row(name, rival.name, errors, time, base, array_time=array_time))
+    return made
