@@ -144,6 +144,8 @@ class Tracked:
         """The elementary function `name` of tracked and plain arguments."""
         tracked = [self._of(argument) for argument in arguments]
         value, spread, partials, roundings = _RULES[name](*tracked)
+        if spread < _UNDERFLOWS and any(argument.error for argument in tracked):
+            spread += 4.0 * TINY
         slopes = tuple(
             sum(partial * slope for partial, slope in zip(partials, column, strict=True))
             for column in zip(*(argument.slopes for argument in tracked), strict=True)
