@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-sys.path[:0] = [str(Path(__file__).resolve().parents[2]), str(Path(__file__).resolve().parents[1])]
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from references import impact_particles_comparison, impact_rigid_tasks, inertia_bodies_tasks, skid_tasks
 from references.comparison import DATA, HERE, build, leaves
@@ -155,8 +156,7 @@ def hard(file: str) -> Iterator[dict[str, Any]]:
 
 
 GEAR_RECORDS = {
-    one.__name__: one
-    for one in (gear.NormalModule, pair_data.Mate, worm.AxialModule, worm.WormDiameter, crossed.Screw)
+    one.__name__: one for one in (gear.NormalModule, pair_data.Mate, worm.AxialModule, worm.WormDiameter, crossed.Screw)
 }
 GEAR_CHOICES = {"tips": Tips, "kind": bevel.Kind, "internal": bool}
 GEAR = {

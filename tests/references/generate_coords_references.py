@@ -28,10 +28,10 @@ def between(along: Any, whole: Any, side: Any) -> Any:
 
 
 def principal(theta: Any, off_axis: Any) -> Any:
-    """Within (−π, π]; −180 degrees, which reads as the double nearest −π, is 180 degrees."""
-    if theta == -mpf(PI):
-        return theta + 2 * mp.pi
-    return mpf(0) if off_axis == 0 else mp.arg(mp.expj(theta))
+    """Within (−π, π]; −180 degrees, which reads as the double nearest −π, is 180 degrees; on the axis, 0."""
+    if off_axis == 0:
+        return mpf(0)
+    return theta + 2 * mp.pi if theta == -mpf(PI) else mp.arg(mp.expj(theta))
 
 
 def from_cartesian(x: Any, y: Any, z: Any) -> tuple[dict[str, Any], dict[str, Any]]:
