@@ -179,19 +179,24 @@ def _gear_cases() -> Iterator[Start]:
     for case in hard("gear_trains.json"):
         plain = {name: float(value) if isinstance(value, str) else value for name, value in case["inputs"].items()}
         if case["task"] == "root":
-            cutter = trochoid.Cutter(**plain)
-            yield Start(
-                "gear profile, root",
-                case["name"],
-                list(doubles_of(cutter)),
-                [None] * len(list(doubles_of(cutter))),
-                lambda own, cutter=cutter: trochoid.root(with_numbers(cutter, iter(own))),
-            )
+            yield _of_root(case["name"], trochoid.Cutter(**plain))
             continue
         plain["pitch"] = gear.NormalModule(plain.pop("module"))
         if plain["internal"] and plain["helix_angle"]:
             plain.pop("over")
         yield of_call("gear measure", case["name"], measure.measure, plain)
+
+
+# The command takes no other pressure angles; the function by itself does not ask.
+PRESSURE_ANGLE = Kind("angle", "rad", above=0.0, below=1.57)
+
+
+def _of_root(label: str, cutter: trochoid.Cutter) -> Start:
+    numbers = list(doubles_of(cutter))
+    kinds: list[Kind | None] = [PRESSURE_ANGLE] + [None] * (len(numbers) - 1)
+    return Start(
+        "gear profile, root", label, numbers, kinds, lambda own: trochoid.root(with_numbers(cutter, iter(own)))
+    )
 
 
 def _impact_cases() -> Iterator[Start]:
