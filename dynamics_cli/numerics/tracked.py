@@ -147,7 +147,8 @@ class Tracked:
         if spread < _UNDERFLOWS and any(argument.error for argument in tracked):
             spread += 4.0 * TINY
         slopes = tuple(
-            sum(partial * slope for partial, slope in zip(partials, column, strict=True))
+            # a slope without bound, as of a root at zero, is of the inputs that the argument depends on
+            sum([partial * slope for partial, slope in zip(partials, column, strict=True) if slope], 0.0)
             for column in zip(*(argument.slopes for argument in tracked), strict=True)
         )
         return self._result(value, spread, slopes, roundings)

@@ -13,6 +13,8 @@ FILES = sorted(DATA.glob("*.json"))
 # Files whose name does not begin with their family's.
 FAMILY = {"coords": "convert", "eigen": "inertia"}
 LEAST = 40
+# References that only tests read.
+UNSHIPPED = ("impact_particles.json", "inertia_bodies.json", "inertia_mesh.json")
 
 
 def hard(path: Path) -> list[dict]:
@@ -40,7 +42,7 @@ def test_reasons_are_of_the_case(path: Path) -> None:
 
 def test_every_family_has_enough() -> None:
     counts: Counter[str] = Counter()
-    for path in [*FILES, *HERE.glob("*.json")]:
+    for path in [*FILES, *(HERE / name for name in UNSHIPPED if (HERE / name).exists())]:
         counts[FAMILY.get(path.stem, path.stem.split("_")[0])] += len(hard(path))
     for family in ("convert", "skid", "impact", "inertia", "cam", "gear"):
         assert counts[family] >= LEAST, family

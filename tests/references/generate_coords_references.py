@@ -12,6 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from found_cases import found
 from mpmath import mp, mpf
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -162,6 +165,13 @@ def generate() -> Iterator[dict[str, Any]]:
                 reason = {"why": why} if why else {}
                 case = {"task": task, "kind": "hard" if why else "ordinary", "name": f"{task} {point}", **reason}
                 yield {**case, "inputs": inputs, "results": texts}
+    for worst in found("coords.json"):
+        source, target = worst["task"].split("_to_")
+        _, convert, targets = SOURCES[source]
+        results = convert(*(mpf(float(text)) for text in worst["inputs"].values()))[targets.index(target)]
+        texts = {name: mp.nstr(value, 40) for name, value in results.items()}
+        own = {key: worst[key] for key in ("name", "why", "inputs")}
+        yield {"task": worst["task"], "kind": "hard", **own, "results": texts}
 
 
 def main(target: Path) -> None:
