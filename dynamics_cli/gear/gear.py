@@ -8,7 +8,7 @@ lengths are given back as magnitudes.
 from math import pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.trochoid import Cutter
+from dynamics_cli.gear.trochoid import Cutter, transverse
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.quantities import Angle, DiametralPitch, Module, Ratio, Size
@@ -289,11 +289,13 @@ class Gear:
     @property
     def transverse_angle(self) -> float:
         """α_t: tan α_t = tan α_n/cos β."""
-        return atan2(sin(self.rack.pressure_angle), cos(self.rack.pressure_angle) * cos(self.helix_angle))
+        return transverse(self.rack.pressure_angle, self.helix_angle)
 
     @property
     def transverse_cosine(self) -> float:
         """Cos α_t, from the sides of its triangle: accurate also for steep helices."""
+        if self.helix_angle == 0.0:
+            return cos(self.rack.pressure_angle)
         along = cos(self.rack.pressure_angle) * cos(self.helix_angle)
         across = sin(self.rack.pressure_angle)
         return along / sqrt(across * across + along * along)

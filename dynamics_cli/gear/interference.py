@@ -10,7 +10,7 @@ from math import pi
 from dynamics_cli.gear.engagement import Engagement, Path
 from dynamics_cli.gear.limits import bare, plain
 from dynamics_cli.gear.trochoid import roll_less_arc
-from dynamics_cli.numerics.elementary import acos, atan, atan2, cos, hypot, sin
+from dynamics_cli.numerics.elementary import acos, atan, atan2, cos, hypot, maximum, minimum, sin
 from dynamics_cli.quantities import Coordinate, Text
 from dynamics_cli.records import record
 
@@ -60,8 +60,11 @@ def verdicts(mesh: Engagement, path: Path) -> tuple[Verdict, ...]:
         corner = _Corner(mesh)
         own = _Corner(_bare(mesh))
         turn = _last_turn(own)
-        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(_least_after_crest(own, turn))))
-        found.append(("trimming: the pinion put in radially", corner.sideways(_least_sideways(own, turn))))
+        running, pushing = (
+            _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
+        )
+        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
+        found.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
     return tuple(Verdict(kind, plain(margin) >= 0.0, margin) for kind, margin in found)
 
 
@@ -118,7 +121,12 @@ def _last_turn(own: _Corner) -> float:
     """The turn at which the corner crosses the ring's tip circle."""
     a, pinion, ring = own.distance, own.pinion, own.ring
     cosine = (ring * ring - pinion * pinion - a * a) / (2.0 * a * pinion)
-    return acos(min(1.0, max(-1.0, cosine))) - own.half
+    return acos(minimum(1.0, maximum(-1.0, cosine))) - own.half
+
+
+def _in_numbers_of(corner: _Corner, turn: float, last: float) -> float:
+    """A turn found in plain numbers; where the search ended at the last turn, its rounding is not of second order."""
+    return _last_turn(corner) if turn == last else turn
 
 
 def _least_after_crest(own: _Corner, last: float) -> float:

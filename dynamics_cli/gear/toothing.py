@@ -2,7 +2,8 @@
 
 from math import pi
 
-from dynamics_cli.numerics.elementary import atan2, cos, sin, sqrt
+from dynamics_cli.gear.trochoid import transverse
+from dynamics_cli.numerics.elementary import cos, sin, sqrt
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.records import record
 
@@ -65,7 +66,7 @@ class Toothing:
     @once
     def transverse_angle(self) -> float:
         """Transverse pressure angle α_t."""
-        return atan2(sin(self.pressure_angle), cos(self.pressure_angle) * cos(self.helix_angle))
+        return transverse(self.pressure_angle, self.helix_angle)
 
     @once
     def pitch_radius(self) -> float:

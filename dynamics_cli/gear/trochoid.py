@@ -33,6 +33,13 @@ def roll_less_arc(t: float) -> float:
     return t * square * series
 
 
+def transverse(pressure_angle: float, helix_angle: float) -> float:
+    """α_t of tan α_t = tan α_n/cos β; of a spur gear the very angle given, with no rounding."""
+    if helix_angle == 0.0:
+        return pressure_angle
+    return atan2(sin(pressure_angle), cos(pressure_angle) * cos(helix_angle))
+
+
 @record
 class Cutter:
     """A rack and how it generates a gear, in normal modules.
@@ -73,7 +80,7 @@ class Cutter:
     @property
     def transverse_angle(self) -> float:
         """The transverse pressure angle α_t."""
-        return atan2(sin(self.pressure_angle), cos(self.pressure_angle) * cos(self.helix_angle))
+        return transverse(self.pressure_angle, self.helix_angle)
 
     @property
     def base_radius(self) -> float:
@@ -176,9 +183,12 @@ def root(cutter: Cutter) -> Root:
     own = _Corner(_bare(cutter))
     start = Tracked.inputs([delta])[0]
     slope = own.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
-    delta = delta - curve.residual(delta) / slope
+    step = curve.residual(delta) / slope
+    # R along the trochoid, so that what the step does to its two parts stays one thing
+    radius = curve.radius(delta) - own.radius(start).slopes[0] * step  # type: ignore[arg-type, attr-defined]
+    delta = delta - step
     roll = sqrt(maximum(curve.roll_squared(delta), 0.0))
-    return Root(curve.radius(delta), roll, True, cutter.transverse_angle + delta, margin)
+    return Root(radius, roll, True, cutter.transverse_angle + delta, margin)
 
 
 def _require_rack(cutter: Cutter) -> None:

@@ -364,7 +364,8 @@ def _inverse_in_other_numbers(value: "Any") -> "Any":
     from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
     if not isinstance(value, Tracked):
-        raise TypeError(type(value).__name__)
+        # numbers with functions of their own
+        return value.apply("inverse_involute", value)
     phi = _inverse(value.value)
     spread = phi - _inverse(max(value.value - value.error, 0.0)) if value.error else 0.0
     if value.error:

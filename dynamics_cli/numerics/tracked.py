@@ -91,6 +91,8 @@ class Tracked:
     def __mul__(self, other: "Tracked | float") -> "Tracked":
         b = self._of(other)
         spread = abs(self.value) * b.error + abs(b.value) * self.error + self.error * b.error
+        if spread < _UNDERFLOWS and (self.error or b.error):
+            spread += _faint(self, b)
         slopes = tuple(b.value * i + self.value * j for i, j in zip(self.slopes, b.slopes, strict=True))
         value = self.value * b.value
         exact = self.value in _EXACT_FACTORS or b.value in _EXACT_FACTORS
@@ -103,6 +105,8 @@ class Tracked:
         value = self.value / b.value
         room = abs(b.value) - b.error
         spread = (self.error + abs(value) * b.error) / room if room > 0.0 else math.inf
+        if spread < _UNDERFLOWS and (self.error or b.error):
+            spread += 4.0 * TINY if self.value or self.error else 0.0
         slopes = tuple((i - value * j) / b.value for i, j in zip(self.slopes, b.slopes, strict=True))
         return self._result(value, spread + _lost(value, self.value), slopes)
 
@@ -143,8 +147,11 @@ class Tracked:
         """The elementary function `name` of tracked and plain arguments."""
         tracked = [self._of(argument) for argument in arguments]
         value, spread, partials, roundings = _RULES[name](*tracked)
+        if spread < _UNDERFLOWS and any(argument.error for argument in tracked):
+            spread += 4.0 * TINY
         slopes = tuple(
-            sum(partial * slope for partial, slope in zip(partials, column, strict=True))
+            # a slope without bound, as of a root at zero, is of the inputs that the argument depends on
+            sum([partial * slope for partial, slope in zip(partials, column, strict=True) if slope], 0.0)
             for column in zip(*(argument.slopes for argument in tracked), strict=True)
         )
         return self._result(value, spread, slopes, roundings)
@@ -153,6 +160,12 @@ class Tracked:
 def _lost(value: float, *factors: float) -> float:
     """What a product or quotient that underflowed to zero may really be."""
     return TINY if value == 0.0 and all(factors) else 0.0
+
+
+def _faint(a: Tracked, b: Tracked) -> float:
+    """What underflow may have taken from the bound of a product."""
+    uncertain = (a.error and (b.value or b.error)) or (b.error and a.value)
+    return 4.0 * TINY if uncertain else 0.0
 
 
 def _plain(x: "Tracked | float") -> float:

@@ -1,189 +1,275 @@
-"""A search for stated bounds below the true error: every tracked task, about its examples, against 60 digits.
+"""A search for stated bounds below the true error: every tracked task, from its examples and its hard cases.
 
     python tests/accuracy/bound_search.py [EVALUATIONS [FAMILY]]
 
-Each evaluation disturbs an example's inputs (by last bits, by percents, by orders of magnitude, to zero), sends tracked
-numbers and 60-digit numbers through the same formula, and compares every result: the difference must lie within the
-bound. That the formulas themselves are right is shown by references of other formulas; this shows their rounding.
+Each evaluation disturbs a start's numbers (by last bits, by percents, by orders of magnitude; to zero, to a limit of
+their kind, to one another), sends tracked numbers and numbers of 240 bits (`precise.py`) through the same formula, and
+compares every result: the difference must lie within the bound. A part of the evaluations disturbs the worst found so
+far instead of the start. Plain floats go the same way and must give the tracked numbers' bits.
+
+What is compared with what: the rounding of a formula with the same formula in many bits. That the formulas themselves
+are right is shown elsewhere, by references of other formulas (tests/references); `independent_search.py` does both at
+once for tasks that iterate or state bounds of their own.
 """
 
 import random
-import shlex
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
-from pathlib import Path
+from math import inf, isfinite, nextafter, pi, ulp
+from statistics import median
 from typing import Any
 
-from mpmath import mp, mpf
+from precise import Exact, Precise, exact_pi, many_bits
+from search_starts import Start, starts
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-
-from dynamics_cli import cli
-from dynamics_cli.core.answer import call_model, choose
-from dynamics_cli.core.bound import Fields
-from dynamics_cli.core.call import Settings
-from dynamics_cli.core.direct import read_plainly
-from dynamics_cli.core.gather import gather
-from dynamics_cli.core.task import Task
-from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.tracked import Tracked
 
-_FUNCTIONS = {
-    "sqrt": mp.sqrt, "sin": mp.sin, "cos": mp.cos, "tan": mp.tan, "asin": mp.asin, "acos": mp.acos, "atan": mp.atan,
-    "exp": mp.exp, "log": mp.log, "atan2": mp.atan2, "hypot": mp.hypot, "maximum": max, "minimum": min,
-    "multiply_add": lambda a, b, c: a * b + c,
-}  # fmt: skip
-STEPS = (1e-15, 1e-8, 1e-3, 0.1, 0.7)
+STEPS = (1e-15, 1e-12, 1e-8, 1e-3, 0.1, 0.7)
+UNIT_ROUNDOFF = 2.0**-53
+# Gradual underflow leaves no relative error; results below this are not measured for tightness.
+LEAST = 1e-290
+# How many of the evaluations start from the worst found so far.
+CLIMBING = 0.3
+# How many times as many are tried, where most inputs near a start are refused.
+PATIENCE = 8
+# Floats go along in every so many evaluations.
+FLOATS_EVERY = 4
+REFUSALS = (DynamicsError, ArithmeticError, ValueError)
 
 
-class Precise:
-    """A number of 60 digits that goes through a formula as a tracked number does."""
+class Worst:
+    """The place where some measure was largest."""
 
-    __slots__ = ("value",)
+    def __init__(self) -> None:
+        self.measure = -1.0
+        self.address = ""
+        self.start: Start | None = None
+        self.numbers: list[float] = []
 
-    def __init__(self, value: Any) -> None:
-        self.value = mpf(value)
+    def offer(self, measure: float, address: str, start: Start, numbers: list[float]) -> bool:
+        """Keep this place if it is worse."""
+        if not measure > self.measure:
+            return False
+        self.measure, self.address, self.start, self.numbers = measure, address, start, numbers
+        return True
 
-    def apply(self, name: str, *arguments: Any) -> "Precise":
-        made = _FUNCTIONS[name](*(_plain(argument) for argument in arguments))
-        if not isinstance(made, mpf):
-            raise ArithmeticError(f"{name} leaves the real numbers")
-        return Precise(made)
-
-    def __float__(self) -> float:
-        raise TypeError("a precise number does not turn into a float")
-
-    def __bool__(self) -> bool:
-        return self.value != 0
-
-    def __abs__(self) -> "Precise":
-        return Precise(abs(self.value))
-
-    def __neg__(self) -> "Precise":
-        return Precise(-self.value)
-
-    def __pos__(self) -> "Precise":
-        return self
-
-    def __hash__(self) -> int:
-        return hash(self.value)
+    def __str__(self) -> str:
+        where = f"{self.start.label}: {self.numbers}" if self.start else "nowhere"
+        return f"{self.measure:.4g} {self.address} at {where}"
 
 
-def _plain(number: Any) -> Any:
-    return number.value if isinstance(number, Precise) else mpf(number)
+class Findings:
+    """What the search found for one task."""
+
+    def __init__(self, task: str) -> None:
+        self.task = task
+        self.evaluations = 0
+        self.refused = 0
+        self.switched = 0
+        self.compared = 0
+        self.broken: list[str] = []
+        self.unlike: list[str] = []
+        # bound over max(error, 2⁻⁵³·|result|), by address
+        self.looseness: dict[str, list[float]] = defaultdict(list)
+        self.nearest = Worst()
+        self.loosest = Worst()
+        self.largest = Worst()
+
+    @property
+    def answered(self) -> int:
+        """The evaluations that both kinds of numbers answered alike."""
+        return self.evaluations - self.refused - self.switched
+
+    @property
+    def median(self) -> float:
+        """The median looseness over all results of all evaluations."""
+        values = [one for column in self.looseness.values() for one in column]
+        return median(values) if values else 0.0
+
+    def loose(self) -> dict[str, float]:
+        """The results whose bound is in the median more than 100 times what it need be."""
+        medians = {address: median(column) for address, column in self.looseness.items()}
+        return {address: value for address, value in medians.items() if value > 100.0}
 
 
-def _binary(name: str) -> Any:
-    def operation(self: Precise, other: Any) -> Any:
-        if not isinstance(other, (Precise, float, int, mpf)):
-            return NotImplemented
-        made = getattr(self.value, name)(_plain(other))
-        return Precise(made) if isinstance(made, mpf) else made
-
-    return operation
-
-
-for _name in ("add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "rtruediv", "lt", "le", "gt", "ge", "eq", "ne"):
-    setattr(Precise, f"__{_name}__", _binary(f"__{_name}__"))
-
-
-def examples(family: str = "") -> Iterator[tuple[Task, str]]:
-    """Every example of every tracked task that is plainly written and certain."""
-    for name in cli.FAMILIES:
-        if family in ("", name):
-            for task in cli.family(name).tasks.values():
-                if task.tracked:
-                    yield from ((task, example) for example in task.examples)
-
-
-def bound_inputs(task: Task, example: str) -> Fields | None:
-    """An example's inputs as read; None where it is not one plain, certain case."""
-    words = shlex.split(example)[1 + len(task.path.split()) :]
-    call = read_plainly(task, words)
-    if call is None or any(name in call.settings for name in ("rows", "sweep")):
-        return None
-    terminal = Terminal(environ={})
-    gathered = gather(task, call, Settings({}, {}), terminal)
-    gathered.reader.uncertain = {}
-    try:
-        made = gathered.reader.read(task.specification.fields, gathered.raw)
-    except DynamicsError:
-        return None
-    return None if gathered.reader.uncertain else made
-
-
-def numbers_of(value: Any, address: str = "") -> Iterator[tuple[str, Any]]:
-    """Every number of a result, by address."""
-    if hasattr(value, "fields"):
-        for name in value.fields:
+def beside(first: Any, second: Any, third: Any, address: str = "") -> Iterator[tuple[str, Any, Any, Any]]:
+    """The leaves of three answers to one question, by address; raises Unlike where their shapes differ."""
+    kind = type(first)
+    if kind is Tracked or kind is float or kind is Precise:
+        yield address, first, second, third
+    elif kind is tuple or kind is list:
+        if len(first) != len(second):
+            raise Switched
+        for index, item in enumerate(first):
+            yield from beside(item, second[index], third[index], f"{address}[{index}]")
+    elif hasattr(kind, "fields"):
+        if type(second) is not kind:
+            raise Switched
+        for name in kind.fields:
             if name not in ("checks", "advice", "numerics"):
-                yield from numbers_of(getattr(value, name), f"{address}.{name}")
-    elif isinstance(value, (tuple, list)):
-        for index, item in enumerate(value):
-            yield from numbers_of(item, f"{address}[{index}]")
-    elif isinstance(value, (Tracked, Precise)):
-        yield address, value
+                own = f"{address}.{name}" if address else name
+                yield from beside(getattr(first, name), getattr(second, name), getattr(third, name), own)
+    elif (kind in (int, bool) or first is None or isinstance(first, str)) and first != second:
+        raise Switched
 
 
-def disturbed(rng: random.Random, leaves: list[tuple[str, Any, float]]) -> list[float]:
-    """The inputs, some of them moved, within what their kinds allow."""
+class Switched(Exception):
+    """A count, a word or a gap differs: two answers of either side of a switch, each right for its own."""
+
+
+def disturbed(rng: random.Random, start: Start, base: list[float]) -> list[float]:
+    """Numbers near `base`, each within what its kind allows."""
+    share = rng.choice((1.0 / len(base), 0.3, 0.8))
+    step = rng.choice(STEPS)
+    chosen = rng.randrange(len(base))
     made = []
-    for _, kind, value in leaves:
+    for index, (kind, value) in enumerate(zip(start.kinds, base, strict=True)):
         new = value
-        if rng.random() < 0.6:
-            new = value * (1.0 + rng.choice(STEPS) * rng.uniform(-1.0, 1.0))
-        elif rng.random() < 0.1:
-            new = value * 10.0 ** rng.uniform(-6.0, 6.0)
-        elif rng.random() < 0.1:
-            new = rng.choice((0.0, 1.0, -value))
-        made.append(value if kind.outside(new) else new + 0.0)
+        if index == chosen or rng.random() < share:
+            new = _moved(rng, start, base, index, step)
+        made.append(value if (kind is not None and kind.outside(new)) or not isfinite(new) else new + 0.0)
+    for row in (index for index, kind in enumerate(start.kinds) if kind is not None and kind.form == "tensor"):
+        place = tensor_place(start, row)
+        if place in MIRRORED:
+            made[row] = made[row - MIRRORED[place]]
     return made
 
 
-def broken(task: Task, inputs: Fields, count: int, seed: int) -> tuple[int, list[str]]:
-    """How many evaluations had an answer, and where a bound was below the error."""
-    rng = random.Random(seed)
-    leaves = list(inputs.leaves())
-    model, _ = choose(task, inputs, "")
-    found: list[str] = []
-    answered = 0
-    for _ in range(count):
-        values = disturbed(rng, leaves)
-        names = [address for address, _, _ in leaves]
-        try:
-            tracked = call_model(task, model, inputs, dict(zip(names, Tracked.inputs(values), strict=True)))
-            precise = call_model(task, model, inputs, dict(zip(names, map(Precise, values), strict=True)))
-        except (DynamicsError, ArithmeticError):
-            continue
-        except TypeError:
-            # Physics that makes tracked numbers of its own takes no others.
-            return answered, found
-        answered += 1
-        exact = dict(numbers_of(precise))
-        for address, number in numbers_of(tracked):
-            if address not in exact or number.error != number.error or number.error == float("inf"):
-                continue
-            error = abs(mpf(number.value) - exact[address].value)
-            # A direction at the cut between −180 and 180 degrees is one direction.
-            error = min(error, abs(error - 2 * mp.pi))
-            if error > mpf(number.error):
-                found.append(f"{task.path}{address}: error {mp.nstr(error, 3)}, bound {number.error:.3g}, at {values}")
-    return answered, found
+# Below the diagonal of a tensor written by rows: how far back its twin stands.
+MIRRORED = {3: 2, 6: 4, 7: 2}
+
+
+def tensor_place(start: Start, index: int) -> int:
+    """Where in its tensor a number stands."""
+    first = index
+    while first and start.kinds[first - 1] is start.kinds[index]:
+        first -= 1
+    return (index - first) % 9
+
+
+def _moved(rng: random.Random, start: Start, base: list[float], index: int, step: float) -> float:
+    """One number moved in one of the ways."""
+    value, kind = base[index], start.kinds[index]
+    way = rng.random()
+    if way < 0.7:
+        return value * (1.0 + step * rng.uniform(-1.0, 1.0))
+    if way < 0.8:
+        return nextafter(value, rng.choice((-inf, inf)))
+    if way < 0.86:
+        return value * 10.0 ** rng.uniform(-6.0, 6.0)
+    if way < 0.9:
+        return rng.choice((0.0, 1.0, -value))
+    if way < 0.95:
+        limits = [getattr(kind, name) for name in ("low", "high", "above", "below") if kind is not None]
+        limit = rng.choice([one for one in limits if one is not None] or [value])
+        return rng.choice((limit, limit + step, limit - step))
+    alike = [other for other, own in zip(base, start.kinds, strict=True) if own is kind]
+    return rng.choice(alike) * rng.choice((1.0, 1.0, -1.0, 1.0 + step))
+
+
+def difference(value: float, exact: Any) -> Any:
+    """The error; a direction at the cut between −180 and 180 degrees is one direction."""
+    error = abs(Exact(value) - exact)
+    if error > 6.28 and abs(abs(value) - pi) < 1e-6:
+        error = abs(error - 2 * exact_pi())
+    return error
+
+
+def evaluate(start: Start, numbers: list[float], found: Findings) -> bool:
+    """One evaluation entered into the findings; whether it is the worst so far."""
+    found.evaluations += 1
+    try:
+        tracked = start.call([Tracked(number, 0.0, ()) for number in numbers])
+        precise = start.call(Precise.inputs(numbers))
+    except REFUSALS:
+        found.refused += 1
+        return False
+    try:
+        floats = start.call(numbers) if found.evaluations % FLOATS_EVERY == 0 else tracked
+        leaves = list(beside(tracked, precise, floats))
+    except Switched:
+        found.switched += 1
+        return False
+    worse = False
+    for address, own, exact, plain in leaves:
+        if type(own) is Tracked:
+            if type(exact) is Precise and isfinite(own.error) and isfinite(own.value):
+                worse |= _compare(start, numbers, address, own, exact.exact, found)
+            own = own.value
+        if floats is not tracked and own != plain and not (own != own and plain != plain):
+            found.unlike.append(f"{start.task} {address}: {plain!r} is not {own!r}, {start.label}: {numbers}")
+    return worse
+
+
+def _compare(start: Start, numbers: list[float], address: str, own: Tracked, exact: Any, found: Findings) -> bool:
+    found.compared += 1
+    true = difference(own.value, exact)
+    error = float(true)
+    if true > own.error:
+        found.broken.append(
+            f"{start.task} {address}: error {error:.3g}, bound {own.error:.3g}, {start.label}: {numbers}"
+        )
+    size = abs(own.value)
+    if size < LEAST:
+        return False
+    looseness = own.error / max(error, UNIT_ROUNDOFF * size)
+    found.looseness[address].append(looseness)
+    if looseness > found.loosest.measure:
+        found.loosest.offer(looseness, address, start, numbers)
+    if error > found.largest.measure * ulp(size):
+        found.largest.offer(error / ulp(size), address, start, numbers)
+    return own.error > 0.0 and found.nearest.offer(error / own.error, address, start, numbers)
+
+
+def search(task: str, places: list[Start], count: int, seed: int) -> Findings:
+    """So many answered evaluations of one task, shared by its starts."""
+    many_bits()
+    rng = random.Random(f"{task} {seed}")
+    found = Findings(task)
+    for number, start in enumerate(places):
+        base = start.numbers
+        evaluate(start, base, found)
+        wanted = -(-count * (number + 1) // len(places))
+        for _ in range(PATIENCE * count // len(places)):
+            if found.answered >= wanted:
+                break
+            numbers = disturbed(rng, start, base if rng.random() < CLIMBING else start.numbers)
+            if evaluate(start, numbers, found):
+                base = numbers
+    return found
+
+
+def by_task(family: str = "") -> dict[str, list[Start]]:
+    """The starts of every task."""
+    made: dict[str, list[Start]] = defaultdict(list)
+    for start in starts(family):
+        made[start.task].append(start)
+    return made
 
 
 def main() -> None:
     """Search as long as asked, and tell what was found."""
-    mp.dps = 60
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
-    for task, example in examples(sys.argv[2] if len(sys.argv) > 2 else ""):
-        inputs = bound_inputs(task, example)
-        if inputs is None or not list(inputs.leaves()):
-            continue
-        answered, found = broken(task, inputs, count, 1)
-        print(f"{task.path:22} {answered:6} answered, {len(found)} broken   {example[:60]}", flush=True)
-        for line in found[:3]:
-            print("    " + line)
+    from time import process_time
+
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
+    for task, places in by_task(sys.argv[2] if len(sys.argv) > 2 else "").items():
+        before = process_time()
+        found = search(task, places, count, 1)
+        print(
+            f"{task:22} {found.answered:7} answered, {found.refused} refused, {found.switched} switched, "
+            f"{found.compared} results compared, "
+            f"{len(found.broken)} broken, {len(found.unlike)} unlike, looseness {found.median:.1f} in the median, "
+            f"{process_time() - before:.1f} s",
+            flush=True,
+        )
+        for name in ("nearest", "largest", "loosest"):
+            print(f"    {name}: {getattr(found, name)}"[:400])
+        for line in found.broken[:4] + found.unlike[:3]:
+            print("    ! " + line[:600])
+        if found.loose():
+            print("    loose:", {key: round(value) for key, value in found.loose().items()})
 
 
 if __name__ == "__main__":

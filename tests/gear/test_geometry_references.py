@@ -110,7 +110,7 @@ def test_lengths_and_angles_of_pairs_to_thirteen_digits() -> None:
     worst = 0.0
     mp.dps = 60
     for case in CASES:
-        if case["task"] != "pair" or case["name"].startswith(("α_w", "tiny")):
+        if case["task"] != "pair" or any(word in case["name"] for word in ("α_w", "tiny")):
             continue
         choices = {name: CHOICES[name](value) for name, value in case["choices"].items()}
         plain = pair(**build(case["inputs"], leaves(case["inputs"])), **choices)

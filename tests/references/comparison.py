@@ -85,7 +85,8 @@ def measure(function: Callable[..., Any], case: dict[str, Any], groups: dict[str
         own = own if isinstance(own, Tracked) else Tracked(own, 0.0, (0.0,) * len(numbers))
         assert own.value == plain[name], (case["name"], name)
         reference = mpf(text)
-        terms = (abs(slope * number) for slope, number in zip(own.slopes, numbers, strict=True))
+        # an input of zero has no roundings, even where the slope by it has no bound
+        terms = (abs(slope * number) for slope, number in zip(own.slopes, numbers, strict=True) if number)
         reach = sum(terms)
         condition = reach / abs(own.value) if own.value else inf
         error = abs(mpf(own.value) - reference)

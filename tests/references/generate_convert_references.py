@@ -10,6 +10,9 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from found_cases import found
 from mpmath import mp, mpf
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -68,6 +71,12 @@ def main() -> None:
                 case |= {"name": f"{value} {source} to {target}", **({"why": why} if why else {})}
                 inputs = {"value": value, "from": source, "to": target}
                 lines.append(json.dumps({**case, "inputs": inputs, "results": {"value": expected}}))
+    for worst in found("convert.json"):
+        inputs = worst["inputs"]
+        kind = next(kind for kind, units in KINDS.items() if inputs["from"] in units)
+        results = {"value": converted(inputs["value"], inputs["from"], inputs["to"], kind)}
+        own = {key: worst[key] for key in ("name", "why", "inputs")}
+        lines.append(json.dumps({"task": "convert", "kind": "hard", **own, "results": results}))
     about = "Written by generate_convert_references.py: exact rationals (and π to 60 digits), results to 40 digits."
     text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
     (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "convert.json").write_text(text, encoding="utf-8")

@@ -11,6 +11,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from found_cases import doubles, found
 from mpmath import acos, asin, atan, cos, cot, findroot, mp, mpf, pi, sin, sqrt, tan
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -480,9 +483,24 @@ def hard() -> list[Case]:
     return cases
 
 
+def searched() -> list[Case]:
+    """The worst that the search for broken bounds has found."""
+    cases = []
+    for case in found("gear_geometry.json"):
+        task, choices, given = case["task"], case["choices"], doubles(case["inputs"])
+        if task in ("spur", "helical"):
+            results = one_gear(task, given, mpf(given.get("helix_angle", 0.0)), choices["internal"])
+        elif task == "pair":
+            results = two_gears(given, choices["internal"], choices["tips"] == "full")
+        else:
+            results = {"bevel": cones, "worm": screw, "crossed": crossed}[task](given)
+        cases.append(made(task, "hard", case["name"], case["why"], given, choices, results))
+    return cases
+
+
 def main() -> None:
     mp.dps = 80
-    cases = [*involute_cases(), *ordinary(), *hard()]
+    cases = [*involute_cases(), *ordinary(), *hard(), *searched()]
     about = "Written by generate_gear_geometry_references.py: SI inputs as doubles, results to 40 digits of 80."
     lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_geometry.json"

@@ -14,6 +14,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from found_cases import doubles, found
 from mpmath import acos, atan, atan2, cos, floor, matrix, mp, mpf, pi, sin, sqrt, tan
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -329,6 +332,11 @@ def generate() -> dict[str, Any]:
                 case["why"] = why
             results = {key: mp.nstr(value, 40) for key, value in solve(inputs).items()}
             cases.append({**case, "inputs": written(inputs), "results": results})
+    for case in found("gear_trains.json"):
+        solve = {"measure": all_sizes, "root": junction}[case["task"]]
+        results = {key: mp.nstr(value, 40) for key, value in solve(doubles(case["inputs"])).items()}
+        own = {key: case[key] for key in ("name", "why", "inputs")}
+        cases.append({"task": case["task"], "kind": "hard", **own, "results": results})
     about = "Written by generate_gear_trains_references.py: SI inputs as doubles, results to 40 digits."
     return {"about": about, "cases": cases}
 

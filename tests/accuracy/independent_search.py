@@ -1,0 +1,260 @@
+"""A search for stated bounds below the true error of tasks that no other numbers go through: against other formulas.
+
+    python tests/accuracy/independent_search.py [EVALUATIONS [TASK]]
+
+Each question draws inputs of its own kind of hardness, calls the task's function, and compares its results and the
+bounds it states with the functions that made the shipped references (tests/references): exact rationals of the legal
+definitions of units, arc cosines at up to 1,400 digits, laws of motion integrated from their acceleration, every set of
+acting contacts tried, products of tooth numbers. What is exact there is exact here.
+"""
+
+import random
+import sys
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from math import pi
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "references"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+import generate_cam_motion_references as cam_laws
+import generate_convert_references as units
+import generate_coords_references as points
+import generate_impact_particles_references as particles
+from mpmath import mp, mpf
+
+from dynamics_cli.cam.laws import LawName
+from dynamics_cli.cam.rises import rise
+from dynamics_cli.convert.conversion import convert
+from dynamics_cli.convert.coordinates import NAMES, System, coords
+from dynamics_cli.errors import DynamicsError
+from dynamics_cli.gear.ratio import ratio
+from dynamics_cli.gear.train import train
+from dynamics_cli.gear.train_scene import Planetary, Stages
+from dynamics_cli.impact.chain import Body, ChainLaw, chain
+from dynamics_cli.records import ExactQuantity
+
+# What the program gave, what it bounds its error by, and the exact value.
+Compared = tuple[str, float, float, Any]
+UNIT_ROUNDOFF = 2.0**-53
+# Of the cam laws' lift, velocity, acceleration and jerk, in shares of their peaks: as `cam rise` states them.
+LAW_BOUNDS = (1e-15, 1e-15, 5e-15, 5e-14)
+
+
+def quantity(value: str, unit: str) -> ExactQuantity:
+    """A decimal and its unit."""
+    exact = Fraction(value)
+    return ExactQuantity(exact.numerator, exact.denominator, unit)
+
+
+def stated(answer: Any) -> dict[str, tuple[float, bool]]:
+    """The bounds of an answer by address, and whether each is relative."""
+    return {one.result: (one.bound, one.relative) for one in answer.numerics.bounds}
+
+
+def bounded(answer: Any, name: str, value: float, exact: Any) -> Iterator[Compared]:
+    """A result with its bound as an absolute one; nothing where none is stated."""
+    bound = stated(answer).get(name)
+    if bound is not None:
+        yield name, value, bound[0] * abs(value) if bound[1] else bound[0], exact
+
+
+def converting(rng: random.Random) -> Iterator[Compared]:
+    """A decimal of 1 to 25 digits between two units of a kind, against exact rationals (and π)."""
+    kind = rng.choice(list(units.KINDS))
+    source, target = rng.sample(list(units.KINDS[kind]), 2)
+    digits = rng.randrange(10 ** rng.randrange(1, 25))
+    exponent = rng.choice((0, -2, -10, rng.randrange(-250, 250)))
+    text = f"{digits}e{exponent}"
+    (a, p, zero), (b, q, origin) = units.KINDS[kind][source], units.KINDS[kind][target]
+    exact = (Fraction(text) * a + zero - origin) / b
+    with mp.workdps(60):
+        number = mpf(exact.numerator) / exact.denominator * mp.pi ** (p - q)
+        answer = convert(quantity(text, source), target)
+        # the bound is on the distance from the exact result, relative to it
+        yield from bounded(answer, "value", answer.value.value, number)
+
+
+def _component(rng: random.Random, name: str) -> float:
+    if name in ("theta", "phi"):
+        low = 0.0 if name == "phi" else -pi
+        near = rng.choice((0.0, pi / 2, pi, -pi, rng.uniform(low, pi)))
+        value = near + rng.choice((0.0, 1.0, -1.0)) * 10.0 ** rng.uniform(-17.0, 1.0)
+        return min(max(value, 0.0), pi) if name == "phi" else value
+    size = 10.0 ** rng.choice((rng.uniform(-1.0, 1.0), rng.uniform(-20.0, 20.0), rng.uniform(-300.0, 300.0)))
+    return size if name in ("r", "rho") else rng.choice((size, -size, 0.0))
+
+
+def locating(rng: random.Random) -> Iterator[Compared]:
+    """A point near axes, planes and cuts, against arc cosines and complex exponentials at up to 1,400 digits."""
+    source = rng.choice(list(points.SOURCES))
+    names, exactly, targets = points.SOURCES[source]
+    values = [_component(rng, name) for name in names]
+    written = [
+        quantity(repr(x), "rad" if name in ("theta", "phi") else "") for x, name in zip(values, names, strict=True)
+    ]
+    # an arc cosine loses twice the digits by which components differ
+    wide = any(x and not 1e-60 < abs(x) < 1e60 for x in values)
+    with mp.workdps(points.DIGITS if wide else 300):
+        for target, wanted in zip(targets, exactly(*map(mpf, values)), strict=True):
+            answer = coords(*written, from_=System(source), into=System(target))
+            for name in NAMES[target]:
+                own = getattr(answer, name)
+                exact = wanted[name] * (180 / mp.pi if own.unit == "deg" else 1)
+                # a direction at the cut between −π and π is one direction
+                if name == "theta" and abs(own.value - exact) > abs(exact):
+                    exact = -exact
+                yield from bounded(answer, name, own.value, exact)
+
+
+def rising(rng: random.Random) -> Iterator[Compared]:
+    """Fifty places of a law of motion, near its ends and joints and between, against its integrated acceleration."""
+    name = rng.choice(list(cam_laws.LAWS))
+    lift, span = 10.0 ** rng.uniform(-4.0, 0.0), rng.uniform(1e-3, 3.0)
+    shares = [rng.choice((0.0, 0.125, 0.25, 0.5, 0.75, 1.0, rng.random())) for _ in range(50)]
+    moved = [min(max(x + rng.choice((0.0, 1.0, -1.0)) * 10.0 ** rng.uniform(-16.0, -1.0), 0.0), 1.0) for x in shares]
+    places = sorted({min(span * x, span) for x in moved})
+    answer = rise(law=LawName(name), lift=lift, span=span, at=tuple(places))
+    peaks = [lift, *(getattr(answer, f"peak_{key}") for key in cam_laws.DERIVATIVES[1:])]
+    law = cam_laws.LAWS[name]
+    with mp.workdps(60):
+        for place, point in zip(places, answer.points, strict=True):
+            x, near = mpf(place) / mpf(span), mpf(2) ** -50
+            values, low, high = law(x), law(max(x - near, mpf(0))), law(min(x + near, mpf(1)))
+            for order, key in enumerate(cam_laws.DERIVATIVES):
+                # a derivative that steps within a rounding of here has a value on either side
+                if peaks[order] and abs(low[order] - high[order]) < mpf(2) ** -36:
+                    bound = LAW_BOUNDS[order] * peaks[order]
+                    yield key, getattr(point, key), bound, mpf(lift) * values[order] / mpf(span) ** order
+
+
+def chaining(rng: random.Random) -> Iterator[Compared]:
+    """Two to four bodies in a row, against pairs in turn and against every set of acting contacts."""
+    count = rng.randrange(2, 5)
+    masses = [10.0 ** rng.uniform(-3.0, 3.0) if rng.random() < 0.5 else 1.0 for _ in range(count)]
+    speeds = sorted((rng.choice((0.0, rng.uniform(-5.0, 5.0))) for _ in range(count)), reverse=rng.random() < 0.5)
+    restitution = rng.choice((0.0, 1.0, rng.random()))
+    law = rng.choice(("sequential", "simultaneous"))
+    bodies = [{"mass": mass, "velocity": speed} for mass, speed in zip(masses, speeds, strict=True)]
+    answer = chain(bodies=tuple(Body(**body) for body in bodies), restitution=restitution, law=ChainLaw(law))
+    with mp.workdps(120):
+        given = {"bodies": bodies, "restitution": restitution}
+        wanted = particles.chain({**particles.exact(given), "law": {"name": law}})
+        for index, row in enumerate(answer.bodies):
+            for name in ("velocity", "delta_v", "impulse_to_next"):
+                value = getattr(row, name)
+                if value is not None:
+                    address = f"bodies[{index}].{name}"
+                    yield from bounded(answer, address, value, wanted[address])
+        yield from bounded(answer, "laws[0].energy_lost", answer.laws[0].energy_lost, wanted["laws[0].energy_lost"])
+
+
+def gearing(rng: random.Random) -> Iterator[Compared]:
+    """Compound trains and planetary sets, against products of tooth numbers and Willis' formula in rationals."""
+    if rng.random() < 0.5:
+        stages = [(rng.randrange(5, 500), rng.randrange(5, 500)) for _ in range(rng.randrange(1, 6))]
+        exact = Fraction(1)
+        for driver, driven in stages:
+            exact *= -Fraction(driven, driver)
+        answer = train(arrangement=Stages(", ".join(f"{a}:{b}" for a, b in stages)))
+    else:
+        sun, planet = rng.randrange(12, 300), rng.randrange(12, 300)
+        exact = 1 + Fraction(sun + 2 * planet, sun)
+        answer = train(arrangement=Planetary(sun=sun, ring=sun + 2 * planet, planets=1))
+    yield from bounded(answer, "ratio_value", answer.ratio_value, mpf(exact.numerator) / exact.denominator)
+
+
+def choosing(rng: random.Random) -> Iterator[Compared]:
+    """The trains found for a ratio, against their tooth numbers."""
+    target = Fraction(rng.randrange(100, 900), rng.randrange(50, 200))
+    answer = ratio(target=(target.numerator, target.denominator), stages=rng.randrange(1, 3), teeth=(12, 40))
+    for index, found in enumerate(answer.best):
+        exact = Fraction(1)
+        for stage in found.stages.split(","):
+            driver, driven = stage.split(":")
+            exact *= Fraction(int(driven), int(driver))
+        off = exact / target - 1
+        for name, value, rational in (
+            ("ratio_value", found.ratio_value, exact),
+            ("error_value", found.error_value, off),
+        ):
+            yield from bounded(answer, f"best[{index}].{name}", value, mpf(rational.numerator) / rational.denominator)
+
+
+# Each question, and how many evaluations the suite can afford: trying all sets of contacts takes 20 ms, a search 1 ms.
+QUESTIONS: dict[str, tuple[Callable[[random.Random], Iterator[Compared]], int]] = {
+    "convert": (converting, 10_000),
+    "coords": (locating, 10_000),
+    "cam rise": (rising, 10_000),
+    "impact chain": (chaining, 200),
+    "gear train": (gearing, 10_000),
+    "gear ratio": (choosing, 500),
+}
+
+
+class Findings:
+    """How many results were compared, where a bound did not hold, and how loose the bounds are."""
+
+    def __init__(self) -> None:
+        self.compared = 0
+        self.evaluations = 0
+        self.refused = 0
+        self.broken: list[str] = []
+        self.looseness: list[float] = []
+
+    @property
+    def median(self) -> float:
+        """The median of bound over max(error, 2⁻⁵³·|result|)."""
+        return median(self.looseness) if self.looseness else 0.0
+
+
+def search(task: str, count: int, seed: int) -> Findings:
+    """So many evaluations of one question."""
+    ask = QUESTIONS[task][0]
+    rng = random.Random(f"{task} {seed}")
+    found = Findings()
+    mp.dps = 60
+    while found.evaluations < count and found.refused < 4 * count + 100:
+        try:
+            results = list(ask(rng))
+        except DynamicsError:
+            found.refused += 1
+            continue
+        # a table counts by its rows
+        found.evaluations += max(1, len(results) // 4) if task == "cam rise" else 1
+        for name, value, bound, exact in results:
+            found.compared += 1
+            # less what the exact value's own last digits may be
+            error = max(abs(mpf(value) - exact) - abs(exact) * mpf(10) ** -50, mpf(0))
+            if error > bound:
+                found.broken.append(f"{task} {name}: {value!r}, error {mp.nstr(error, 3)}, bound {bound:.3g}")
+            room = max(float(error), UNIT_ROUNDOFF * abs(value))
+            if room > 1e-300:
+                found.looseness.append(bound / room)
+    return found
+
+
+def main() -> None:
+    """Search as long as asked, and tell what was found."""
+    from time import process_time
+
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
+    for task in QUESTIONS:
+        if len(sys.argv) > 2 and task != sys.argv[2]:
+            continue
+        before = process_time()
+        found = search(task, count, 1)
+        print(
+            f"{task:14} {found.evaluations:7} answered, {found.refused} refused, {found.compared} results compared, "
+            f"{len(found.broken)} broken, looseness {found.median:.1f} in the median, {process_time() - before:.1f} s",
+            flush=True,
+        )
+        for line in found.broken[:5]:
+            print("    ! " + line[:400])
+
+
+if __name__ == "__main__":
+    main()
