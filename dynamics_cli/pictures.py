@@ -16,11 +16,12 @@ if TYPE_CHECKING:
 
 @record
 class Axis:
-    """One axis: its title, and the kind of its SI numbers (None for pure numbers or names)."""
+    """One axis: its title, the kind of its SI numbers (None for pure numbers), or names that stand at 1, 2, 3 …."""
 
     title: str
     kind: "Any" = None
     logarithmic: bool = False
+    names: "tuple[str, ...]" = ()
 
 
 @record

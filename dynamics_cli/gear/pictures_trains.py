@@ -92,7 +92,7 @@ def profile_picture(result: "GearProfile", **_: "Any") -> Picture:
     """Show the profile with its circles."""
     assert result.drawing is not None
     outline = result.drawing.outlines[0]
-    x, y = _points(outline)
+    x, y = outline_points(outline)
     items: list[Any] = [Curve(x, y, outline.name, role=0)]
     circles = (
         ("tip", result.tip_diameter),
@@ -109,7 +109,8 @@ def profile_picture(result: "GearProfile", **_: "Any") -> Picture:
     return Picture((Panel(_X, _Y, tuple(items), equal=True),), f"Profile: {outline.name}")
 
 
-def _points(outline: "Outline") -> tuple[tuple[float, ...], tuple[float, ...]]:
+def outline_points(outline: "Outline") -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """A line through an outline, its arcs as chords."""
     found: list[tuple[float, float]] = []
     for piece in outline.pieces:
         if isinstance(piece, Points):

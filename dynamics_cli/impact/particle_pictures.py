@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Inertia, Length, RoadSpeed, Size, Speed, Time
 
 TYPE_CHECKING = False
@@ -25,9 +25,9 @@ def _scene(
     after: "list[tuple[float, float]]",
     changes: "list[tuple[float, float] | None]",
     title: str,
-    line: "tuple[Curve, ...]" = (),
+    line: "tuple[list[float], list[float]] | None" = None,
 ) -> Picture:
-    """Velocities before and after, and the changes that the impulse made."""
+    """Velocities before and after, and the changes that the impulse made; the line of impact is named once."""
     every = [*before, *after, *(change for change in changes if change is not None)]
     panels = []
     for word, vectors in (("before", before), ("after", after), ("ΔV", changes)):
@@ -36,7 +36,10 @@ def _scene(
             for role, (name, way) in enumerate(zip(("first", "second"), vectors, strict=True))
             if way is not None
         ]
-        panels.append(Panel(EAST, NORTH, (*_cross(every), *line, *arrows), word, equal=True))
+        shown: list[Any] = [*_cross(every)]
+        if line is not None:
+            shown.append(Curve(*line, "line of impact" if word == "after" else "", "dashed", 5))
+        panels.append(Panel(EAST, NORTH, (*shown, *arrows), word, equal=True))
     return Picture(tuple(panels), title, columns=3)
 
 
@@ -53,8 +56,8 @@ def oblique(made: "Any", **_: "Any") -> Picture:
     compass = str(made.conventions.axes).startswith("compass")
     way = (math.sin(turn), math.cos(turn)) if compass else (math.cos(turn), math.sin(turn))
     reach = max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
-    line = Curve([-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]], "line of impact", "dashed", 5)
-    return _scene(before, after, changes, "oblique impact", (line,))
+    line = [-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]]
+    return _scene(before, after, changes, "oblique impact", line)
 
 
 def momentum(made: "Any", **_: "Any") -> Picture:
@@ -76,9 +79,9 @@ def central(made: "Any", **_: "Any") -> Picture:
     items: list[Any] = []
     for role, (name, one) in enumerate((("first", made.first), ("second", made.second))):
         items.append(
-            Curve([0.0, 1.0, 2.0], [one.velocity - one.delta_v, made.common_velocity, one.velocity], name, role=role)
+            Curve([1.0, 2.0, 3.0], [one.velocity - one.delta_v, made.common_velocity, one.velocity], name, role=role)
         )
-    stage = Axis("before (0), greatest compression (1), after (2)")
+    stage = Axis("", names=("before", "greatest compression", "after"))
     return Picture((Panel(stage, Axis("velocity", Speed), tuple(items)),), "central impact")
 
 
@@ -129,10 +132,11 @@ def chain(made: "Any", *, bodies: "Any", **_: "Any") -> Picture:
 
 def yaw_inertia(made: "Any", **_: "Any") -> Picture:
     """What every rule gives, and the range of all."""
-    numbers = [float(nth) for nth in range(1, len(made.rules) + 1)]
+    names = tuple(str(one.rule) for one in made.rules)
+    rules = Bars(names, [0.0] * len(names), [float(one.yaw_inertia) for one in made.rules])
     items = (
-        Curve(numbers, [one.yaw_inertia for one in made.rules], "rules", "points", 0),
-        Band(made.yaw_inertia, made.yaw_inertia, "estimate", vertical=False),
-        Band(made.lowest, made.highest, "range", vertical=False),
+        rules,
+        Band(float(made.yaw_inertia), float(made.yaw_inertia), "estimate"),
+        Band(float(made.lowest), float(made.highest), "range"),
     )
-    return Picture((Panel(Axis("rule"), Axis("yaw inertia", Inertia), items),), "yaw inertia by rules")
+    return Picture((Panel(Axis("yaw inertia", Inertia), Axis(""), items),), "yaw inertia by rules")

@@ -70,11 +70,11 @@ def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pa
     tangent = -towards[1] * size, towards[0] * size
     ends = [at[0] - tangent[0], at[0] + tangent[0]], [at[1] - tangent[1], at[1] + tangent[1]]
     items.append(Curve(*ends, "tangent", style="dashed", role=6))
-    scale = 0.8 * size / (math.hypot(*impulse) or 1.0)
+    scale = 0.5 * size / (math.hypot(*impulse) or 1.0)
     for role, way in ((0, -1.0), (1, 1.0)):
         dx, dy = way * scale * impulse[0], way * scale * impulse[1]
-        items.append(Arrow(*at, dx, dy, f"impulse on the {('first', 'second')[role]}", role))
-    return Panel(Axis("x", Length), Axis("y", Length), tuple(items), "contact", equal=True)
+        items.append(Arrow(*at, dx, dy, "", role))
+    return Panel(Axis("x", Length), Axis("y", Length), tuple(items), "contact, and the impulse on each", equal=True)
 
 
 def _velocities(vectors: "list[Pair]", title: str) -> Panel:

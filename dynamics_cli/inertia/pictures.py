@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 VIEWS = ((0, 1), (0, 2), (1, 2))
 STEPS = 64
 # Marks closer than these shares of the body's size, along and across a name, would be written over one another.
-CROWDED = 0.4, 0.1
+CROWDED = 1.0, 0.2
 # An axis that is seen end on has no arrow.
 SEEN = 1e-3
 BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
@@ -59,7 +59,8 @@ def _panel(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", i: 
         for wire in lines:
             x, y = [point[i] for point in wire], [point[j] for point in wire]
             items.append(Curve(x, y, style="dashed" if hole else "thin", role=HOLE if hole else BODY))
-    items.append(_ellipse(answer, i, j))
+    # One legend is enough for three views of one body.
+    items.append(_ellipse(answer, i, j, "ellipsoid of the same inertia" if (i, j) == VIEWS[1] else ""))
     at = answer.centroid
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
@@ -84,7 +85,7 @@ def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
     return kept
 
 
-def _ellipse(answer: "MassProperties", i: int, j: int) -> Curve:
+def _ellipse(answer: "MassProperties", i: int, j: int, label: str) -> Curve:
     """The outline of the ellipsoid Q = Σ aₖ² vₖ vₖᵀ seen along an axis: that of the block of Q in the plane."""
     a = [size * size for size in answer.equivalent_ellipsoid]
     v = answer.principal_axes
@@ -95,4 +96,4 @@ def _ellipse(answer: "MassProperties", i: int, j: int) -> Curve:
     turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
     x = [answer.centroid[i] + first * cos(t) for t in turns]
     y = [answer.centroid[j] + across * cos(t) + rest * sin(t) for t in turns]
-    return Curve(x, y, "ellipsoid of the same inertia", role=ELLIPSOID)
+    return Curve(x, y, label, role=ELLIPSOID)

@@ -14,6 +14,8 @@ REPORT = Command(
         Option("format", "FORMAT", "markdown (the default) or html; else by the ending of --output.", FORMS),
         Option("output", "FILE", "Write the report to a file, whole or not at all."),
         Option("title", "TEXT", "The report's title."),
+        Option("case", "TEXT", "Number or name of the case, put under the title."),
+        Option("author", "TEXT", "Who prepared it, put under the title."),
         Option("digits", "N", "Significant digits of results (6)."),
     ),
     "dynamics_cli.report.command:carry_out",

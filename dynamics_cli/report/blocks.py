@@ -33,10 +33,11 @@ class Items:
 
 @record
 class Table:
-    """Rows of text under a head."""
+    """Rows of text under a head; tables are numbered as they come."""
 
     head: "Sequence[str]"
     rows: "Sequence[Sequence[str]]"
+    caption: str
 
 
 @record
@@ -48,7 +49,7 @@ class Code:
 
 @record
 class Image:
-    """An SVG picture with words for those who cannot see it."""
+    """An SVG picture with the words that stand under it; pictures are numbered as they come."""
 
     svg: bytes
     text: str
@@ -58,10 +59,14 @@ Block = Heading | Paragraph | Items | Table | Code | Image
 
 STYLE = (
     "body{font:11pt/1.45 system-ui,sans-serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
-    "table{border-collapse:collapse;margin:.6em 0}td,th{border:1px solid #bbb;padding:.2em .6em;text-align:left}"
-    "th{background:#eee}pre{background:#f6f6f6;padding:.6em;overflow:auto;font-size:9pt;white-space:pre-wrap}"
-    "svg{max-width:100%;height:auto}h2{border-bottom:1px solid #bbb;margin-top:2em}"
-    "@media print{body{margin:0;max-width:none}h2{break-before:page}table,svg{break-inside:avoid}}"
+    "table{border-collapse:collapse;margin:.6em 0 1em}td,th{border:1px solid #bbb;padding:.2em .6em;text-align:left;"
+    "vertical-align:top;overflow-wrap:anywhere}th{background:#eee}caption,figcaption{text-align:left;font-size:9.5pt;"
+    "color:#333;padding:.2em 0}caption{caption-side:top}pre{background:#f6f6f6;padding:.6em;overflow:auto;"
+    "font-size:9pt;white-space:pre-wrap;overflow-wrap:anywhere}figure{margin:1em 0}svg{max-width:100%;height:auto}"
+    "h2{border-bottom:1px solid #bbb;margin-top:2em}"
+    "@page{margin:20mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages)}}"
+    "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2{break-before:page}h2,h3{break-after:avoid}"
+    "tr,figure{break-inside:avoid}thead{display:table-header-group}pre{break-inside:auto}}"
 )
 
 
@@ -69,6 +74,7 @@ def markdown(blocks: "Sequence[Block]", images: "Sequence[str]") -> str:
     """The report as Markdown; `images` names the pictures' files in order, none where they are left out."""
     names = iter(images)
     parts: list[str] = []
+    tables = figures = 0
     for block in blocks:
         if isinstance(block, Heading):
             parts.append(f"{'#' * block.level} {_plain(block.text)}")
@@ -77,13 +83,16 @@ def markdown(blocks: "Sequence[Block]", images: "Sequence[str]") -> str:
         elif isinstance(block, Items):
             parts.append("\n".join(f"- {_plain(text)}" for text in block.texts))
         elif isinstance(block, Table):
+            tables += 1
             lines = [_row(block.head), "|" + "---|" * len(block.head), *map(_row, block.rows)]
-            parts.append("\n".join(lines))
+            parts += [f"*Table {tables}. {_plain(block.caption)}*", "\n".join(lines)]
         elif isinstance(block, Code):
             fence = "`" * max(3, 1 + _longest_run(block.text, "`"))
             parts.append(f"{fence}\n{block.text}\n{fence}")
         elif (name := next(names, "")) != "":
-            parts.append(f"![{_plain(block.text)}]({name.replace(' ', '%20')})")
+            figures += 1
+            words = _plain(block.text)
+            parts += [f"![{words}]({name.replace(' ', '%20')})", f"*Figure {figures}. {words}*"]
     return "\n\n".join(parts) + "\n"
 
 
@@ -107,8 +116,13 @@ def _longest_run(text: str, mark: str) -> int:
 
 def html(blocks: "Sequence[Block]", title: str) -> str:
     """The report as one HTML file, pictures within it."""
-    head = f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
+    head = (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width"><meta name="generator" content="dynamics">'
+        f"<title>{escape(title)}</title>"
+    )
     parts = [f"{head}<style>{STYLE}</style></head><body>"]
+    tables = figures = 0
     for nth, block in enumerate(blocks):
         if isinstance(block, Heading):
             parts.append(f"<h{block.level}>{escape(block.text)}</h{block.level}>")
@@ -117,16 +131,23 @@ def html(blocks: "Sequence[Block]", title: str) -> str:
         elif isinstance(block, Items):
             parts.append("<ul>" + "".join(f"<li>{escape(text)}</li>" for text in block.texts) + "</ul>")
         elif isinstance(block, Table):
-            parts.append(f"<table>{_cells('th', block.head)}{''.join(_cells('td', row) for row in block.rows)}</table>")
+            tables += 1
+            caption = f"<caption>Table {tables}. {escape(block.caption)}</caption>"
+            rows = "".join(_cells("td", row) for row in block.rows)
+            parts.append(f"<table>{caption}<thead>{_cells('th', block.head)}</thead><tbody>{rows}</tbody></table>")
         elif isinstance(block, Code):
             parts.append(f"<pre>{escape(block.text)}</pre>")
         else:
-            parts.append(f'<figure aria-label="{escape(block.text)}">{_inline(block.svg, f"p{nth}-")}</figure>')
+            figures += 1
+            words = escape(block.text)
+            caption = f"<figcaption>Figure {figures}. {words}</figcaption>"
+            parts.append(f'<figure role="img" aria-label="{words}">{_inline(block.svg, f"p{nth}-")}{caption}</figure>')
     return "\n".join([*parts, "</body></html>"]) + "\n"
 
 
 def _cells(kind: str, texts: "Sequence[str]") -> str:
-    return "<tr>" + "".join(f"<{kind}>{escape(text)}</{kind}>" for text in texts) + "</tr>"
+    start = '<th scope="col">' if kind == "th" else "<td>"
+    return "<tr>" + "".join(f"{start}{escape(text)}</{kind}>" for text in texts) + "</tr>"
 
 
 def _inline(svg: bytes, prefix: str) -> str:

@@ -8,7 +8,8 @@ from dynamics_cli.core.writing import Beforehand
 from dynamics_cli.errors import UsageError
 from dynamics_cli.report import FORMS
 from dynamics_cli.report.again import Again, calculate
-from dynamics_cli.report.blocks import Block, Code, Heading, Image, Items, Paragraph, html, markdown
+from dynamics_cli.report.blocks import Block, Image, Paragraph, html, markdown
+from dynamics_cli.report.front import Source, files, front, named
 from dynamics_cli.report.sections import embedded, section
 
 TYPE_CHECKING = False
@@ -39,17 +40,19 @@ def carry_out(
     output, form = options.get("output", ""), _form(options)
     digits = _digits(options.get("digits", ""))
     title = options.get("title") or "Calculations"
-    read = [one for name in words for one in _read(name, terminal)]
-    answers = [_again(document, name, families, find, terminal) for name, document, _ in read]
-    images = [again.picture is not None for again in answers]
-    drawn = _pictures(answers, terminal) if any(images) else {}
-    blocks = _blocks(title, read, answers, drawn, digits, families, find)
+    sources = named([one for name in words for one in _read(name, terminal)])
+    answers = [_again(one.document, one.file, families, find, terminal) for one in sources]
+    drawn = _pictures(answers, terminal) if any(again.picture is not None for again in answers) else {}
+    blocks = front(title, options.get("case", ""), options.get("author", ""), sources, answers)
+    blocks += _sections(sources, answers, drawn, digits, families, find)
+    blocks += embedded([one.document for one in sources])
+    blocks += files(sources, {one.digest: nth for nth, one in enumerate(sources, 1)})
     if form == "html":
         _write(html(blocks, title), output, [], terminal)
         return
     stem = os.path.splitext(output)[0]
-    files = [(f"{stem}-{nth + 1}.svg", svg) for nth, svg in drawn.items()] if output else []
-    _write(markdown(blocks, [os.path.basename(name) for name, _ in files]), output, files, terminal)
+    beside = [(f"{stem}-{nth + 1}.svg", svg) for nth, svg in drawn.items()] if output else []
+    _write(markdown(blocks, [os.path.basename(name) for name, _ in beside]), output, beside, terminal)
 
 
 def _form(options: "Mapping[str, str]") -> str:
@@ -82,7 +85,9 @@ def _read(name: str, terminal: "Terminal") -> "list[tuple[str, Document, str]]":
     for document in found:
         if not isinstance(document, dict) or document.get("schema") != DOCUMENT_SCHEMA:
             raise UsageError(
-                f"{name!r} holds no result document", code="schema", hint="write one with --json --output FILE"
+                f"{name!r} holds no result document",
+                code="schema",
+                hint="write one with --json --output FILE; rows of --rows are none",
             )
     if not found:
         raise UsageError(f"{name!r} is empty", code="json")
@@ -115,27 +120,24 @@ def _pictures(answers: "list[Again]", terminal: "Terminal") -> "dict[int, bytes]
         return {}
 
 
-def _blocks(
-    title: str,
-    read: "list[tuple[str, Document, str]]",
+def _sections(
+    sources: "list[Source]",
     answers: "list[Again]",
     drawn: "Mapping[int, bytes]",
     digits: int,
     families: "Mapping[str, tuple[str, str]]",
     find: "Callable[[str], Family]",
 ) -> "list[Block]":
-    blocks: list[Block] = [Heading(1, title)]
-    lines = [f"{nth}. dynamics {document['command']}" for nth, (_, document, _) in enumerate(read, 1)]
-    blocks.append(Items(lines))
-    for nth, ((name, document, digest), again) in enumerate(zip(read, answers, strict=True)):
+    blocks: list[Block] = []
+    for nth, (one, again) in enumerate(zip(sources, answers, strict=True)):
+        document = one.document
         explained = {**document, "explanation": (again.document or document).get("explanation", {})}
-        blocks += section(nth + 1, explained, _summary(document, families, find), digits)
+        blocks += section(nth + 1, one.name, explained, _summary(document, families, find), digits)
         if nth in drawn:
-            blocks.append(Image(drawn[nth], f"Picture of dynamics {document['command']}"))
-        shown = "standard input" if name == "-" else os.path.basename(name)
-        blocks.append(Paragraph(f"{again.words[:1].upper()}{again.words[1:]}. Read from {shown}, SHA-256:"))
-        blocks.append(Code(digest))
-    return blocks + embedded([document for _, document, _ in read])
+            what = again.picture.title if again.picture is not None else ""
+            blocks.append(Image(drawn[nth], f"{one.name}: {what or document['command']}"))
+        blocks.append(Paragraph(f"{again.words[:1].upper()}{again.words[1:]}."))
+    return blocks
 
 
 def _summary(document: "Document", families: "Mapping[str, tuple[str, str]]", find: "Callable[[str], Family]") -> str:

@@ -79,6 +79,7 @@ DRAG_FACTOR = Task(
         ),
         assumptions=("the deceleration is steady", "both axles stay on the road"),
     ),
+    plot=HERE + "pictures:drag_factor",
     examples=(
         'dynamics skid drag-factor --friction 0.7 --grade "-4 %" --braking "85 %"',
         "dynamics skid drag-factor --front-friction 0.75 --rear-friction 0.75 --rear-braking 0.4 "
@@ -208,6 +209,7 @@ SPIN = Task(
         "f = ({mean_share|k}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
+    plot=HERE + "pictures:spin",
     examples=(
         'dynamics skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
         'dynamics skid spin --drag-share "60 %" --distance "18 m" --friction 0.65 --end-speed "5 km/h"',

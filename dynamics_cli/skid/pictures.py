@@ -3,14 +3,16 @@
 import math
 from itertools import pairwise
 
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Angle, Friction, Length, RoadSpeed, Time
+from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Count, DragFactor, Fraction, Friction, Length, RoadSpeed, Slope, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 POINTS = 121
+# Roads are no steeper than this.
+STEEPEST = 0.15
 DISTANCE = Axis("distance", Length)
 SPEED = Axis("speed", RoadSpeed)
 
@@ -116,7 +118,9 @@ def friction(made: "Any", **_: "Any") -> Picture:
     if made.standard_error:
         spread = made.standard_error
         items.append(Band(made.friction - spread, made.friction + spread, "standard error", vertical=False))
-    return Picture((Panel(Axis("test skid"), Axis("friction", Friction), tuple(items)),), "friction from test skids")
+    return Picture(
+        (Panel(Axis("test skid", Count), Axis("friction", Friction), tuple(items)),), "friction from test skids"
+    )
 
 
 def pedestrian(
@@ -135,3 +139,56 @@ def pedestrian(
     if launch_angle is not None and made.speed is not None:
         items.append(Mark(launch_angle, made.speed, "as launched"))
     return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
+
+
+def drag_factor(made: "Any", *, measurement: "Any", **_: "Any") -> Picture:
+    """Drag factor over the grade of the road, everything else as it is; the load of each axle where axles are known."""
+    grades = [STEEPEST * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
+    # Work along the road: f = (m + G)/√(1 + G²), m being what the tyres do on a level road.
+    own = float(made.effective_friction)
+    factors = [(own + grade) / math.sqrt(1.0 + grade * grade) for grade in grades]
+    items: list[Any] = [
+        Curve(grades, factors, role=0),
+        Mark(measurement.grade, float(made.drag_factor), "here"),
+    ]
+    if own <= STEEPEST:
+        items.append(Band(0.0, 0.0, "no drag", vertical=False))
+    panels = [Panel(Axis("grade, uphill positive", Slope), Axis("drag factor", DragFactor), tuple(items))]
+    if made.front_share is not None and made.rear_share is not None:
+        shares = [float(made.front_share), float(made.rear_share)]
+        bars = Bars(("front axle", "rear axle"), [0.0, 0.0], shares)
+        panels.append(Panel(Axis("share of the weight while braking", Fraction), Axis(""), (bars,)))
+    return Picture(tuple(panels), "drag factor")
+
+
+def spin(
+    made: "Any", *, drag: "Any", distance: float, friction: float, grade: float = 0.0, end_speed: float = 0.0,
+    gravity: float, **_: "Any",
+) -> Picture:  # fmt: skip
+    """How much of the friction acts while the vehicle turns, and its speed along the way."""
+    shares = [i / (POINTS - 1) for i in range(POINTS)]
+    mean = float(made.mean_share)
+    rotation = getattr(drag, "rotation", None)
+    panels = []
+    local = [mean] * POINTS
+    if rotation is not None:
+        rolling = drag.rolling_drag
+        turns = [drag.start_angle + share * rotation for share in shares]
+        local = [rolling + (1.0 - rolling) * abs(math.sin(turn)) for turn in turns]
+        items = (
+            Curve([share * rotation for share in shares], local, "share of the friction that acts", role=0),
+            Band(mean, mean, "mean", vertical=False),
+        )
+        panels.append(Panel(Axis("rotation since the impact", Angle), Axis("share of the friction", Fraction), items))
+    # From the end back: what each stretch takes from v², scaled so that the whole is what the answer says.
+    slope = math.sqrt(1.0 + grade * grade)
+    squares = [end_speed * end_speed]
+    for one, other in pairwise(reversed(local)):
+        drag_here = (0.5 * (one + other) * friction + grade) / slope
+        squares.append(squares[-1] + 2.0 * gravity * drag_here * distance / (POINTS - 1))
+    top = float(made.speed) ** 2 - squares[0]
+    scale = top / (squares[-1] - squares[0]) if squares[-1] != squares[0] else 1.0
+    speeds = [math.sqrt(max(0.0, squares[0] + scale * (square - squares[0]))) for square in reversed(squares)]
+    road = Curve([share * distance for share in shares], speeds, role=0)
+    panels.append(Panel(DISTANCE, SPEED, (road, Mark(0.0, float(made.speed), "after the impact"))))
+    return Picture(tuple(panels), "a spin to rest" if end_speed == 0.0 else "a spin")

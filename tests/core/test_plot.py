@@ -74,7 +74,7 @@ class TestWhatIsPictured:
     def test_a_sweep_has_a_curve_for_every_result(self) -> None:
         sweeps = ("--sweep", "friction=0.3:0.9:7", "--sweep", "distance=20 ft:60 ft:2")
         text = on_screen("skid", "speed", "--distance", "60 ft", "--friction", "0.7", *sweeps, "--plot", "-")
-        assert "speed [km/h]: distance = 20 ft, distance = 60 ft" in text
+        assert "speed [km/h]\na distance = 20 ft; b distance = 60 ft\n" in text
         assert "time [s]" in text
 
     def test_a_sweep_in_a_file(self, tmp_path: Path) -> None:

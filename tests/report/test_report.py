@@ -1,5 +1,6 @@
 """Reports: what a document says, calculated again from the inputs it holds, in Markdown and HTML."""
 
+import hashlib
 import json
 import re
 import sys
@@ -133,8 +134,71 @@ def test_several_documents_from_standard_input_and_a_sweep(tmp_path: Path) -> No
     sweep = written(tmp_path, "s.json", "skid", "speed", "--distance", "9 m", "--friction", "0.7",
                     "--sweep", "friction=0.1:0.9:99")  # fmt: skip
     shown = run("report", sweep).out
-    assert "A sweep, shown as it was written" in shown
+    assert SAME in shown
     assert "| … |" in shown
+    assert "99 rows, of which the first and the last 20 are shown" in shown
+    assert "| friction | 0.1 to 0.9, 99 values |" in shown
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        ("--friction", "0.7", "--sweep", "friction=0.1:0.9:4", "--sweep", "distance=3 m:9 m:3", "--units", "us"),
+        ("--friction", "0.7", "--sweep", "friction=0.1:0.9:5", "--to", "speed=ft/s"),
+        ("--sweep", "distance=3 m:9 m:3", "--friction", "0.7 ± 0.05", "--coverage", "90 %"),
+    ],
+)
+def test_sweeps_are_calculated_again_and_what_differs_is_told(more: tuple[str, ...], tmp_path: Path) -> None:
+    name = written(tmp_path, "s.json", "skid", "speed", "--distance", "9 m", *more)
+    assert SAME in run("report", name).out
+    document = json.loads(Path(name).read_text())
+    document["results"]["sweep"]["speed"]["value"][1] *= 1.0 + 1e-15
+    Path(name).write_text(json.dumps(document))
+    text = run("report", name).out
+    assert SAME not in text
+    assert r"these differ: sweep\[1].speed was" in text
+
+
+def test_a_changed_interval_is_told_and_so_is_a_changed_row_of_a_table(tmp_path: Path) -> None:
+    name = written(tmp_path, "a.json", *SPEED)
+    text = Path(name).read_text()
+    for change in (("interval", 0), ("std", None)):
+        document = json.loads(text)
+        node = document["results"]["speed"]
+        if change[1] is None:
+            node[change[0]] *= 1.001
+        else:
+            node[change[0]][change[1]] *= 1.001
+        Path(name).write_text(json.dumps(document))
+        assert f"these differ: speed, {change[0]} was" in run("report", name).out
+    document = json.loads(text)
+    document["results"]["surfaces"][0]["time"]["value"] *= 1.001
+    Path(name).write_text(json.dumps(document))
+    assert r"these differ: surfaces\[0].time was" in run("report", name).out
+
+
+def test_a_report_leads_with_its_case_and_what_was_found(tmp_path: Path) -> None:
+    first = written(tmp_path, "before.json", *SPEED[:-2])
+    second = written(tmp_path, "after.json", "skid", "distance", "--speed", f"@{first}:speed", "--friction", "0.7")
+    text = run("report", first, second, "--case", "2026-17", "--author", "A. Expert").out
+    assert text.startswith("# Calculations\n\n- Case: 2026-17\n- Prepared by: A. Expert\n\n## Summary\n")
+    assert "| 1 | before | dynamics skid speed | speed is beyond 35 mph with a probability of" in text
+    assert "| 2 | after | dynamics skid distance | distance " in text
+    assert "2 of 2 calculations came out the same" in text
+    assert "## 2. after: dynamics skid distance" in text
+    files = text.partition("## Files")[2]
+    digest = hashlib.sha256(Path(first).read_bytes()).hexdigest()
+    assert f"| before.json | document of section 1; read by section 2 (the document of section 1) | {digest} |" in files
+
+
+def test_tables_and_figures_are_numbered_and_the_methods_of_uncertainty_are_told(tmp_path: Path) -> None:
+    page = tmp_path / "r.html"
+    assert run("report", written(tmp_path, "a.json", *SPEED), "--output", str(page)).status == 0
+    text = page.read_text()
+    numbers = [int(one) for one in re.findall(r"<caption>Table (\d+)\.", text)]
+    assert numbers == list(range(1, text.count("<table>") + 1))
+    assert "<figcaption>Figure 1. a: " in text
+    assert "uncertainty: tensor Gauss–Hermite along the gradient, its error estimated at" in text
 
 
 def test_without_the_library_there_are_no_pictures_and_it_says_so(

@@ -1,24 +1,35 @@
 """Pictures in files: SVG, PNG and PDF by matplotlib, which only this module imports; the same bytes every time."""
 
 import io
+from textwrap import fill
 
 from dynamics_cli.core.plot.axes import Scale, finite
 from dynamics_cli.errors import UsageError
 from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Mark
+from dynamics_cli.quantities import Count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.pictures import Panel, Picture
+    from dynamics_cli.pictures import Axis, Panel, Picture
 
 # Okabe and Ito's colours, which colour-blind readers tell apart; yellow is left out, being lost on paper.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-WIDTH = 6.6
+# Dashes and markers go with the colours, so that a grey print tells curves apart as well.
+DASHES: "tuple[Any, ...]" = (
+    "-", (0, (7, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (1.2, 1.2)), (0, (12, 3)),
+)  # fmt: skip
+MARKERS = "os^Dv<>"
+# Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
+WIDTHS = (6.6, 7.6, 8.4)
 HEIGHT = 3.0
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
+# Letters of a title and ticks of an axis over the whole width.
+LONGEST_TITLE = 84
+MOST_TICKS = 12
 RESOLUTION = 160
 _STYLES: "dict[str, dict[str, Any]]" = {
     "solid": {"linestyle": "-", "linewidth": 1.5},
@@ -42,8 +53,11 @@ _SETTINGS = {
     "axes.axisbelow": True,
     "legend.frameon": False,
     "legend.fontsize": 8.0,
+    "legend.handlelength": 3.2,
     "axes.spines.top": False,
     "axes.spines.right": False,
+    # A scale that begins somewhere else, told in small print at its end, is misread.
+    "axes.formatter.useoffset": False,
 }
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 # No dates and no version of a library, so that a file depends on its numbers alone.
@@ -79,8 +93,11 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
         matplotlib.rcParams.update(_SETTINGS)
         columns = min(picture.columns, len(picture.panels))
         lines = -(-len(picture.panels) // columns)
-        tall = [max(_height(panel) for panel in picture.panels[i * columns : (i + 1) * columns]) for i in range(lines)]
-        figure = Figure(figsize=(WIDTH * (1.0 + 0.75 * (columns - 1)), sum(tall) + 0.3), layout="constrained")
+        tall = [
+            max(_height(panel, columns) for panel in picture.panels[i * columns : (i + 1) * columns])
+            for i in range(lines)
+        ]
+        figure = Figure(figsize=(_width(columns), sum(tall) + 0.3), layout="constrained")
         FigureCanvasAgg(figure)
         grid = figure.add_gridspec(lines, columns, height_ratios=tall)
         for index, panel in enumerate(picture.panels):
@@ -92,11 +109,17 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
     return file.getvalue()
 
 
-def _height(panel: "Panel") -> float:
+def _width(columns: int) -> float:
+    return WIDTHS[min(columns, len(WIDTHS)) - 1]
+
+
+def _height(panel: "Panel", columns: int) -> float:
+    legend = 0.2 * len(_legend(panel)) if columns > 1 else 0.0
     if panel.equal:
-        return min(EQUAL_HEIGHT, max(LEAST_HEIGHT, 0.7 + 0.85 * WIDTH * _slenderness(panel)))
+        share = 0.85 * _width(columns) / columns
+        return legend + min(EQUAL_HEIGHT, max(LEAST_HEIGHT, 0.7 + share * _slenderness(panel)))
     bars = [len(item.names) for item in panel.items if isinstance(item, Bars)]
-    return max(1.2, 0.6 + 0.28 * max(bars)) if bars else HEIGHT
+    return legend + (max(1.2, 0.6 + 0.28 * max(bars)) if bars else HEIGHT)
 
 
 def _slenderness(panel: "Panel") -> float:
@@ -118,62 +141,119 @@ def _panel(axes: "Any", panel: "Panel", system: str) -> None:
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     axes.set_xlabel(x.label)
     axes.set_ylabel(y.label)
+    columns = axes.get_gridspec().ncols
     if panel.title:
-        axes.set_title(panel.title)
+        axes.set_title(fill(panel.title, LONGEST_TITLE // columns))
     if x.logarithmic:
         axes.set_xscale("log")
     if y.logarithmic:
         axes.set_yscale("log")
     if panel.equal:
         axes.set_aspect("equal", adjustable="datalim")
-    colours = iter(COLOURS * (1 + len(panel.items) // len(COLOURS)))
+    for axis, side in ((panel.x, axes.xaxis), (panel.y, axes.yaxis)):
+        _ticks(side, axis, columns)
+    pens = _Pens(panel)
     for item in panel.items:
-        _DRAW[type(item)](axes, item, x, y, colours)
+        _DRAW[type(item)](axes, item, x, y, pens)
     if any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
         # Room for words beside the outermost points.
         axes.margins(x=0.2, y=0.12)
-    if any(getattr(item, "label", "") and isinstance(item, Curve | Band) for item in panel.items):
-        axes.legend(loc="best")
+    if _legend(panel):
+        axes.legend(**_legend_place(axes, panel))
 
 
-def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, colours: "Any") -> None:
-    colour = COLOURS[item.role % len(COLOURS)] if item.role >= 0 else next(colours)
+def _legend(panel: "Panel") -> "list[str]":
+    return [item.label for item in panel.items if isinstance(item, Curve | Band) and item.label]
+
+
+def _legend_place(axes: "Any", panel: "Panel") -> "dict[str, Any]":
+    """Under a narrow panel; beside shapes and bars, which leave no corner free; else wherever there is room."""
+    if axes.get_gridspec().ncols == 1:
+        full = panel.equal or any(
+            isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
+        )
+        return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
+    from matplotlib.transforms import ScaledTranslation
+
+    below = axes.transAxes + ScaledTranslation(0.0, -0.42, axes.figure.dpi_scale_trans)
+    return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below}
+
+
+def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
+    """Names at 1, 2, 3 …, whole numbers where things are counted, and no more ticks than there is room for."""
+    from matplotlib.ticker import MaxNLocator
+
+    if axis.names:
+        side.set_ticks(range(1, len(axis.names) + 1), labels=list(axis.names))
+    elif axis.kind is Count:
+        side.set_major_locator(MaxNLocator(integer=True))
+    elif columns > 1 and not axis.logarithmic:
+        side.set_major_locator(MaxNLocator(nbins=MOST_TICKS // columns, steps=[1, 2, 2.5, 5, 10]))
+
+
+class _Pens:
+    """Colours, dashes and markers of a panel's curves."""
+
+    def __init__(self, panel: "Panel") -> None:
+        solid = [item for item in panel.items if isinstance(item, Curve) and item.style in ("solid", "steps")]
+        # One curve alone is a plain line, and so are shapes, whose places tell them apart.
+        self.dashed = not panel.equal and sum(bool(item.label) for item in solid) > 1
+        self.last = -1
+
+    def style(self, item: Curve) -> "dict[str, Any]":
+        """What matplotlib takes for a curve."""
+        if item.role < 0:
+            self.last += 1
+        nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
+        style = {**_STYLES[item.style], "color": COLOURS[nth]}
+        if item.style == "points":
+            style["marker"] = MARKERS[nth]
+        elif self.dashed and item.style in ("solid", "steps"):
+            style["linestyle"] = DASHES[nth]
+        return style
+
+
+def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: "_Pens") -> None:
     across, up = x(item.x), y(item.y)
-    axes.plot(across, up, color=colour, label=item.label or None, **_STYLES[item.style])
+    style = pens.style(item)
+    axes.plot(across, up, label=item.label or None, **style)
     if item.style == "filled":
-        axes.fill(across, up, color=colour, alpha=0.15, linewidth=0.0)
+        axes.fill(across, up, color=style["color"], alpha=0.15, linewidth=0.0)
 
 
-def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, colours: "Any") -> None:
+def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, pens: "_Pens") -> None:
     (across,), (up,) = x((item.x,)), y((item.y,))
     axes.plot([across], [up], marker="o", markersize=4.0, color="black")
     axes.annotate(item.label, (across, up), xytext=(5, 5), textcoords="offset points", fontsize=8.0)
 
 
-def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, colours: "Any") -> None:
+def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: "_Pens") -> None:
     colour = COLOURS[item.role % len(COLOURS)]
     (x0, x1), (y0, y1) = x((item.x, item.x + item.dx)), y((item.y, item.y + item.dy))
     # The arrow itself does not widen the axes; an unseen line along it does.
     axes.plot([x0, x1], [y0, y1], alpha=0.0)
     axes.annotate("", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": colour, **_SHAFT})
-    axes.annotate(item.label, (x1, y1), xytext=(4, 4), textcoords="offset points", fontsize=8.0, color=colour)
+    # Away from the shaft, and the odd ones below, so that arrows side by side keep their words apart.
+    place = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
+    shift = (4 if x1 >= x0 else -4, -3 if item.role % 2 else 3)
+    axes.annotate(item.label, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
 
 
-def _band(axes: "Any", item: Band, x: Scale, y: Scale, colours: "Any") -> None:
+def _band(axes: "Any", item: Band, x: Scale, y: Scale, pens: "_Pens") -> None:
     low, high = (x if item.vertical else y)((item.low, item.high))
     line, span = (axes.axvline, axes.axvspan) if item.vertical else (axes.axhline, axes.axhspan)
     if low == high:
-        line(low, color="#D55E00", linestyle="--", linewidth=1.2, label=item.label or None)
+        line(low, color="black", linestyle="-.", linewidth=1.0 if item.label else 0.6, label=item.label or None)
     else:
         span(low, high, color="#56B4E9", alpha=0.25, linewidth=0.0, label=item.label or None)
 
 
-def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, colours: "Any") -> None:
+def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, pens: "_Pens") -> None:
     low, high = x(item.low), x(item.high)
     places = list(range(len(item.names)))
     axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.6, color=COLOURS[0])
     axes.set_yticks(places, labels=list(item.names))
-    axes.invert_yaxis()
+    axes.set_ylim(len(places) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
     axes.use_sticky_edges = False
 

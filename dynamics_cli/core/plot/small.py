@@ -1,10 +1,11 @@
 """Small pictures in the terminal: curves in dots of Braille, bars in blocks."""
 
 import math
+from textwrap import wrap
 
 from dynamics_cli.core.plot.axes import Scale, finite
 from dynamics_cli.core.render import number
-from dynamics_cli.pictures import Arrow, Bars, Curve, Mark
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Mark
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 MARGIN = 11
 MOST_WIDTH = 72
 LEAST_WIDTH = 16
+LETTERS = "abcdefghijkl"
 # Braille dots by row and column of a cell, which is two wide and four high.
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _BRAILLE = 0x2800
@@ -27,19 +29,15 @@ def sketch(picture: "Picture", system: str, columns: int, lines: int) -> str:
     for panel in picture.panels:
         bars = [item for item in panel.items if isinstance(item, Bars)]
         if bars:
-            parts += [_bars(panel, item, system, width) for item in bars]
+            parts += [_bars(panel, item, system, min(columns, MARGIN + MOST_WIDTH)) for item in bars]
         else:
             parts.append(_dots(panel, system, width, max(6, min(lines - 6, 14))))
-    return "\n".join(parts) + "\n"
+    return "\n".join(line.rstrip() for part in parts for line in part.split("\n")) + "\n"
 
 
 def _dots(panel: "Panel", system: str, width: int, height: int) -> str:
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     paths = [path for item in panel.items for path in _paths(item, x, y)]
-    if x.logarithmic:
-        paths = [[(_log(a), b) for a, b in path] for path in paths]
-    if y.logarithmic:
-        paths = [[(a, _log(b)) for a, b in path] for path in paths]
     every = [point for path in paths for point in path]
     across, up = finite([a for a, _ in every]), finite([b for _, b in every])
     if not across or not up:
@@ -50,15 +48,50 @@ def _dots(panel: "Panel", system: str, width: int, height: int) -> str:
     canvas = _Canvas(width, height, (left, right or left + 1.0), (low, high))
     for path in paths:
         canvas.path(path)
-    names = [item.label for item in panel.items if isinstance(item, Curve) and item.label]
-    head = panel.title or ", ".join(names)
+    names = [*_named(panel, canvas, x, y), *_lines(panel, canvas, x, y)]
     ends = [_back(end, x.logarithmic) for end in (left, right)]
+    if panel.x.names:
+        ends = [panel.x.names[0], panel.x.names[-1]]
     sides = [_back(end, y.logarithmic) for end in (high, low)]
     rows = canvas.rows()
     texts = [sides[0], *[""] * (len(rows) - 2), sides[1]]
     body = [f"{text:>{MARGIN - 1}} {row}".rstrip() for text, row in zip(texts, rows, strict=True)]
     foot = f"{'':{MARGIN}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}"
-    return "\n".join([f"{y.label}{': ' + head if head else ''}", *body, foot, f"{'':{MARGIN}}{x.label}"])
+    head = f"{y.label}{': ' + panel.title if panel.title else ''}"
+    told = wrap("; ".join(names), MARGIN + width) if names else []
+    return "\n".join([head, *told, *body, foot, f"{'':{MARGIN}}{x.label}"])
+
+
+def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]":
+    """The names of curves, each with the letter that stands on it when there are several; words at marks and arrows."""
+    curves = [item for item in panel.items if isinstance(item, Curve) and item.label]
+    told = [item.label for item in curves]
+    if len(curves) > 1:
+        told = [f"{letter} {item.label}" for letter, item in zip(LETTERS, curves, strict=False)]
+        for nth, curve in enumerate(curves[: len(LETTERS)]):
+            points = [point for path in _paths(curve, x, y) for point in path]
+            # Spread over the curves' lengths, so that curves side by side have their letters apart.
+            canvas.letter(points[len(points) * (nth + 1) // (len(curves) + 1)], LETTERS[nth])
+    for item in panel.items:
+        if isinstance(item, Mark | Arrow) and item.label:
+            canvas.words(_paths(item, x, y)[0][-1], item.label)
+    return told
+
+
+def _lines(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]":
+    """Lines across the panel, dotted, and what they and shaded stretches are."""
+    told = []
+    for item in panel.items:
+        if not isinstance(item, Band):
+            continue
+        scale = x if item.vertical else y
+        low, high = (_log(end) if scale.logarithmic else end for end in scale((item.low, item.high)))
+        if low == high:
+            canvas.line(low, vertical=item.vertical)
+        ends = dict.fromkeys(_back(end, scale.logarithmic) for end in (low, high))
+        if item.label:
+            told.append(f"{item.label} {' to '.join(ends)}")
+    return told
 
 
 def _log(value: float) -> float:
@@ -70,6 +103,16 @@ def _back(value: float, logarithmic: bool) -> str:
 
 
 def _paths(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
+    """What an item draws, its numbers as they lie along the axes."""
+    paths = _shown(item, x, y)
+    if x.logarithmic:
+        paths = [[(_log(a), b) for a, b in path] for path in paths]
+    if y.logarithmic:
+        paths = [[(a, _log(b)) for a, b in path] for path in paths]
+    return paths
+
+
+def _shown(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
     if isinstance(item, Curve):
         points = list(zip(x(item.x), y(item.y), strict=True))
         return [[point] for point in points] if item.style == "points" else [points]
@@ -96,6 +139,7 @@ class _Canvas:
         self.per_x = (self.wide - 1) / ((across[1] - across[0]) or 1.0)
         self.per_y = (self.high - 1) / ((up[1] - up[0]) or 1.0)
         self.cells = [[0] * width for _ in range(height)]
+        self.text: list[dict[int, str]] = [{} for _ in range(height)]
 
     def path(self, points: "list[Point]") -> None:
         """A line through points; what is not finite breaks it."""
@@ -117,21 +161,66 @@ class _Canvas:
             line = self.high - 1 - row
             self.cells[line // 4][column // 2] |= _DOTS[line % 4][column % 2]
 
+    def line(self, at: float, *, vertical: bool) -> None:
+        """A dotted line across."""
+        place = (at - self.left) * self.per_x if vertical else (at - self.low) * self.per_y
+        if place - place == 0.0:
+            for other in range(0, self.high if vertical else self.wide, 3):
+                self._dot(*(round(place), other) if vertical else (other, round(place)))
+
+    def letter(self, point: "Point", text: str) -> None:
+        """A letter on a point."""
+        place = self._cell(point)
+        if place is not None:
+            row, column = place
+            self.text[row][column] = text
+
+    def words(self, point: "Point", text: str) -> None:
+        """Words beside a point, on whichever side there is room; else none."""
+        place = self._cell(point)
+        if place is None:
+            return
+        row, column = place
+        for start in (column + 1, column - len(text) - 1):
+            cells = range(start - 1, start + len(text) + 1)
+            room = start >= 0 and start + len(text) <= len(self.cells[row])
+            if room and not any(cell in self.text[row] for cell in cells):
+                self.text[row].update({start + nth: letter for nth, letter in enumerate(text)})
+                return
+
+    def _cell(self, point: "Point") -> "tuple[int, int] | None":
+        a, b = (point[0] - self.left) * self.per_x, (point[1] - self.low) * self.per_y
+        if not (a - a == 0.0 and b - b == 0.0 and -1.0 < a < self.wide and -1.0 < b < self.high):
+            return None
+        return (self.high - 1 - max(0, round(b))) // 4, min(round(a), self.wide - 1) // 2
+
     def rows(self) -> "list[str]":
         """The lines of text."""
-        return ["".join(chr(_BRAILLE + cell) if cell else " " for cell in row) for row in self.cells]
+        return [
+            "".join(words.get(nth) or (chr(_BRAILLE + cell) if cell else " ") for nth, cell in enumerate(row))
+            for row, words in zip(self.cells, self.text, strict=True)
+        ]
 
 
-def _bars(panel: "Panel", item: Bars, system: str, width: int) -> str:
+def _bars(panel: "Panel", item: Bars, system: str, columns: int) -> str:
+    """Bars in blocks, their names cut to less than half of the columns."""
     x = Scale(panel.x, system)
     low, high = x(item.low), x(item.high)
     least, most = min(low), max(high)
+    names = [name if len(name) <= columns // 2 else f"{name[: columns // 2 - 1]}…" for name in item.names]
+    margin = max(map(len, names)) + 1
+    width = max(LEAST_WIDTH // 2, columns - margin)
     per = (width - 1) / ((most - least) or 1.0)
-    names = max(len(name) for name in item.names)
     lines = [f"{x.label}{': ' + panel.title if panel.title else ''}"]
-    for name, start, end in zip(item.names, low, high, strict=True):
+    told = [
+        f"{band.label} {' to '.join(dict.fromkeys(number(end, 4) for end in x((band.low, band.high))))}"
+        for band in panel.items
+        if isinstance(band, Band) and band.label
+    ]
+    lines += wrap("; ".join(told), columns) if told else []
+    for name, start, end in zip(names, low, high, strict=True):
         before = round((start - least) * per)
-        lines.append(f"{name:>{names}} {' ' * before}{'█' * max(1, round((end - start) * per))}")
+        lines.append(f"{name:>{margin - 1}} {' ' * before}{'█' * round((end - start) * per) or '▏'}")
     ends = number(least, 4), number(most, 4)
-    lines.append(f"{'':{names + 1}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}")
+    lines.append(f"{'':{margin}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}")
     return "\n".join(lines)

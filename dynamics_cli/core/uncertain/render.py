@@ -26,7 +26,7 @@ def distribution_text(node: "dict[str, Any]") -> str:
     if name == "lognormal":
         return f"lognormal({number(node['mean'], 17)} ± {number(node['std'], 6)})"
     if name == "result":
-        return f"{number(node['median'], 6)} ({number(node['low'], 6)} to {number(node['high'], 6)})"
+        return f"{number(node.get('value', node['median']), 6)} ({number(node['low'], 6)} to {number(node['high'], 6)})"
     values = node.get("readings") or node.get("values") or []
     listed = ", ".join(number(value, 17) for value in values)
     return f"[{listed}]" if name == "readings" else f"empirical({listed})"

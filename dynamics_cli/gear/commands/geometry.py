@@ -18,6 +18,7 @@ SPUR = Task(
         "{root_diameter|d_f} = {reference_diameter|d} − 2·{dedendum|h_f}",
         assumptions=RACK,
     ),
+    plot=HERE + "single_pictures:gear_picture",
     examples=(
         'dynamics gear spur --teeth 12 --module "3 mm" --profile-shift 0.6',
         'dynamics gear spur --teeth 24 --module "3 mm" --profile-shift 0.5 --internal --shift-sign khk',
@@ -39,6 +40,7 @@ HELICAL = Task(
         "{transverse_pressure_angle|α_t})",
         assumptions=RACK,
     ),
+    plot=HERE + "single_pictures:gear_picture",
     examples=(
         'dynamics gear helical --teeth 12 --module "3 mm" --helix-angle "30 deg" --profile-shift 0.09809',
         'dynamics gear helical --teeth 20 --transverse-module "3 mm" --helix-angle "15 deg" --hand left '
@@ -108,6 +110,7 @@ RACK_TASK = Task(
         "{transverse_contact_ratio|ε_α} = ({approach_length|g_f} + {recess_length|g_a})/p_bt",
         assumptions=("no backlash, no deviations", "strength is not rated"),
     ),
+    plot=HERE + "single_pictures:rack_picture",
     examples=(
         'dynamics gear rack --teeth 12 --module "3 mm" --profile-shift 0.6 --datum-height "32 mm"',
         'dynamics gear rack --teeth 20 --transverse-module "2 mm" --helix-angle "20 deg" --speed "120 rpm" '
@@ -127,6 +130,7 @@ BEVEL = Task(
         "{cone_distance|R_e} = {first.pitch_diameter|d_e1}/(2·sin({first.pitch_angle|δ₁}))",
         assumptions=("tip and root cones with constant clearance, unless standard", "strength is not rated"),
     ),
+    plot=HERE + "axes_pictures:bevel",
     examples=(
         'dynamics gear bevel --first-teeth 20 --second-teeth 40 --module "3 mm" --face-width "22 mm"',
         'dynamics gear bevel --first-teeth 20 --second-teeth 40 --module "3 mm" --face-width "20 mm" --kind spiral '
@@ -148,6 +152,7 @@ CROSSED = Task(
         "{shaft_angle|Σ} = |{first_working_helix|β_w1} + {second_working_helix|β_w2}|",
         assumptions=("exact when the profile shifts sum to zero", "friction at the pitch point"),
     ),
+    plot=HERE + "axes_pictures:crossed",
     examples=(
         'dynamics gear crossed --first-teeth 15 --first-helix-angle "20 deg" --first-profile-shift 0.4 '
         '--second-teeth 24 --second-helix-angle "30 deg" --second-profile-shift 0.2 --module "3 mm"',
@@ -169,6 +174,7 @@ WORM = Task(
         "tan({lead_angle|γ} − {friction_angle|ρ'})/tan({lead_angle|γ})",
         assumptions=("shafts at right angles", "friction at the pitch point only", "strength is not rated"),
     ),
+    plot=HERE + "axes_pictures:worm",
     examples=(
         'dynamics gear worm --threads 2 --teeth 30 --module "3 mm" --worm-diameter "44 mm"',
         'dynamics gear worm --threads 1 --teeth 40 --module "4 mm" --diameter-factor 10 --friction 0.12 '
@@ -191,6 +197,7 @@ HYPOID = Task(
         assumptions=("the pitch angle of the wheel is the user's choice", "strength is not rated"),
         method="bracketed root, one tracked Newton step",
     ),
+    plot=HERE + "axes_pictures:hypoid",
     examples=(
         'dynamics gear hypoid --first-teeth 10 --second-teeth 41 --offset "35 mm" --wheel-radius "85 mm"',
         'dynamics gear hypoid --first-teeth 13 --second-teeth 38 --offset "20 mm" --wheel-radius "70 mm" '
@@ -213,6 +220,7 @@ WHEELS = Task(
         ),
         assumptions=("rigid wheels, an inextensible and flexible belt", "no slip"),
     ),
+    plot=HERE + "axes_pictures:wheels",
     examples=(
         'dynamics gear wheels --first-diameter "100 mm" --second-diameter "300 mm" --drive open-belt '
         '--centre-distance "500 mm" --speed "1450 rpm" --power "2 kW" --friction 0.3',

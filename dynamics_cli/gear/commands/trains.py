@@ -42,6 +42,7 @@ RATIO = Task(
         assumptions=("the sign of the ratio is that of the number of external meshes",),
         method="whole numbers",
     ),
+    plot=HERE + "single_pictures:trains",
     examples=(
         "dynamics gear ratio --target 365.2422/27.3217 --stages 3 --teeth 12..120",
         "dynamics gear ratio --target 3.14159265358979 --stages 1 --teeth 17..400 --coprime",
@@ -65,6 +66,7 @@ MEASURE = Task(
         "inv α_K = D_M/(z·m_n·cos α_n) − π/(2z) + 2·x·tan α_n/z + inv α_t",
         assumptions=("the root is cut by a rack with a rounded corner (an internal gear has a fillet)",),
     ),
+    plot=HERE + "single_pictures:measure_picture",
     examples=(
         'dynamics gear measure --teeth 24 --module "3 mm" --profile-shift 0.4',
         'dynamics gear measure --teeth 31 --module "2 mm" --helix-angle "15 deg" --upper-allowance "-0.05 mm" '
@@ -131,6 +133,7 @@ IDENTIFY = Task(
         formula="{base_pitch|p_bn} = (W_k − W_j)/(k − j) = π·m_n·cos α_n",
         assumptions=("the gear is a standard one with teeth of full depth or stub teeth",),
     ),
+    plot=HERE + "single_pictures:candidates",
     examples=(
         'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
         '--tip-diameter "80.4 mm"',

@@ -4,6 +4,7 @@ from dynamics_cli.core.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
 HERE = "dynamics_cli.impact."
+SWINGS = "dynamics_cli.impact.body_pictures:"
 PICTURES = HERE + "particle_pictures:"
 SHORT = "the impact is short: forces other than that of contact have no impulse"
 
@@ -154,6 +155,7 @@ PENDULUM = Task(
         "{speed|v} = V·({shot_mass|m} + {effective_mass|M})/((1 + {restitution|e})·{shot_mass|m})",
         assumptions=(SHORT, "the pendulum hangs at rest and has not moved when the impact is over"),
     ),
+    plot=SWINGS + "pendulum",
     examples=(
         'dynamics impact pendulum --shot-mass "10 g" --block-mass "2 kg" --rise "10 cm"',
         'dynamics impact pendulum --shot-mass "8 g" --block-mass "1.5 kg" --swing "18 deg" --length "1.2 m"',
@@ -175,6 +177,7 @@ SEIZE = Task(
         ),
         assumptions=(SHORT, "what holds the body does not move, slip or rebound"),
     ),
+    plot=SWINGS + "seize",
     examples=(
         'dynamics impact seize --plate-mass "1 kg" --side "1 m" --spin "10 rad/s" --seized edge',
         'dynamics impact seize --plate-mass "1 kg" --side "1 m" --spin "10 rad/s" --seized corner',
@@ -194,6 +197,7 @@ STEP = Task(
         "{angular_ratio|ω'/ω} = (κ + 1 − {height|h}/{radius|r})/(κ + 1)",
         assumptions=("the wheel rolls without slip", "the edge does not give way; no rebound and no slip on it"),
     ),
+    plot=SWINGS + "step",
     examples=(
         'dynamics impact step --radius "300 mm" --height "100 mm"',
         'dynamics impact step --radius "13 in" --height "4 in" --speed "6 ft/s" --mass "40 lb" --inertia-factor 0.7 '

@@ -65,6 +65,7 @@ TENSOR = Task(
         method="Jacobi rotations",
     ),
     arrays=False,
+    plot=HERE + "tensor_pictures:mohr",
     examples=(
         'dynamics inertia tensor --moments "2, 2, 3 kg*m^2" --products "-0.5, 0, 0 kg*m^2"',
         'dynamics inertia tensor --tensor "[[10, -2, 1], [-2, 12, 3], [1, 3, 14]] kg*m^2" --mass "40 kg" '
@@ -83,6 +84,7 @@ TORQUE = Task(
         assumptions=("the body is rigid", "the tensor is about the mass centre, in the axes of ω and α"),
     ),
     arrays=False,
+    plot=HERE + "tensor_pictures:torque",
     examples=(
         'dynamics inertia torque --tensor "[[0.02, 0, 0], [0, 0.03, 0], [0, 0, 0.04]] kg*m^2" '
         '--angular-velocity "0, 3000, 20 rpm" --angular-acceleration "0, 0, 5 rad/s^2"',
@@ -123,6 +125,7 @@ COMPARE = Task(
     ),
     arrays=False,
     table="moments",
+    plot=HERE + "tensor_pictures:compared",
     examples=("dynamics inertia compare examples/compare_plates.toml",),
 )
 

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 STEPS = 96
 # Points of Mohr's circle this close, as a share of its radius, share a name.
 CLOSE = 0.06
+# A circle this small beside its distance from zero is a point.
+SHRUNK = 1e-6
 MATERIAL, CUT, AXES = 0, 1, 2
 
 
@@ -54,12 +56,16 @@ def _mohr(answer: "SectionProperties") -> Panel:
     """The circle of (I, product) over all directions: its diameter joins the points of x and of y."""
     at, main = answer.centroidal, answer.principal
     centre, radius = 0.5 * (main.i1 + main.i2), 0.5 * (main.i1 - main.i2)
+    axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
+    if radius <= SHRUNK * centre:
+        # A point: from zero, for around it alone there is no scale.
+        alike = Curve([0.0, centre], [0.0, 0.0], style="thin"), Mark(centre, 0.0, "every direction")
+        return Panel(*axes, alike, "Mohr's circle", equal=True)
     items: tuple[Curve | Mark, ...] = (
         Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()], "all directions"),
         Curve([at.ix, at.iy], [at.ixy, -at.ixy], "x and y", "dashed"),
         *_marks(answer, radius),
     )
-    axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
     return Panel(*axes, items, "Mohr's circle", equal=True)
 
 
