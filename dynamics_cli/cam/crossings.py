@@ -1,16 +1,13 @@
 """Where a curve of many arcs crosses itself: boxes round halved arcs leave few pairs, and Newton ends each."""
 
 from cmath import phase
+from itertools import pairwise
 from math import pi, tan
 
 import numpy as np
 
 from dynamics_cli.cam.envelope import MARGIN, Arc, Envelope
 from dynamics_cli.records import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 # A curve that turns by less than half a turn in all does not meet itself.
 APART = 2.8
@@ -60,7 +57,8 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
     -----
     An arc whose tangent turns by β lies within ½·tan β of its chord's length from the chord: pairs whose boxes are
     apart share no point. Pairs whose tangents never point alike share one point at most, found by Newton's method;
-    others are halved, to a millionth of a millionth of the size at most. The result does not depend on any sampling of the curve but that of its turning.
+    others are halved, to 1e-12 of the size at most. The result depends on no sampling of the curve but that of how far
+    an arc turns, which is taken a quarter larger.
     """
     found: list[Crossing] = []
     stack = [(arcs[i], arcs[j]) for i, j in _pairs(arcs, len(curve.parts), size)]
@@ -76,7 +74,8 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
         elif short:
             found.append(_made(curve, one, 0.5 * (one.low + one.high), two, 0.5 * (two.low + two.high)))
         else:
-            stack += [(a, b) for a in _split(curve, one, TINY * size) for b in _split(curve, two, TINY * size)]
+            tiny = TINY * size
+            stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
     return _distinct(found)
 
 
@@ -143,8 +142,8 @@ def _halves(curve: Envelope, arc: Arc) -> "tuple[Arc, Arc]":
     points, _ = curve.at(arc.part, share)
     # the tangent turns by at least what the chords do, and by about twice that on a short arc
     corners = [arc.first, *(complex(point) for point in points), arc.last]
-    chords = [b - a for a, b in zip(corners, corners[1:], strict=False)]
-    angles = [abs(phase(b / a)) if a and b else arc.bend for a, b in zip(chords, chords[1:], strict=False)]
+    chords = [b - a for a, b in pairwise(corners)]
+    angles = [abs(phase(b / a)) if a and b else arc.bend for a, b in pairwise(chords)]
     left, right = (min(arc.bend, 2.0 * MARGIN * (angles[k] + angles[1]) + 1e-14) for k in (0, 2))
     return (
         Arc(arc.part, arc.low, middle, arc.first, corners[2], left),

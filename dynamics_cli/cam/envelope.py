@@ -1,4 +1,4 @@
-"""The envelope of a follower as one curve of many smooth parts: where it runs forwards, and arcs of it that bend little.
+"""The envelope of a follower as one curve of smooth parts: where it runs forwards, and arcs of it that bend little.
 
 A part is a zone of the motion, or the bridge that one position of the follower leaves where its velocity jumps: an arc
 of the roller or a length of the flat face. A place of the curve is a part and a share of it; as one number, their sum.
@@ -130,19 +130,20 @@ class Envelope:
             return one.centre + arm, 1j * one.turning * arm
         zone = self.motion.zones[one]
         s, s1, s2 = self.motion.in_zone(one, share, 2)
-        point, normal, run = self._turned(s, s1, s2, self.angle(part, share))
+        point, normal, run = self._turned((s, s1, s2), self.angle(part, share))
         return point, (zone.end - zone.start) * self.geometry.turn * run * (-1j) * normal
 
     def way(self, part: int, share: float) -> complex:
         """The direction in which the curve runs forwards."""
         one = self.parts[part]
         if isinstance(one, Bridge):
-            point, velocity = self.at(part, np.array([share]))
+            velocity = self.at(part, np.array([share]))[1]
             return complex(velocity[0] / abs(velocity[0]))
         state = self.motion.in_zone(one, np.array([share]), 2)
-        return -1j * self.geometry.turn * complex(self._turned(*state, self.angle(part, share))[1][0])
+        return -1j * self.geometry.turn * complex(self._turned(state, self.angle(part, share))[1][0])
 
-    def _turned(self, s: "Any", s1: "Any", s2: "Any", theta: "Any") -> "tuple[Any, Any, Any]":
+    def _turned(self, state: "tuple[Any, ...]", theta: "Any") -> "tuple[Any, Any, Any]":
+        s, s1, s2 = state
         touch = self.geometry.touch(s, s1, s2)
         back = np.exp(-1j * self.geometry.turn * theta)
         (x, y), (nx, ny) = touch.point, touch.normal
@@ -252,7 +253,7 @@ class Envelope:
             low = np.array([self.motion.zones[index].start for index in zone.tolist()])
             wide = np.array([self.motion.zones[index].end for index in zone.tolist()]) - low
             theta = low[:, None] + wide[:, None] * place
-            point, normal, _ = self._turned(*within(self.motion, place, zone), theta)
+            point, normal, _ = self._turned(within(self.motion, place, zone), theta)
             bend = MARGIN * np.abs(np.angle(normal[:, 1:] * normal[:, :-1].conj())).sum(axis=1)
             good = (bend <= BEND) | (level == DEPTH - 1)
             rows = np.flatnonzero(good).tolist()
@@ -280,7 +281,9 @@ def _joined(stretches: "list[tuple[float, float]]") -> "list[tuple[float, float]
 def _bridges(geometry: Geometry, motion: "Any") -> "dict[int, Bridge]":
     """The bridge before each zone at whose start the velocity jumps."""
     count = len(motion.zones)
-    ends = [[np.atleast_1d(value) for value in motion.in_zone(index, t, 2)] for index in range(count) for t in (0.0, 1.0)]
+    ends = [
+        [np.atleast_1d(value) for value in motion.in_zone(index, t, 2)] for index in range(count) for t in (0.0, 1.0)
+    ]
     peak = max(abs(float(state[1][0])) for state in ends)
     found = {}
     for index in range(count):

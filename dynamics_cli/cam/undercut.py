@@ -165,12 +165,14 @@ def clearance(geometry: Geometry, s: "Any", point: "Any") -> "Any":
     if isinstance(f, OscillatingFlat):
         along = (f.pivot_distance - point.real) * np.sin(level) - point.imag * np.cos(level)
         return along - f.face_offset
-    if geometry.oscillating:
-        centre = f.pivot_distance - f.arm * np.exp(-1j * level)  # type: ignore[union-attr]
-    else:
-        centre = f.offset + 1j * level  # type: ignore[union-attr]
-    away = np.abs(point - centre)
+    away = np.abs(point - _centre(geometry, level))
     return (away - geometry.roller) * (away + geometry.roller)
+
+
+def _centre(geometry: Geometry, level: "Any") -> "Any":
+    """The roller's centre, as complex numbers."""
+    f: Any = geometry.follower
+    return f.pivot_distance - f.arm * np.exp(-1j * level) if geometry.oscillating else f.offset + 1j * level
 
 
 def _corner(curve: Envelope, crossing: Crossing) -> Corner:

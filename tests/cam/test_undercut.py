@@ -5,7 +5,7 @@ from math import inf, pi, radians
 
 import numpy as np
 import pytest
-from geometry_cases import CYCLE, LAWS, NOTHING, STEEP, SWING
+from geometry_cases import CYCLE, LAWS, NOTHING, STEEP
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.check import check
