@@ -1,6 +1,6 @@
 """Certified verdicts about a cam: undercut and the lift it costs, pressure angle, curvature, face width, jump."""
 
-from math import pi
+from math import isinf, pi
 
 from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
@@ -20,7 +20,7 @@ from dynamics_cli.quantities import (
     Torque,
     TorsionStiffness,
 )
-from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,11 +46,13 @@ class CamCheck:
     undercut : bool
         Whether the curve of the cam cuts itself or comes to a cusp.
     undercut_stretches : Count
-        How many stretches of the envelope run backwards.
+        How many stretches of the envelope run backwards; none where flanks far apart cut each other.
+    pieces_cut_off : Count
+        Pieces that an undercut cuts off the cam.
     lift_lost : Coordinate
-        Greatest lift that an undercut costs a sliding follower [m].
+        Greatest lift that an undercut costs a sliding follower; on an outer flank, how far it can overshoot [m].
     swing_lost : Angle
-        Greatest swing that an undercut costs an arm [rad].
+        Greatest swing that an undercut costs an arm; on an outer flank, how far it can overshoot [rad].
     lost_at : Angle
         Cam angle where most is lost [rad].
     least_convex_radius : Coordinate
@@ -93,6 +95,7 @@ class CamCheck:
     binding: Text
     undercut: bool
     undercut_stretches: Count
+    pieces_cut_off: Count | None
     lift_lost: Coordinate | None
     swing_lost: Angle | None
     lost_at: Angle | None
@@ -142,9 +145,9 @@ def check(
 
     Equation
     --------
-    Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0); lift lost: program less the lift at which the
-    follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0, for an arm with
-    its inertia and torques.
+    Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0), or the curve crosses itself; lift lost: program
+    less the lift at which the follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0,
+    for an arm with its inertia and torques.
 
     Parameters
     ----------
@@ -197,8 +200,10 @@ def check(
     Notes
     -----
     Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, with bounds on
-    derivatives that leave no turning place out. A cusp counts as undercut. The lift lost is exact where the corner that
-    is left belongs to one stretch; where undercuts run into each other it comes from what is left of 1440 points.
+    derivatives that leave no turning place out. A cusp counts as undercut. Corners of an undercut cam are crossings of
+    its envelope, found by halving and Newton's method however small the undercut and however many run into each other;
+    the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is seen to fall
+    off. The lift lost is the certified largest gap on them, to 1e-12 of the cam's size.
 
     References
     ----------
@@ -217,7 +222,7 @@ def check(
     from dynamics_cli.cam.jump import asked_jump
     from dynamics_cli.cam.pieces import joint_jumps
     from dynamics_cli.cam.profile import concave, convex
-    from dynamics_cli.cam.undercut import backward_stretches, lift_lost
+    from dynamics_cli.cam.undercut import lift_lost
 
     geometry = Geometry(follower, rotation, flank)
     motion = motion_of(scene, program)
@@ -232,16 +237,15 @@ def check(
     (high, high_at), (low, low_at) = found.pressure.largest(), found.pressure.smallest()
     round_, round_at = convex(geometry, found)
     hollow, hollow_at = concave(geometry, found)
-    inner = geometry.side > 0.0
-    loss = lift_lost(geometry, motion) if inner else None
-    stretches = loss.stretches if loss is not None else () if inner else backward_stretches(geometry, motion)
+    loss = lift_lost(geometry, motion)
+    lost = None if loss is None or isinf(loss.lift) else loss.lift
     face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
     jumps = joint_jumps(motion)
     slide, arm = (mass, stiffness, preload), (inertia, torsion_rate, preload_torque)
     jump = asked_jump(motion, slide, arm, asked=speed is not None)
     tightest = min((radius for radius in (round_, hollow) if radius is not None), default=None)
     kept = {
-        "undercut": not stretches,
+        "undercut": loss is None,
         "rise limit": high <= rise_limit * (1.0 + 1e-12),
         "return limit": -low <= return_limit * (1.0 + 1e-12),
         "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),
@@ -253,11 +257,12 @@ def check(
     return CamCheck(
         fits=not wrong,
         binding=", ".join(wrong) if wrong else "nothing",
-        undercut=bool(stretches),
-        undercut_stretches=len(stretches),
-        lift_lost=loss.lift if loss is not None and not geometry.oscillating else None,
-        swing_lost=loss.lift if loss is not None and geometry.oscillating else None,
-        lost_at=None if loss is None else loss.at,
+        undercut=loss is not None,
+        undercut_stretches=0 if loss is None else len(loss.stretches),
+        pieces_cut_off=None if loss is None else loss.pieces,
+        lift_lost=None if geometry.oscillating else lost,
+        swing_lost=lost if geometry.oscillating else None,
+        lost_at=None if loss is None or lost is None else loss.at,
         least_convex_radius=round_,
         least_convex_radius_at=round_at,
         least_concave_radius=hollow,
@@ -277,29 +282,39 @@ def check(
         jump_kept=None if jump is None or speed is None else kept["jump speed"],
         advice=_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump),
         numerics=Numerics(
-            "Chebyshev proxies of every piece, every turning place certified", pressure_bounds(geometry, motion, found)
+            "Chebyshev proxies of every piece, every turning place certified",
+            (*pressure_bounds(geometry, motion, found), *_lost_bound(geometry, loss)),
         ),
     )
+
+
+def _lost_bound(geometry: "Geometry", loss: "Any") -> tuple[ErrorBound, ...]:
+    if loss is None or isinf(loss.lift):
+        return ()
+    return (ErrorBound("swing_lost" if geometry.oscillating else "lift_lost", loss.error, relative=False),)
+
+
+def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
+    """What an undercut does, in the trade's units."""
+    arm = geometry.oscillating
+    mend = "raise the base radius, take a smaller roller, or give the motion a larger angle"
+    if isinf(loss.lift):
+        message = "the cam is undercut: nothing of it is left around its axis"
+        return Advice("undercut", message, "serious", mend, "swing_lost" if arm else "lift_lost")
+    amount = f"{loss.lift / DEGREE:.6g} deg of swing" if arm else f"{1e3 * loss.lift:.6g} mm of lift"
+    message = f"the cam is undercut: {amount} are lost"
+    if geometry.side < 0.0:
+        message = f"the outer flank is undercut: the follower can overshoot by {amount}"
+    if loss.pieces:
+        message += ", and a piece of the cam is cut off"
+    return Advice("undercut", message, "serious", mend)
 
 
 def _advice(
     geometry: "Geometry", wrong: list[str], loss: "Any", radii: "tuple[float | None, float | None]",
     least_radius: float, jump: "Any",
 ) -> tuple[Advice, ...]:  # fmt: skip
-    advice = []
-    if loss is not None:
-        unit = "rad of swing" if geometry.oscillating else "m of lift"
-        advice.append(
-            Advice(
-                "undercut",
-                f"the cam is undercut: {loss.lift:.6g} {unit} are lost"
-                + ("" if loss.exact else " (from samples: undercuts run into each other)"),
-                "serious",
-                "raise the base radius, take a smaller roller, or give the motion a larger angle",
-            )
-        )
-    elif "undercut" in wrong:
-        advice.append(Advice("undercut", "the flank is undercut: it cuts itself", "serious", "take a smaller roller"))
+    advice = [] if loss is None else [_undercut(geometry, loss)]
     messages = {
         "rise limit": "raise the base radius, offset the follower, or give the rise a larger angle",
         "return limit": "raise the base radius, offset the follower, or give the return a larger angle",

@@ -2,13 +2,14 @@
 
 from math import pi
 
-from dynamics_cli.cam.followers import Rotation, require_lift
+from dynamics_cli.cam.followers import Flank, Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record, tagged
 
 CCW = Rotation("counter-clockwise")
+INNER = Flank("inner")
 DEGREE = pi / 180.0
 
 
@@ -77,7 +78,98 @@ class OscillatingRoller:
     pivot_distance: Size
 
 
-Wanted = KnifeEdge | Roller | FlatFace | OscillatingRoller
+@tagged("follower")
+@record
+class OscillatingFlat:
+    """A flat face on an arm of known pivot.
+
+    Parameters
+    ----------
+    pivot_distance : Size
+        Distance of the pivot from the cam's axis [m].
+    face_offset : Coordinate
+        How far the face stands from the pivot towards the cam [m].
+    face_margin : Size
+        Length of face wanted beyond the last contact on either side [m].
+    """
+
+    pivot_distance: Size
+    face_offset: Coordinate = 0.0
+    face_margin: Size = 0.0
+
+
+@tagged("follower")
+@record
+class ConjugateRoller:
+    """Two rollers on one slide, on either side of the cam's axis, each on a cam of its own.
+
+    Parameters
+    ----------
+    roller_radius : Size
+        Radius of both rollers [m].
+    roller_distance : Size
+        Distance of the two rollers' centres; the shortest one is found when it is not given [m].
+    offset : Coordinate
+        Offset of the slide [m].
+    """
+
+    roller_radius: Size
+    roller_distance: Size | None = None
+    offset: Coordinate = 0.0
+
+
+@tagged("follower")
+@record
+class ConjugateOscillatingRoller:
+    """Two rollers on one rocker, on either side of the cam's axis, each on a cam of its own.
+
+    Parameters
+    ----------
+    roller_radius : Size
+        Radius of both rollers [m].
+    arm : Size
+        Length of both arms [m].
+    pivot_distance : Size
+        Distance of the pivot from the cam's axis [m].
+    arm_angle : Angle
+        Angle between the two arms; the smallest one is found when it is not given [rad].
+    """
+
+    roller_radius: Size
+    arm: Size
+    pivot_distance: Size
+    arm_angle: Angle | None = None
+
+
+Wanted = (
+    KnifeEdge | Roller | FlatFace | OscillatingRoller | OscillatingFlat | ConjugateRoller | ConjugateOscillatingRoller
+)
+
+
+SWINGING = (OscillatingRoller, OscillatingFlat, ConjugateOscillatingRoller)
+TRACKED = (Roller, OscillatingRoller)
+
+
+@record
+class SecondCam:
+    """The second cam of a conjugate pair.
+
+    Parameters
+    ----------
+    start_radius : Size
+        Distance of the second roller's centre from the cam's axis at zero lift [m].
+    largest_pressure_angle : Angle
+        Largest positive pressure angle of the second cam, that of the stroke it drives [rad].
+    least_pressure_angle : Angle
+        Lowest pressure angle of the second cam [rad].
+    least_convex_radius : Coordinate
+        Least radius of curvature of the second cam where it is convex [m].
+    """
+
+    start_radius: Size
+    largest_pressure_angle: Angle
+    least_pressure_angle: Angle
+    least_convex_radius: Coordinate | None
 
 
 @record
@@ -102,10 +194,18 @@ class CamSize:
         Lowest pressure angle of this cam [rad].
     least_convex_radius : Coordinate
         Least radius of curvature of this cam where it is convex [m].
+    least_concave_radius : Coordinate
+        Least radius of curvature of an outer flank, where the roller's path is hollow [m].
     in_line_base_radius : Size
         Least radius of the base circle without an offset, for the same limits; where only pressure angles bind [m].
     face_width : Size
         Length of the flat face with its margins [m].
+    roller_distance : Size
+        Distance of the rollers' centres of a conjugate pair [m].
+    arm_angle : Angle
+        Angle between the two arms of a conjugate pair [rad].
+    second : SecondCam
+        The second cam of a conjugate pair.
     """
 
     base_radius: Size
@@ -116,8 +216,12 @@ class CamSize:
     largest_pressure_angle: Angle
     least_pressure_angle: Angle
     least_convex_radius: Coordinate | None
+    least_concave_radius: Coordinate | None
     in_line_base_radius: Size | None
     face_width: Size | None
+    roller_distance: Size | None = None
+    arm_angle: Angle | None = None
+    second: SecondCam | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -133,6 +237,7 @@ def size(
     return_limit: Angle = 30.0 * DEGREE,
     least_radius: Size | None = None,
     rotation: Rotation = CCW,
+    flank: Flank = INNER,
 ) -> CamSize:
     """Smallest base circle, and best offset, for limits of pressure angle and radius of curvature.
 
@@ -140,7 +245,8 @@ def size(
     --------
     A = max(s′ cot φ₁ − s), B = max(−s′ cot φ₂ − s): d + e cot φ₁ ≥ A, d − e cot φ₂ ≥ B, R_p² = d² + e²; at the apex
     e* = (A − B)/(cot φ₁ + cot φ₂), d* = A − e* cot φ₁. Flat face: R_b = ρ − min(s + s″).
-    Arm: ψ₀ ≥ max(acos q₂ − φ₂ − s), q = L(1 + ψ′) cos φ/c.
+    Arm: ψ₀ ≥ max(acos q₂ − φ₂ − s), q = L(1 + ψ′) cos φ/c. Flat rocker: ψ₀ ≥ max(asin(C/M) − β − s),
+    C = (ρ + f)(1 + ψ′)³/c, M e^{iβ} = (1 + 2ψ′)(1 + ψ′) + iψ″, R_b = c sin ψ₀ − f.
 
     Parameters
     ----------
@@ -155,9 +261,12 @@ def size(
     return_limit : Angle
         Largest negative pressure angle allowed: that of the return [rad].
     least_radius : Size
-        Least radius of curvature allowed where the cam is convex [m].
+        Least radius of curvature allowed where the cam is convex; of an outer flank, where the roller's path is
+        hollow [m].
     rotation : Rotation
         Which way the cam turns.
+    flank : Flank
+        The inner surface, that of a disc cam, or the outer flank of a closed track, whose curvature is then limited.
 
     Returns
     -------
@@ -171,10 +280,13 @@ def size(
 
     Notes
     -----
-    The two extremes A and B are certified; the rest of a pressure-limited size is closed form (the hodograph
-    construction done in numbers). Where the apex is not the nearest point, the foot of the perpendicular on the line
-    that binds is. A radius of curvature that binds is met by a secant on certified extremes from the largest root in X
-    of w³ = ρ·D; with a free offset the offset is then searched.
+    The extremes are certified; the rest of a pressure-limited size is closed form (the hodograph construction done in
+    numbers). Where the apex is not the nearest point, the foot of the perpendicular on the line that binds is. A radius
+    of curvature that binds is met by a secant on certified extremes from the largest root in X of w³ = ρ·D; with a free
+    offset, every dip of the start radius over a grid of offsets is followed by golden section to 1e-13 of the reach. A
+    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first of the motion
+    upside down in the mirror. In a closed track both flanks share their pressure angles: size it for the inner flank
+    and for the outer, and take the larger.
 
     Examples
     --------
@@ -192,16 +304,31 @@ def size(
             code="limit",
             hint="30 deg is usual for a translating follower, 45 deg for an arm",
         )
-    from dynamics_cli.cam.sizing import size_arm, size_flat, size_slide
-
     motion = motion_of(scene, program)
-    require_lift(motion, isinstance(follower, OscillatingRoller))
+    require_lift(motion, isinstance(follower, SWINGING))
+    require(
+        str(flank) == "inner" or isinstance(follower, TRACKED),
+        "only a roller on a slide or an arm runs in a track that has an outer flank",
+        code="flank",
+        hint="leave --flank out; the second cam of a conjugate pair takes the place of an outer flank",
+    )
+    limits = rise_limit, return_limit
+    if isinstance(follower, OscillatingRoller | OscillatingFlat):
+        from dynamics_cli.cam.sizing_arms import size_arm, size_rocker
+
+        if isinstance(follower, OscillatingFlat):
+            return size_rocker(motion, follower, limits, least_radius or 0.0, rotation)
+        return size_arm(motion, follower, limits, least_radius, rotation, flank)
+    if isinstance(follower, ConjugateRoller | ConjugateOscillatingRoller):
+        from dynamics_cli.cam.sizing_pairs import size_arms, size_pair
+
+        sized = size_pair if isinstance(follower, ConjugateRoller) else size_arms
+        return sized(motion, follower, limits, least_radius, rotation)
+    from dynamics_cli.cam.sizing import size_flat, size_slide
 
     if isinstance(follower, FlatFace):
         return size_flat(motion, follower, least_radius or 0.0, rotation)
-    if isinstance(follower, OscillatingRoller):
-        return size_arm(motion, follower, (rise_limit, return_limit), least_radius, rotation)
-    return size_slide(motion, follower, (rise_limit, return_limit), least_radius, rotation)
+    return size_slide(motion, follower, limits, least_radius, rotation, flank)
 
 
 def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[float, float, str]:

@@ -1,21 +1,32 @@
-"""What an undercut costs: where the cutter takes away what the follower needs, and the lift that is lost there."""
+"""What an undercut costs: where the cutter takes away what the follower needs, and the lift that is lost there.
 
-from math import inf
+The cut cam is what no position of the follower covers. Its edge is the envelope where that is left, and corners where
+the envelope crosses itself; put back on the cam, the follower rests on such a corner wherever its own contact is gone.
+"""
+
+from math import inf, pi
 
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.crossings import Crossing, crossings
+from dynamics_cli.cam.envelope import Arc, Envelope
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
-from dynamics_cli.cam.pieces import over_pieces, pieces, sample, turning_places, within
+from dynamics_cli.cam.pieces import within
+from dynamics_cli.numerics.chebyshev import extremes, proxies
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-TURN = 2.0 * np.pi
-COARSE = 1440
-GOLDEN = 0.6180339887498949
+TURN = 2.0 * pi
+# A corner that another position of the follower covers by less than this share of the cam's size is on its edge.
+COVERED = 1e-12
+# How far a corner may be from its place, of the cam's size; a small undercut's corner is known no better.
+CORNER = 1e-12
+# Where no corner is found between ends this close, of the cam's size, the undercut is less than its rounding.
+NOTHING = 1e-11
 
 
 @record
@@ -25,125 +36,209 @@ class Loss:
     Parameters
     ----------
     lift : float
-        Greatest lift lost [m, or rad for an arm].
+        Greatest lift lost [m, or rad for an arm]; infinite where nothing of the cam is left around its axis.
     at : float
         Cam angle there [rad].
+    error : float
+        Bound of the error of the lift lost [m or rad].
     stretches : tuple of pairs
         Cam angles between which the envelope runs backwards.
-    exact : bool
-        Whether the loss is at a corner found exactly; else it is from samples.
+    corners : int
+        Corners of what is left.
+    pieces : int
+        Pieces of the cam that are cut off.
     """
 
     lift: float
     at: float
+    error: float
     stretches: tuple[tuple[float, float], ...]
-    exact: bool
+    corners: int
+    pieces: int
 
 
-def backward_stretches(geometry: Geometry, motion: "Any") -> "tuple[tuple[float, float], ...]":
-    """Where the envelope runs backwards: certified, from every turning place of its speed.
+@record
+class Corner:
+    """A corner of what is left: where the curve leaves the edge, where it comes back to it, and the point."""
+
+    leaves: float
+    returns: float
+    point: complex
+
+
+def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
+    """The greatest lift that an undercut costs, or None where there is no undercut.
 
     Parameters
     ----------
     geometry : Geometry
-        The follower in place.
+        The follower in place, on either flank.
     motion : Motion
         The program.
 
     Returns
     -------
-    tuple of pairs
-        Cam angles; a stretch may end beyond a full turn.
+    Loss | None
+        The lift lost; on an outer flank, how far the follower can leave its program outwards.
+
+    Notes
+    -----
+    The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
+    of arcs and by Newton's method; those that no position of the follower covers are corners, and the way from corner
+    to corner along the curve is the edge of each piece that is left, of which one winds about the axis. Nothing of it
+    depends on samples of the curve, however small the undercut or however many run into each other. A place where the
+    velocity jumps counts as backwards where its two contacts are in the wrong order.
     """
+    curve = Envelope(geometry, motion)
+    if not geometry.flat and geometry.roller == 0.0:
+        return None
+    backward = curve.backward()
+    arcs = curve.forward(backward)
+    size = max((max(abs(arc.first), abs(arc.last)) for arc in arcs), default=0.0)
+    found = _uncovered(geometry, motion, crossings(curve, arcs, size), size)
+    if not backward and not found:
+        return None
+    stretches = tuple(_wrapped(curve, backward))
+    whole = [_corner(curve, crossing) for crossing in found] + _cusps(curve, backward, found, size)
+    loops = _loops(whole, backward, arcs)
+    main = [loop for loop in loops if _winds(loop, arcs)]
+    if not main:
+        return Loss(inf, 0.0, 0.0, stretches, 0, len(loops))
+    lift, place, error = _worst(curve, main[0], size)
+    if not backward and len(loops) == 1 and lift <= CORNER * size:
+        # a dwell that is a point of the cam, on its axis
+        return None
+    return Loss(lift, float(place) % TURN, error + CORNER * size, stretches, len(main[0]), len(loops) - 1)
 
-    def speed(s: "Any", s1: "Any", s2: "Any") -> "Any":
-        return geometry.touch(s, s1, s2).run[None]
 
-    made = over_pieces(motion, speed)
-    if turning_places(motion, made).smallest()[0] > 0.0:
-        return ()
-    found = turning_places(motion, made, every=True)
-    starts, ends = pieces(motion)
-    stretches: list[list[float]] = []
-    for index in range(found.places.size):
-        if found.values[index] > 0.0:
+def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
+    """Stretches as cam angles; one that runs over the end of the turn is one."""
+    found = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
+    if len(found) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
+        found[-1] = (found[-1][0], found.pop(0)[1] + TURN)
+    return found
+
+
+def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size: float) -> "list[Crossing]":
+    """The crossings that no position of the follower takes away, certified."""
+    if not found:
+        return []
+    points = np.array([crossing.point for crossing in found])[:, None, None]
+    starts = np.array([zone.start for zone in motion.zones])
+    widths = np.array([zone.end for zone in motion.zones]) - starts
+
+    def depth(share: "Any", piece: "Any") -> "Any":
+        s = within(motion, share, piece, 0)[0]
+        theta = starts[piece][:, None] + widths[piece][:, None] * share
+        return clearance(geometry, s[None], points * np.exp(1j * geometry.turn * theta))
+
+    count = len(motion.zones)
+    made = proxies(depth, np.zeros(count), np.ones(count))
+    return [
+        crossing
+        for index, crossing in enumerate(found)
+        if extremes(made, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
+    ]
+
+
+def clearance(geometry: Geometry, s: "Any", point: "Any") -> "Any":
+    """How far a point of the fixed frame is from being covered by the follower at lift s.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    s : array
+        Lifts.
+    point : array
+        Points as complex numbers [m].
+
+    Returns
+    -------
+    array
+        Square of the distance from the roller's centre less that of its radius [m²], or distance from a flat face
+        towards the cam [m]; negative where covered.
+    """
+    f, level = geometry.follower, geometry.start + s
+    if isinstance(f, FlatFace):
+        return level - point.imag
+    if isinstance(f, OscillatingFlat):
+        along = (f.pivot_distance - point.real) * np.sin(level) - point.imag * np.cos(level)
+        return along - f.face_offset
+    away = np.abs(point - _centre(geometry, level))
+    return (away - geometry.roller) * (away + geometry.roller)
+
+
+def _centre(geometry: Geometry, level: "Any") -> "Any":
+    """The roller's centre, as complex numbers."""
+    f: Any = geometry.follower
+    return f.pivot_distance - f.arm * np.exp(-1j * level) if geometry.oscillating else f.offset + 1j * level
+
+
+def _corner(curve: Envelope, crossing: Crossing) -> Corner:
+    """Which of the two passages leaves the edge: the cam is within the sides of both."""
+    if curve.sense * crossing.turn < 0.0:
+        return Corner(crossing.first, crossing.second, crossing.point)
+    return Corner(crossing.second, crossing.first, crossing.point)
+
+
+def _cusps(
+    curve: Envelope, backward: "list[tuple[float, float]]", found: "list[Crossing]", size: float
+) -> "list[Corner]":
+    """Backward stretches that are too short for a corner of their own: the curve stands there."""
+    made = []
+    for low, high in backward:
+        if any(crossing.first <= low and high <= crossing.second for crossing in found):
             continue
-        piece = int(found.owner[index])
-        own = np.flatnonzero(found.owner == piece)
-        place = found.places[index]
-        low = _edge(geometry, motion, piece, place, found, own[own <= index][::-1], starts, ends)
-        high = _edge(geometry, motion, piece, place, found, own[own >= index], starts, ends)
-        if stretches and low <= stretches[-1][1] + 1e-12:
-            stretches[-1][1] = max(stretches[-1][1], high)
-        elif high > low:
-            stretches.append([low, high])
-    if len(stretches) > 1 and stretches[0][0] + TURN <= stretches[-1][1] + 1e-12:
-        stretches[-1][1] = stretches.pop(0)[1] + TURN
-    return tuple((low, high) for low, high in stretches)
+        ends = []
+        for place in (low, high):
+            part = min(int(place), len(curve.parts) - 1)
+            ends.append(complex(curve.at(part, np.array([place - part]))[0][0]))
+        if abs(ends[1] - ends[0]) <= NOTHING * size:
+            made.append(Corner(low, high, 0.5 * (ends[0] + ends[1])))
+    return made
 
 
-def _edge(
-    geometry: Geometry, motion: "Any", piece: int, place: float, found: "Any", others: "Any", starts: "Any", ends: "Any"
-) -> float:
-    """Where the speed passes zero between a backward place and the next forward one; the end of the piece if none."""
-    ahead = [k for k in others if found.values[k] > 0.0]
-    if not ahead:
-        return float(found.places[others[-1]])
-    bad, good = place, float(found.places[ahead[0]])
-    start, width = starts[piece], ends[piece] - starts[piece]
-    bad, good = (bad - start) / width, (good - start) / width
-    for _ in range(60):
-        middle = 0.5 * (bad + good)
-        s, s1, s2 = within(motion, np.array([[middle]]), np.array([piece]))
-        if geometry.touch(s, s1, s2).run[0, 0] > 0.0:
-            good = middle
+def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs: "list[Arc]") -> "list[list[Corner]]":
+    """The closed ways along the curve from each corner to the next: edges of the pieces left."""
+    if not corners:
+        return []
+    # the curve leaves the edge at a corner, at last where it turns back
+    stops = [(corner.leaves, 0, index) for index, corner in enumerate(corners)]
+    stops = sorted([*stops, *((low, 1, -1) for low, _ in backward)])
+    loops: list[list[Corner]] = []
+    seen: set[int] = set()
+    for start in range(len(corners)):
+        way: list[int] = []
+        now = start
+        while now >= 0 and now not in way and now not in seen:
+            way.append(now)
+            place = corners[now].returns
+            now = next((index for leaves, _, index in stops if leaves >= place and index != now), stops[0][2])
+        if now in way:
+            loops.append([corners[index] for index in way[way.index(now) :]])
+        seen.update(way)
+    return loops
+
+
+def _winds(loop: "list[Corner]", arcs: "list[Arc]") -> bool:
+    """Whether a way along the curve goes round the cam's axis, or through it."""
+    points: list[complex] = []
+    for index, corner in enumerate(loop):
+        last = loop[(index + 1) % len(loop)].leaves
+        points.append(corner.point)
+        inside = [arc for arc in arcs if arc.start >= corner.returns]
+        if last < corner.returns:
+            inside += [arc for arc in arcs if arc.end <= last]
         else:
-            bad = middle
-    return float(start + width * bad)
-
-
-def _curve(geometry: Geometry, motion: "Any", theta: "Any") -> "tuple[Any, Any, Any, Any]":
-    """Points of the cam's curve and their velocities."""
-    s, s1, s2 = sample(motion, theta, 2)
-    touch = geometry.touch(s, s1, s2)
-    x, y = geometry.turned(touch.point, theta)
-    nx, ny = geometry.turned(touch.normal, theta)
-    speed = geometry.turn * touch.run
-    return x, y, speed * ny, -speed * nx
-
-
-def _corner(geometry: Geometry, motion: "Any", low: float, high: float) -> "tuple[float, float] | None":
-    """The two cam angles at which the curve passes through the corner that is left: Newton from the swallowtail."""
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    for reach in (1.7320508075688772, 1.3, 2.2, 3.0, 4.5):
-        pair = np.array([middle - reach * half, middle + reach * half])
-        for _ in range(40):
-            x, y, dx, dy = _curve(geometry, motion, pair)
-            ex, ey = x[1] - x[0], y[1] - y[0]
-            # x0 + dx0 a = x1 + dx1 b
-            cross = dx[0] * dy[1] - dy[0] * dx[1]
-            if cross == 0.0:
-                break
-            a, b = (ex * dy[1] - ey * dx[1]) / cross, (ex * dy[0] - ey * dx[0]) / cross
-            most = 0.5 * half
-            step = np.clip(np.array([a, b]), -most, most)
-            pair = pair + step
-            if np.max(np.abs(step)) <= 4e-16 * max(1.0, abs(middle)):
-                break
-        x, y, _, _ = _curve(geometry, motion, pair)
-        size = float(np.max(np.abs(x) + np.abs(y)))
-        if (
-            pair[0] < low
-            and pair[1] > high
-            and np.hypot(x[1] - x[0], y[1] - y[0]) <= 1e-13 * size
-            and pair[1] - pair[0] < TURN
-        ):
-            return float(pair[0]), float(pair[1])
-    return None
+            inside = [arc for arc in inside if arc.end <= last]
+        points += [arc.first for arc in inside] + [arc.last for arc in inside[-1:]]
+    turned = sum(np.angle(b / a) for a, b in zip(points, [*points[1:], points[0]], strict=True) if a and b)
+    return abs(turned) > pi or min(map(abs, points)) <= NOTHING * max(map(abs, points))
 
 
 def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
-    """The lift at which the follower rests on a point of the cam, the second of a pair its negative.
+    """The lift at which the follower rests on a point of the cam; minus infinity where it slips past.
 
     Parameters
     ----------
@@ -157,9 +252,10 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
     Returns
     -------
     array
-        Lifts [m or rad].
+        Lifts in the way in which the flank drives: negative ones of a second follower or of an outer flank [m or rad].
     """
     f, start, roller = geometry.follower, geometry.start, geometry.roller
+    drives = geometry.way * geometry.side
     cos, sin = np.cos(theta), geometry.turn * np.sin(theta)
     px, py = x * cos - y * sin, x * sin + y * cos
     with np.errstate(invalid="ignore"):
@@ -170,98 +266,55 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
             return np.arctan2(py, f.pivot_distance - px) + np.arcsin(f.face_offset / far) - start
         if not geometry.oscillating:
             away = px - f.offset  # type: ignore[union-attr]
-            rise = np.sqrt((roller - away) * (roller + away))
-            found = py + rise - start if geometry.way > 0.0 else start - (py - rise)
+            level, opening = py, np.sqrt((roller - away) * (roller + away))
         else:
             far = np.hypot(px - f.pivot_distance, py)  # type: ignore[union-attr]
-            beta = np.arctan2(py, f.pivot_distance - px)  # type: ignore[union-attr]
+            level = np.arctan2(py, f.pivot_distance - px)  # type: ignore[union-attr]
             arm = f.arm  # type: ignore[union-attr]
-            cosine = (arm * arm + far * far - roller * roller) / (2.0 * arm * far)
-            opening = np.arccos(cosine)
-            found = beta + opening - start if geometry.way > 0.0 else start - (beta - opening)
+            opening = np.arccos((arm * arm + far * far - roller * roller) / (2.0 * arm * far))
+        found = level + opening - start if drives > 0.0 else start - (level - opening)
     return np.where(np.isnan(found), -np.inf, found)
 
 
-def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
-    """The greatest lift that an undercut costs, or None where there is no undercut.
+def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, float, float]":
+    """The greatest lift lost on any corner of a loop, its cam angle, and the bound of what the search leaves out."""
+    motion, geometry = curve.motion, curve.geometry
+    drives = geometry.way * geometry.side
+    parts, points = _gone(curve, loop)
+    if not parts:
+        return 0.0, curve.angle_at(loop[0].leaves), 0.0
+    zones, low, wide = (np.array(column) for column in zip(*parts, strict=True))
+    starts = np.array([motion.zones[zone].start for zone in zones.tolist()])
+    spans = np.array([motion.zones[zone].end for zone in zones.tolist()]) - starts
+    # lifts far below the size are known to the roundings of the size
+    level = 1.0 if geometry.oscillating else size
 
-    The cut cam is what no position of the follower has taken away. Put back on it, the follower rests on the corner
-    where the curve cuts itself (or on what is left of the curve), lower than the program has it.
+    def lost(share: "Any", piece: "Any") -> "Any":
+        place = low[piece][:, None] + wide[piece][:, None] * share
+        s = within(motion, place, zones[piece], 0)[0]
+        theta = starts[piece][:, None] + spans[piece][:, None] * place
+        point = points[piece][:, None]
+        return (drives * s - seat(geometry, theta, point.real, point.imag))[None]
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place, on the inner flank.
-    motion : Motion
-        The program.
-
-    Returns
-    -------
-    Loss | None
-        The lift lost.
-
-    Notes
-    -----
-    Corners are found to rounding by Newton's method, whatever their size. Where undercuts run into each other so that
-    no corner of one of them is left, the loss comes from 1440 points of what is left, high by up to their spacing.
-    """
-    stretches = backward_stretches(geometry, motion)
-    if not stretches:
-        return None
-    corners = [_corner(geometry, motion, low, high) for low, high in stretches]
-    best = (0.0, stretches[0][0])
-    if None not in corners:
-        for pair in corners:
-            best = max(best, _at_corner(geometry, motion, *pair))  # type: ignore[misc]
-        if _survive(geometry, motion, [pair for pair in corners if pair is not None]):
-            return Loss(best[0], best[1] % TURN, stretches, True)
-    lift, place = _sampled(geometry, motion)
-    return Loss(lift, place % TURN, stretches, False)
+    count = len(parts)
+    found = extremes(proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count)))
+    index = int(np.argmax(found.values))
+    piece = found.owner[index : index + 1]
+    own, share = int(piece[0]), found.places[index : index + 1]
+    place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[0]))
+    return max(float(lost(share[:, None], piece)[0, 0, 0]), 0.0), place, found.error
 
 
-def _at_corner(geometry: Geometry, motion: "Any", low: float, high: float) -> tuple[float, float]:
-    x, y, _, _ = _curve(geometry, motion, np.array([low, high]))
-    px, py = 0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])
-
-    def lost(theta: "Any") -> "Any":
-        level = geometry.way * sample(motion, theta, 0)[0]
-        return level - seat(geometry, theta, px, py)
-
-    theta = np.linspace(low, high, 513)
-    values = lost(theta)
-    index = int(np.argmax(values))
-    a, b = theta[max(index - 1, 0)], theta[min(index + 1, 512)]
-    for _ in range(48):
-        p, q = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-        at = lost(np.array([p, q]))
-        a, b = (a, q) if at[0] > at[1] else (p, b)
-    place = 0.5 * (a + b)
-    return max(float(lost(np.array([place]))[0]), float(values[index]), 0.0), place
-
-
-def _survive(geometry: Geometry, motion: "Any", corners: "list[tuple[float, float]]") -> bool:
-    """Whether every corner is really left: no position of the follower elsewhere takes it away."""
-    theta = np.linspace(0.0, TURN, COARSE, endpoint=False)
-    level = geometry.way * sample(motion, theta, 0)[0]
-    for low, high in corners:
-        x, y, _, _ = _curve(geometry, motion, np.array([low, high]))
-        over = seat(geometry, theta, x[0], y[0]) - level
-        outside = ((theta - low) % TURN) > (high - low)
-        if bool((over[outside] > 1e-9 * (np.abs(x).max() + np.abs(y).max())).any()):
-            return False
-    return True
-
-
-def _sampled(geometry: Geometry, motion: "Any") -> tuple[float, float]:
-    """The loss from points of the curve that no position takes away."""
-    theta = np.linspace(0.0, TURN, COARSE, endpoint=False)
-    x, y, _, _ = _curve(geometry, motion, theta)
-    level = geometry.way * sample(motion, theta, 0)[0]
-    over = seat(geometry, theta[:, None], x[None, :], y[None, :]) - level[:, None]
-    tiny = 1e-9 * (np.abs(x).max() + np.abs(y).max())
-    left = over.max(axis=0) <= tiny
-    if not left.any():
-        return inf, 0.0
-    lost = -over[:, left].max(axis=1)
-    index = int(np.argmax(lost))
-    return max(float(lost[index]), 0.0), float(theta[index])
+def _gone(curve: Envelope, loop: "list[Corner]") -> "tuple[list[tuple[int, float, float]], Any]":
+    """Lengths of zones whose contact is gone, as zone, first share and span, with the corner rested on in each."""
+    found: list[tuple[int, float, float]] = []
+    points: list[complex] = []
+    for corner in loop:
+        over = len(curve.parts) if corner.returns < corner.leaves else 0
+        for part in range(int(corner.leaves), int(corner.returns) + over + 1):
+            zone = curve.parts[part % len(curve.parts)]
+            low, high = max(corner.leaves - part, 0.0), min(corner.returns + over - part, 1.0)
+            if isinstance(zone, int) and low < high:
+                found.append((zone, low, high - low))
+                points.append(corner.point)
+    return found, np.array(points)

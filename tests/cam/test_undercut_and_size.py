@@ -1,97 +1,20 @@
-"""Undercut as lift lost, sizes that keep their limits and no smaller ones, and refusals."""
+"""Sizes that keep their limits and no smaller ones, and refusals."""
 
 import random
 from math import atan, hypot, pi, radians, tan
 
 import numpy as np
 import pytest
-from geometry_cases import CYCLE, NOTHING, STEEP, SWING, random_program
+from geometry_cases import CYCLE, NOTHING, SWING, random_program
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.check import check
-from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import profile
 from dynamics_cli.cam.program import motion_of
-from dynamics_cli.cam.undercut import _curve, lift_lost, seat
 from dynamics_cli.errors import InadmissibleError
 
 ARM = followers.OscillatingRoller(0.01, 0.005, 0.05, 0.1)
 TOO_FAST = "rise 30 deg in 90 deg; return in 20 deg; dwell"
-
-
-def lost_by_grid(geometry: Geometry, motion, stretches) -> float:
-    """The loss from a fine grid: the follower lowered onto every point that no position of it cuts away."""
-    dense = [np.linspace(2 * low - high, 2 * high - low, 2400) for low, high in stretches]
-    theta = np.concatenate([np.linspace(0.0, 2.0 * pi, 600, endpoint=False), *dense])
-    count = theta.size
-    x, y, _, _ = _curve(geometry, motion, theta)
-    level = geometry.way * motion.at(theta, 0)[0]
-    rest = np.full(count, -np.inf)
-    taken = np.full(count, -np.inf)
-    for low in range(0, count, 300):
-        over = seat(geometry, theta[low : low + 300, None], x[None], y[None]) - level[low : low + 300, None]
-        taken = np.maximum(taken, over.max(axis=0))
-    left = taken <= 1e-9
-    for low in range(0, count, 300):
-        over = seat(geometry, theta[low : low + 300, None], x[None, left], y[None, left])
-        rest[low : low + 300] = over.max(axis=1)
-    return float((level - rest).max())
-
-
-@pytest.mark.parametrize(
-    ("program", "follower"),
-    [
-        (STEEP, followers.Roller(0.015, 0.015)),
-        (STEEP, followers.Roller(0.013, 0.014, 0.004)),
-        (CYCLE, followers.FlatFace(0.012)),
-        ("rise 25 deg in 60 deg cycloidal; dwell 60 deg; return in 60 deg cycloidal; dwell",
-         followers.OscillatingRoller(0.015, 0.02, 0.08, 0.09)),
-        ("rise 25 deg in 60 deg cycloidal; dwell 60 deg; return in 70 deg cycloidal; dwell",
-         followers.OscillatingFlat(0.02, 0.1)),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("rotation", ["ccw", "cw"])
-def test_the_lift_lost_is_that_of_a_follower_lowered_onto_what_is_left(program, follower, rotation) -> None:
-    motion, geometry = motion_of(NOTHING, program), Geometry(follower, rotation)
-    found = lift_lost(geometry, motion)
-    assert found is not None
-    assert found.lift > 0.0
-    by_grid = lost_by_grid(geometry, motion, found.stretches)
-    # a grid has less left than there is, by its spacing
-    assert found.lift <= by_grid * (1.0 + 1e-9)
-    assert by_grid - found.lift < 0.01 * found.lift
-
-
-def test_published_loss_of_a_deep_undercut() -> None:
-    found = check(NOTHING, program=STEEP, follower=followers.Roller(0.015, 0.015))
-    assert found.undercut_stretches == 2
-    assert not found.fits
-    assert found.lift_lost == pytest.approx(0.42e-3, abs=0.005e-3)
-    assert found.least_convex_radius == pytest.approx(-3.7e-3, abs=0.05e-3)
-
-
-@pytest.mark.parametrize("depth", [1e-7, 1e-8, 1e-10])
-def test_an_undercut_between_samples_is_seen(depth: float) -> None:
-    base = size.size(NOTHING, program=STEEP, follower=size.Roller(0.015, 0.0), least_radius=0.0,
-                     rise_limit=radians(89.0), return_limit=radians(89.0)).base_radius  # fmt: skip
-    sharp = check(NOTHING, program=STEEP, follower=followers.Roller(base - depth, 0.015))
-    round_ = check(NOTHING, program=STEEP, follower=followers.Roller(base + depth, 0.015))
-    assert (sharp.undercut, round_.undercut) == (True, False)
-    assert (sharp.undercut_stretches, round_.undercut_stretches) == (2, 0)
-    assert 0.0 <= sharp.lift_lost < depth
-    assert round_.lift_lost is None
-    # a table of 360 points shows none of it
-    points = profile(NOTHING, program=STEEP, follower=followers.Roller(base - depth, 0.015)).points.arrays
-    radii = points["radius_of_curvature"]
-    assert not ((radii < 0.0) & (radii > -1e-3)).any()
-
-
-def test_a_hollow_pitch_curve_undercuts_the_outer_flank_only() -> None:
-    follower = followers.Roller(0.02, 0.016)
-    inner = check(NOTHING, program=STEEP, follower=followers.Roller(0.05, 0.016))
-    outer = check(NOTHING, program=STEEP, follower=follower, flank=followers.Flank("outer"))
-    assert not inner.undercut
-    assert outer.undercut == (outer.least_concave_radius <= 0.0)
 
 
 def brute(program: str, rise: float, back: float) -> float:

@@ -1,0 +1,146 @@
+"""How the smallest conjugate pair is found: both cams keep the limits, each on the stroke that it drives."""
+
+from math import hypot, pi, sqrt
+
+from dynamics_cli.cam import followers, size
+from dynamics_cli.cam.analysis import analyse
+from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.profile import convex
+from dynamics_cli.cam.roundness import Falling, Round
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, Wedge, kept, share, signs, undercut
+from dynamics_cli.cam.sizing_arms import DEGREE, distance, reach, require_reach, require_round, round_start
+from dynamics_cli.errors import require
+from dynamics_cli.records import Check, ErrorBound, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def size_pair(
+    motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
+) -> size.CamSize:
+    """Two rollers on one slide: the second cam is the first of the motion upside down in the mirror."""
+    turn, _ = signs(rotation, "inner")
+    roller, offset = follower.roller_radius, follower.offset
+    e = turn * offset
+    heights, bindings, errors = [], [], 0.0
+    for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
+        d, binding, error = _height(moves, way * e, limits, roller, least_radius, way * turn)
+        heights.append(d)
+        bindings.append(binding)
+        errors += error
+    least = heights[0] + heights[1]
+    apart = least if follower.roller_distance is None else follower.roller_distance
+    require(
+        apart >= least * (1.0 - 1e-14),
+        "rollers {0:.6g} m apart are too near to each other: the first cam wants {1:.6g} m above its axis ({2}), the "
+        "second {3:.6g} m below ({4})",
+        apart, heights[0], bindings[0], heights[1], bindings[1],
+        code="limits-clash", hint=f"a roller distance of {1e3 * least:.6g} mm or more, or leave it out",
+    )  # fmt: skip
+    base = hypot(e, heights[0]) - roller
+    first = Geometry(followers.Roller(base, roller, offset), rotation)
+    second = Geometry(followers.ConjugateRoller(base, roller, apart, offset), rotation)
+    return _both(
+        motion, first, second, limits, least_radius,
+        binding=bindings[0] if follower.roller_distance is not None else f"{bindings[0]}; second cam: {bindings[1]}",
+        base_radius=base, offset=offset, start_radius=hypot(e, heights[0]), roller_distance=apart,
+        second_start=hypot(e, apart - heights[0]), error=errors,
+    )  # fmt: skip
+
+
+def _height(
+    motion: "Any", e: float, limits: tuple[float, float], roller: float, least_radius: "float | None", turn: float
+) -> tuple[float, str, float]:
+    """The least height of one of the rollers, what decides it, and its error."""
+    wedge = Wedge(motion, limits)
+    d, binding = wedge.height(e), wedge.binding(e)
+    if least_radius is not None:
+        round_ = Round(motion, least_radius + roller, turn, 1.0)
+        if not round_.kept(e, d):
+            d, binding = max(d, round_.height(e)), CURVATURE
+    if hypot(e, d) < roller:
+        d, binding = sqrt((roller - e) * (roller + e)), ROLLER
+    return d, binding, wedge.error
+
+
+def size_arms(
+    motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
+) -> size.CamSize:
+    """Two rollers on one rocker, each cam at the least angle of its arm that the other leaves."""
+    turn, _ = signs(rotation, "inner")
+    arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
+    starts, mosts, bindings, errors = [], [], [], 0.0
+    for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
+        found = reach(moves, arm, pivot, limits, way * turn)
+        start, binding = found.least, found.binding
+        require_reach(found, start)
+        if least_radius is not None:
+            start = round_start(moves, arm, pivot, start, least_radius + roller, way * turn, 1.0)
+            binding = CURVATURE if start > found.least else binding
+            require_round(found, start)
+        if distance(arm, pivot, start) < roller:
+            start, binding = followers.start_angle_of_arm(0.0, roller, arm, pivot), ROLLER
+        starts.append(start)
+        mosts.append(found.most)
+        bindings.append(binding)
+        errors += 4.0 * pivot * found.error
+    angle = starts[0] + starts[1] if follower.arm_angle is None else follower.arm_angle
+    # the second arm stands at the rest of the angle, which has a least and a greatest value too
+    start = max(starts[0], angle - mosts[1])
+    require(
+        starts[1] <= angle - start + 1e-14 and start <= mosts[0] and 0.0 < angle - start < pi,
+        "arms {0:.6g} deg apart keep the limits on one of the two cams only: the first arm may start at {1:.6g} to "
+        "{2:.6g} deg from the line of pivot and axis, the second at {3:.6g} to {4:.6g} deg",
+        angle / DEGREE, starts[0] / DEGREE, mosts[0] / DEGREE, starts[1] / DEGREE, mosts[1] / DEGREE,
+        code="limits-clash",
+        hint=f"an arm angle of {(starts[0] + starts[1]) / DEGREE:.6g} to {(mosts[0] + mosts[1]) / DEGREE:.6g} deg, "
+        "or leave it out",
+    )  # fmt: skip
+    if start > starts[0]:
+        bindings[0] = "the second cam's limits, with this arm angle"
+    radius = distance(arm, pivot, start)
+    base = max(radius - roller, 0.0)
+    first = Geometry(followers.OscillatingRoller(base, roller, arm, pivot), rotation)
+    second = Geometry(followers.ConjugateOscillatingRoller(base, roller, arm, pivot, angle), rotation)
+    return _both(
+        motion, first, second, limits, least_radius,
+        binding=bindings[0] if follower.arm_angle is not None else f"{bindings[0]}; second cam: {bindings[1]}",
+        base_radius=base, start_radius=radius, arm_start_angle=first.start, arm_angle=angle,
+        second_start=distance(arm, pivot, angle - start), error=errors,
+    )  # fmt: skip
+
+
+def _both(
+    motion: "Any", first: Geometry, second: Geometry, limits: tuple[float, float], least_radius: "float | None", *,
+    binding: str, base_radius: float, start_radius: float, second_start: float, error: float,
+    offset: "float | None" = None, arm_start_angle: "float | None" = None, roller_distance: "float | None" = None,
+    arm_angle: "float | None" = None,
+) -> size.CamSize:  # fmt: skip
+    """The record of a pair, with the extremes of both cams."""
+    checks: list[Check] = []
+    seen = []
+    for name, geometry in (("first", first), ("second", second)):
+        found = analyse(geometry, motion)
+        high, low, least = found.pressure.largest()[0], found.pressure.smallest()[0], convex(geometry, found)[0]
+        seen.append((high, low, least))
+        checks += [
+            kept(f"largest pressure angle of the {name} cam keeps its limit", high - limits[0], 1.0),
+            kept(f"least pressure angle of the {name} cam keeps its limit", -low - limits[1], 1.0),
+        ]
+        if least_radius is not None and least is not None:
+            checks.append(kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, 1.0))
+    (high, low, least), mate = seen
+    roller = first.roller
+    return size.CamSize(
+        base_radius=base_radius, offset=offset, start_radius=start_radius, arm_start_angle=arm_start_angle,
+        binding=binding, largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
+        least_concave_radius=None, in_line_base_radius=None, face_width=None, roller_distance=roller_distance,
+        arm_angle=arm_angle, second=size.SecondCam(second_start, *mate), checks=tuple(checks),
+        advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None)),
+        numerics=Numerics(
+            ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
+            (ErrorBound("base_radius", share(error + 1e-15 * roller, base_radius)),),
+        ),
+    )  # fmt: skip
