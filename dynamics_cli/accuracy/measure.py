@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
 SMALLEST_NORMAL = Decimal(2.0**-1022)
+HALF_ULP = Decimal(2.0**-53)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
 
@@ -26,6 +27,7 @@ class Errors:
     def __init__(self) -> None:
         self.relative: list[float] = []
         self.ulps: list[float] = []
+        self.looseness: list[float] = []
         self.cases = 0
         self.refused = 0
         self.broken = 0
@@ -49,21 +51,29 @@ class Errors:
         if bound is not None:
             self.bounded += 1
             self.broken += Decimal(bound) < true
+            # an answer that happens to be exact would make any bound infinitely loose
+            least = DIGITS.multiply(HALF_ULP, reference.copy_abs())
+            if bound and (whole := max(true, least)):
+                self.looseness.append(float(DIGITS.divide(Decimal(bound), whole)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
-        """Count an error measured otherwise, beside the estimate stated for it."""
+        """Count an error measured otherwise, beside the bound or the estimate stated for it."""
         self.relative.append(error)
         if error > self.worst[1]:
             self.worst = (where, error)
         if estimate is not None:
             self.bounded += 1
             self.broken += estimate < error
+            if error > 0.0:
+                self.looseness.append(estimate / error)
 
 
 def errors_of(
-    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *, tracked: bool
-) -> Errors:
-    """The errors of a method over its cases."""
+    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *,
+    tracked: bool, foreign: bool = False,
+) -> Errors:  # fmt: skip
+    """The errors of a method over its cases; a `foreign` one, of another library, may fail in any way it likes."""
+    refusals = Exception if foreign else (DynamicsError, ArithmeticError, ValueError)
     made = Errors()
     for case in cases:
         numbers: list[Any] = list(leaves(case.inputs))
@@ -73,7 +83,7 @@ def errors_of(
             numbers = Tracked.inputs(numbers)
         try:
             results = results_of(function(**build(case.inputs, iter(numbers), groups), **case.choices))
-        except (DynamicsError, ArithmeticError, ValueError):
+        except refusals:
             made.refused += 1
             continue
         shown = {
@@ -133,7 +143,7 @@ def scalar_time(
         arguments = build(case.inputs, leaves(case.inputs), groups) | case.choices
         try:
             function(**arguments)
-        except (DynamicsError, ArithmeticError, ValueError):
+        except Exception:  # noqa: BLE001, PERF203 -- counted when errors were measured; here it has no time
             continue
         times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
         if len(times) == pace.timed_cases:
