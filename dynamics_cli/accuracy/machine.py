@@ -78,7 +78,7 @@ def peer(name: str) -> Peer:
     except ImportError as error:
         missing = isinstance(error, ModuleNotFoundError) and error.name == name
         return Peer(name, "" if missing else f"not importable: {error}", installed=False)
-    except Exception as error:  # noqa: BLE001 -- whatever a library of others does when it is loaded
+    except Exception as error:
         return Peer(name, f"not importable: {error}", installed=False)
     try:
         return Peer(name, metadata.version(PACKAGES.get(name, name)), installed=True)

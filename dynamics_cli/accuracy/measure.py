@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
 SMALLEST_NORMAL = Decimal(2.0**-1022)
+# Errors beyond this are shown as this: a tiny number taken for one.
+MOST = Decimal("1e300")
 HALF_ULP = Decimal(2.0**-53)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
@@ -33,6 +35,8 @@ class Errors:
         self.broken = 0
         self.bounded = 0
         self.worst = ("", -1.0)
+        # relative errors by case and result, so that methods can be compared over the same ones
+        self.found: dict[str, float] = {}
 
     def add(self, where: str, value: float, text: str, bound: "float | None") -> None:
         """Count one result of one case."""
@@ -42,10 +46,12 @@ class Errors:
         true = max(DIGITS.subtract(error, slack), Decimal(0))
         near = float(reference)
         # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
-        relative = float(DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL))) if near else float(true)
-        ulps = float(DIGITS.divide(true, Decimal(math.ulp(near))))
+        share = DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else true
+        relative = float(min(share, MOST))
+        ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
         self.relative.append(relative)
         self.ulps.append(ulps)
+        self.found[where] = max(relative, self.found.get(where, 0.0))
         if ulps > self.worst[1]:
             self.worst = (where, ulps)
         if bound is not None:
@@ -143,7 +149,7 @@ def scalar_time(
         arguments = build(case.inputs, leaves(case.inputs), groups) | case.choices
         try:
             function(**arguments)
-        except Exception:  # noqa: BLE001, PERF203 -- counted when errors were measured; here it has no time
+        except Exception:
             continue
         times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
         if len(times) == pace.timed_cases:

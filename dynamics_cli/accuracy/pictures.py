@@ -179,8 +179,8 @@ def _marks(points: "list[Point]", ends: "tuple[float, float]") -> "list[Mark]":
         for step in range(24):
             aside = (-1) ** step * (step // 2) * LINE * 0.75 + (3.0 if step % 2 == 0 else -LINE)
             box = (start, start + width, y + aside - 1.0, y + aside + LINE - 1.0)
-            inside = 0.0 <= box[2] and box[3] <= HEIGHT
-            if inside and not any(_meet(box, other) for other in taken):
+            inside = box[2] >= 0.0 and box[3] <= HEIGHT
+            if inside and not any(_meet(box, own) for own in taken):
                 break
         taken.append((start, start + width, y + aside - 1.0, y + aside + LINE - 1.0))
         made.append(Mark(error, time, words, (-5.0 if left else 5.0, aside)))

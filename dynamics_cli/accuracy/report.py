@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.questions import Method, Question
 
 
@@ -186,22 +187,27 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     if not cases:
         return []
     rows: list[Row] = []
+    own: Errors | None = None
     base: float | None = None
     for method in question.methods:
         if method.needs and not wanted.takes(method.needs):
             continue
-        made = _row(question, method, cases, base, wanted)
-        base = base or made.time
-        rows.append(made)
+        errors, time, many = _measured(question, method, cases, wanted)
+        base = base or time
+        name = f"{method.name}{CHOSEN}" if method.chosen else method.name
+        rows.append(row(question.name, name, errors, time, base, array_time=many, own=own))
+        own = own or errors
     return rows
 
 
-def _row(question: "Question", method: "Method", cases: "list[Case]", base: "float | None", wanted: Asked) -> Row:
+def _measured(
+    question: "Question", method: "Method", cases: "list[Case]", wanted: Asked
+) -> "tuple[Errors, float | None, float | None]":
+    """A method's errors, its time, and its time for each case of arrays."""
     function = method.call()
     groups = catalogue.groups(question.family)
     errors = errors_of(function, cases, groups, tracked=method.tracked, foreign=bool(method.needs))
     timed = wanted.timed and errors.cases > 0
     time = scalar_time(function, cases, groups, wanted.pace) if timed else None
     many = array_time(function, cases, groups, wanted.pace) if timed and method.arrays else None
-    name = f"{method.name}{CHOSEN}" if method.chosen else method.name
-    return row(question.name, name, errors, time, base or time, array_time=many)
+    return errors, time, many

@@ -46,6 +46,8 @@ class Row:
         Largest error in units in the last place of the reference.
     median_ulp : Ratio
         Median error in units in the last place.
+    own_worst : Ratio
+        The chosen method's largest error over the very results that this method gave.
     measure : Text
         What errors are measured in: shares of the reference (absolute where that is zero; below the normal doubles,
         shares of the smallest one), or what the question says.
@@ -79,6 +81,7 @@ class Row:
     median: Ratio
     worst_ulp: Ratio | None
     median_ulp: Ratio | None
+    own_worst: Ratio | None
     measure: Text
     bound: Text
     stated: Count
@@ -101,8 +104,9 @@ def row(
     bound: str = "bound",
     measure: str = "relative",
     entities: "int | None" = None,
+    own: "Errors | None" = None,
 ) -> Row:
-    """A method's row; `base` is the chosen method's time, `bound` what the stated errors are called."""
+    """A method's row; `base` is the chosen method's time, `own` its errors, `bound` what stated errors are called."""
     stated = ""
     if errors.bounded:
         stated = f"{bound} held" if not errors.broken else f"{bound} short {errors.broken} of {errors.bounded} times"
@@ -119,6 +123,7 @@ def row(
         median(errors.relative) if errors.relative else 0.0,
         max(errors.ulps) if errors.ulps else None,
         median(errors.ulps) if errors.ulps else None,
+        max((own.found[where] for where in errors.found if where in own.found), default=None) if own else None,
         measure,
         stated,
         errors.bounded,

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.accuracy.rows import Row
 
-QUESTIONS = (Comparison("convert", "", "convert", "dynamics_cli.accuracy.rivals.convert:compare"),)
+# pint is there wherever the program is: it is named among the libraries of others, and always takes part.
+QUESTIONS = (Comparison("convert", "", "convert", "dynamics_cli.accuracy.rivals.convert:compare", peers=("pint",)),)
 
 
 def exact(case: Case) -> "Callable[[], float]":
@@ -64,7 +65,7 @@ METHODS = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Every method over every case."""
     pace = Pace(full=full)
     cases = [case for case in load("convert.json") if case.hard or not hard]
