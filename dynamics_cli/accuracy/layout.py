@@ -14,12 +14,17 @@ if TYPE_CHECKING:
 WIDTH = 112
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
-LEGEND = (
-    "ratio: time over that of the program's own method (▸); arrays: time for each case of one call on arrays;",
-    "worst, median: errors; in ulp: of doubles' last place; held ×n: the stated bound was never below the true error",
-    "and is n times it in the median; * no other method is as quick and as exact; a/b: b − a cases were not answered;",
-    "ours: the worst error of the program's own method over the very results that this one gave",
-)
+# What columns, by their first words, and marks mean; said of those that are there.
+LEGEND = {
+    "ratio": "ratio: time over that of the program's own method (▸)",
+    "arrays": "arrays: time for each case of one call on arrays",
+    "worst": "worst, median: errors, as shares of the reference unless said otherwise",
+    "in": "in ulp: in units of a double's last place",
+    "ours": "ours: the worst error of our own method over the very results that this one gave",
+    "bound": "held ×n: the stated bound was never below the true error, and n times it in the median (~: an estimate)",
+    "cases": "a/b: of b cases b − a were not answered",
+    "*": "*: no other method is as quick and as exact",
+}
 
 
 class Column:
@@ -36,11 +41,21 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     rows = results["methods"]
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
     columns = _fitting(_columns(rows, digits), rows, width)
-    made = ["", *(f"  {line}" for line in LEGEND), *_about(results)]
-    room = width - 4 - sum(2 + size for _, size in columns)
+    made = ["", *_legend(columns, rows, width), *_about(results)]
+    longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
+    room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     for block in _blocks(rows):
         made += ["", *_block(block, columns, room, width)]
     return made
+
+
+def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int) -> "list[str]":
+    """What the columns there are mean, in lines as wide as the terminal."""
+    there = {column.title.split()[0] for column, _ in columns} | ({"*"} if any(row["front"] for row in rows) else set())
+    if not any(row["refused"]["value"] for row in rows):
+        there.discard("cases")
+    text = "; ".join(words for key, words in LEGEND.items() if key in there)
+    return [f"  {line.removeprefix('  ')}" for line in _wrapped(text, width - 2)]
 
 
 def _about(results: "Entry") -> "list[str]":

@@ -1,11 +1,13 @@
 """The work–precision report: every method of every question, its time and its error against references."""
 
+from statistics import median
+
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE, Row, finished, row
+from dynamics_cli.accuracy.rows import CHOSEN, Row, finished, row
 from dynamics_cli.core.rows.progress import Progress
 from dynamics_cli.core.task import load as imported
 from dynamics_cli.core.terminal import Terminal
@@ -134,11 +136,11 @@ def accuracy(
             rows += finished(_rows(question, wanted), question.family, question.task)
             done.bytes_read += 1
             progress.advance(done.bytes_read)
-    loose = sorted(one.looseness for one in rows if one.method.endswith(CHOSEN) and one.looseness is not None)
+    loose = sorted(one.looseness for one in rows if one.is_proved and one.looseness is not None)
     return Accuracy(
         tuple(rows),
         len({one.question for one in rows}),
-        loose[len(loose) // 2] if loose else None,
+        median(loose) if loose else None,
         None if untimed else this_machine(),
         tuple(found.values()) or None,
         _checks(rows),
@@ -163,7 +165,7 @@ def _missing(one: Peer) -> Advice:
 def _checks(rows: "Sequence[Row]") -> "tuple[Check, ...]":
     """Whether what the program claims of its own methods held: bounds, and an answer to every reference."""
     own = [one for one in rows if one.method.endswith(CHOSEN)]
-    proved = [one for one in own if one.stated and not one.bound.startswith(ESTIMATE)]
+    proved = [one for one in own if one.is_proved]
     made = []
     if proved:
         broken = sum(one.broken for one in proved)

@@ -92,6 +92,11 @@ class Row:
     entities: Count | None = None
     front: bool = False
 
+    @property
+    def is_proved(self) -> bool:
+        """Whether it is the program's own method with bounds, which estimates are not."""
+        return self.method.endswith(CHOSEN) and self.stated > 0 and not self.bound.startswith(ESTIMATE)
+
 
 def row(
     question: str,

@@ -34,19 +34,31 @@ QUESTIONS = tuple(
 )
 MEASURE = "deviations of the result"
 RESULTS = ("low", "high", "median", "mean", "std")
-OWN: "tuple[tuple[str, dict[str, Any]], ...]" = (
-    ("gradient quadrature, automatic (chosen)", {}),
-    ("linear", {"method": "linear"}),
-    ("second order", {"method": "second-order"}),
-    ("unscented", {"method": "unscented"}),
-    ("shifted lattices", {"method": "lattice"}),
-    ("Monte Carlo, 1e4", {"method": "monte-carlo", "samples": 10_000}),
-    ("Monte Carlo, 1e6", {"method": "monte-carlo", "samples": 1_000_000}),
-)
-# Where it converges quickly: what asking for more costs.
-FINER: "tuple[tuple[str, dict[str, Any]], ...]" = (("gradient quadrature, asked for 1e-10", {"accuracy": 1e-10}),)
+# Points that one case may take, unless there are minutes: the program itself allows ten times as many.
+FEW_POINTS = 300_000
+
+
+def own_methods(kind: str, *, full: bool) -> "list[tuple[str, dict[str, Any]]]":
+    """The engine's methods; the classical ones need points only for an estimate of their error."""
+    few: dict[str, Any] = {} if full else {"samples": FEW_POINTS}
+    many = 1_000_000 if full else 100_000
+    made: list[tuple[str, dict[str, Any]]] = [
+        ("automatic (chosen)" if full else "automatic, 3e5 points at most (chosen)", few),
+        ("linear", {"method": "linear", "samples": 20_000}),
+        ("second order", {"method": "second-order", "samples": 20_000}),
+        ("unscented", {"method": "unscented", "samples": 20_000}),
+        ("shifted lattices", {"method": "lattice", **few}),
+        ("Monte Carlo, 1e4", {"method": "monte-carlo", "samples": 10_000}),
+        (f"Monte Carlo, 1e{len(str(many)) - 1}", {"method": "monte-carlo", "samples": many}),
+    ]
+    if kind == "smooth":
+        # where it converges quickly: what asking for more costs
+        made.append(("automatic, asked for 1e-10", {"accuracy": 1e-10, **few}))
+    return made
+
+
+# Models with a kink, or with several branches that meet within the inputs.
 FOLDED = ("absolute", "positive", "apart", "largest", "smallest", "square", "squares", "radius", "sine")
-"""Models with a kink, or with several branches that meet within the inputs."""
 BOUNDED = ("uniform", "triangular", "truncated")
 
 
@@ -104,25 +116,23 @@ def of_peer(name: str, case: Case) -> "Answer":
 
 def compare_smooth(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Models with derivatives of inputs without bounds."""
-    return _compared(name, "smooth", (*OWN, *FINER), hard=hard, full=full, timed=timed, peers=peers)
+    return _compared(name, "smooth", hard=hard, full=full, timed=timed, peers=peers)
 
 
 def compare_bounded(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Inputs between bounds, and steps."""
-    return _compared(name, "bounded", OWN, hard=hard, full=full, timed=timed, peers=peers)
+    return _compared(name, "bounded", hard=hard, full=full, timed=timed, peers=peers)
 
 
 def compare_kinked(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Kinks, atoms, branches that meet."""
-    return _compared(name, "kinked", OWN, hard=hard, full=full, timed=timed, peers=peers)
+    return _compared(name, "kinked", hard=hard, full=full, timed=timed, peers=peers)
 
 
-def _compared(
-    name: str, kind: str, own_methods: "Sequence[tuple[str, dict[str, Any]]]", *,
-    hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]",
-) -> "list[Row]":  # fmt: skip
+def _compared(name: str, kind: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]") -> "list[Row]":
     cases = [case for case in load("uncertainty.json") if kind_of(case) == kind and (case.hard or not hard)]
-    methods: list[tuple[str, Method]] = [(title, partial(own, options=options)) for title, options in own_methods]
+    own_ones = own_methods(kind, full=full)
+    methods: list[tuple[str, Method]] = [(title, partial(own, options=options)) for title, options in own_ones]
     methods += [(PEERS[peer][0], partial(of_peer, peer)) for peer in peers]
     pace = Pace(full=full)
     made: list[Row] = []
