@@ -16,12 +16,13 @@ if TYPE_CHECKING:
 
 @record
 class Axis:
-    """One axis: its title, the kind of its SI numbers (None for pure numbers), or names that stand at 1, 2, 3 …."""
+    """One axis: its title, the kind of its SI numbers (None for pure ones), names at 1, 2, 3 …, ends if set."""
 
     title: str
     kind: "Any" = None
     logarithmic: bool = False
     names: "tuple[str, ...]" = ()
+    ends: tuple[float, float] | None = None
 
 
 @record
@@ -38,11 +39,12 @@ class Curve:
 
 @record
 class Mark:
-    """A point with words beside it."""
+    """A point with words beside it, `aside` points of print from it; to its left where that is negative."""
 
     x: float
     y: float
     label: str = ""
+    aside: tuple[float, float] = (5.0, 5.0)
 
 
 @record
@@ -89,8 +91,9 @@ class Panel:
 
 @record
 class Picture:
-    """Panels one below another, or in `columns`, under one title."""
+    """Panels one below another, or in `columns`, under one title; so many on a `page` of a PDF (0: all)."""
 
     panels: tuple[Panel, ...]
     title: str = ""
     columns: int = 1
+    page: int = 0

@@ -14,11 +14,15 @@ TASK = Task(
     examples=(
         "dynamics accuracy coords --untimed",
         "dynamics accuracy skid yaw --hard --untimed",
+        "dynamics accuracy gear ratio --full",
+        "dynamics accuracy skid friction --peers",
     ),
     table="methods",
     arrays=False,
     tracked=False,
     digits=3,
     plot="dynamics_cli.accuracy.pictures:work_precision",
+    layout="dynamics_cli.accuracy.layout:lines",
+    verdict=True,
 )
 FAMILIES = {"accuracy": Family("accuracy", "Speed against error of every method, measured here and now.", TASK)}

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
 SMALLEST_NORMAL = Decimal(2.0**-1022)
+# Errors beyond this are shown as this: a tiny number taken for one.
+MOST = Decimal("1e300")
+HALF_ULP = Decimal(2.0**-53)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
 
@@ -28,11 +31,14 @@ class Errors:
     def __init__(self) -> None:
         self.relative: list[float] = []
         self.ulps: list[float] = []
+        self.looseness: list[float] = []
         self.cases = 0
         self.refused = 0
         self.broken = 0
         self.bounded = 0
         self.worst = ("", -1.0)
+        # relative errors by case and result, so that methods can be compared over the same ones
+        self.found: dict[str, float] = {}
 
     def add(self, where: str, value: float, text: str, bound: "float | None") -> None:
         """Count one result of one case."""
@@ -42,32 +48,42 @@ class Errors:
         true = max(DIGITS.subtract(error, slack), Decimal(0))
         near = float(reference)
         # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
-        relative = float(DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL))) if near else float(true)
+        share = DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else true
+        relative = float(min(share, MOST))
         self.relative.append(relative)
+        self.found[where] = max(relative, self.found.get(where, 0.0))
         if near or not true:
             # beside zero there is no last place: what is left there is held against the bound
-            ulps = float(DIGITS.divide(true, Decimal(math.ulp(near))))
+            ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
             self.ulps.append(ulps)
             if ulps > self.worst[1]:
                 self.worst = (where, ulps)
         if bound is not None:
             self.bounded += 1
             self.broken += Decimal(bound) < true
+            # an answer that happens to be exact would make any bound infinitely loose
+            least = DIGITS.multiply(HALF_ULP, reference.copy_abs())
+            if bound and (whole := max(true, least)):
+                self.looseness.append(float(DIGITS.divide(Decimal(bound), whole)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
-        """Count an error measured otherwise, beside the estimate stated for it."""
+        """Count an error measured otherwise, beside the bound or the estimate stated for it."""
         self.relative.append(error)
         if error > self.worst[1]:
             self.worst = (where, error)
         if estimate is not None:
             self.bounded += 1
             self.broken += estimate < error
+            if error > 0.0:
+                self.looseness.append(estimate / error)
 
 
 def errors_of(
-    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *, tracked: bool
-) -> Errors:
-    """The errors of a method over its cases."""
+    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *,
+    tracked: bool, foreign: bool = False,
+) -> Errors:  # fmt: skip
+    """The errors of a method over its cases; a `foreign` one, of another library, may fail in any way it likes."""
+    refusals = Exception if foreign else (DynamicsError, ArithmeticError, ValueError)
     made = Errors()
     for case in cases:
         numbers: list[Any] = list(leaves(case.inputs))
@@ -77,7 +93,7 @@ def errors_of(
             numbers = Tracked.inputs(numbers)
         try:
             answer = function(**build(case.inputs, iter(numbers), groups), **case.choices)
-        except (DynamicsError, ArithmeticError, ValueError):
+        except refusals:
             made.refused += 1
             continue
         results, stated = results_of(answer), stated_by(answer)
@@ -146,7 +162,7 @@ def scalar_time(
         arguments = build(case.inputs, leaves(case.inputs), groups) | case.choices
         try:
             function(**arguments)
-        except (DynamicsError, ArithmeticError, ValueError):
+        except Exception:
             continue
         times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
         if len(times) == pace.timed_cases:

@@ -1,5 +1,13 @@
-"""The work–precision diagram: time against error of every method, and the front that none beats in both."""
+"""The work–precision diagram: time against error of every method, and the front that none beats in both.
 
+Every panel has the same axis of errors, from exact to no digit right, and times over that of the program's own method,
+so that panels can be compared.
+"""
+
+from math import ceil, floor, log10
+
+from dynamics_cli.accuracy.rows import CHOSEN
+from dynamics_cli.errors import UsageError
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import EvaluationTime
 
@@ -10,32 +18,179 @@ if TYPE_CHECKING:
     from dynamics_cli.accuracy.report import Accuracy
     from dynamics_cli.accuracy.rows import Row
 
-# Where an exact result stands on a logarithmic axis.
-EXACT = 1e-18
-MOST_PANELS = 12
+    # A method's error, its time and its words.
+    Point = tuple[float, float, str]
+
+# What is more exact stands at the left end, what has no digit right at the right one.
+EXACT, WRONG = 1e-17, 1.0
+ENDS = (2e-18, 5.0)
+# A panel's axes in points of print, and its letters.
+WIDTH, HEIGHT, LETTER, LINE = 335.0, 165.0, 4.9, 10.0
+# Words beside a point need half a panel at most, so that one side of it has room for them.
+MOST_LETTERS = 40
+# The last of the colours, black.
+OWN = 6
+TITLE = "work–precision: left is more exact, down is quicker"
+MOST_OF_TWO = 12
+PAGE = 8
+ERROR = "worst error (1: no digit is right)"
 
 
 def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
-    """A panel for every question with several methods; else one panel of all."""
-    timed = [row for row in made.methods if row.time]
-    by_question: dict[str, list[Row]] = {}
-    for row in timed:
-        by_question.setdefault(row.question, []).append(row)
-    several = [rows for rows in by_question.values() if len(rows) > 1]
-    panels = [_panel(rows[0].question, rows, by_method=True) for rows in several[:MOST_PANELS]]
-    if not panels:
-        panels = [_panel("", timed, by_method=False)]
-    return Picture(tuple(panels), "work–precision", 2 if len(panels) > 1 else 1)
+    """A panel for every question with several methods, one of all of them, and one of each family's other questions."""
+    questions = by_question(made)
+    if not questions:
+        message = "a work–precision diagram needs times"
+        raise UsageError(message, parameter="plot", code="exclusive", hint="leave out --untimed")
+    several = [rows for rows in questions if len(rows) > 1]
+    alone: dict[str, list[Row]] = {}
+    for rows in questions:
+        if len(rows) == 1:
+            alone.setdefault(rows[0].family, []).append(rows[0])
+    panels = [overview(several)] if len({rows[0].family for rows in several}) > 1 else []
+    panels += [question_panel(rows) for rows in several]
+    panels += [_alone(family, rows) for family, rows in alone.items()]
+    columns = 1 if len(panels) == 1 else 2 if len(panels) <= MOST_OF_TWO else 3
+    return Picture(tuple(panels), TITLE, columns, PAGE)
 
 
-def _panel(title: str, rows: "list[Row]", *, by_method: bool) -> Panel:
-    points = [(max(row.worst, EXACT), row.time or 0.0, row.method if by_method else row.question) for row in rows]
-    front: list[tuple[float, float]] = []
+def by_question(made: "Accuracy") -> "list[list[Row]]":
+    """The methods that have a time and an error, question by question."""
+    questions: dict[tuple[str, str], list[Row]] = {}
+    for row in made.methods:
+        if row.time and row.cases:
+            questions.setdefault((row.family, row.question), []).append(row)
+    return list(questions.values())
+
+
+def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
+    """All methods in one panel, and the questions that tell most: of each family those with the longest fronts."""
+    questions = by_question(made)
+    ranked: dict[str, list[list[Row]]] = {}
+    for rows in questions:
+        if len(rows) > 2:
+            ranked.setdefault(rows[0].family, []).append(rows)
+    for own in ranked.values():
+        own.sort(key=lambda rows: (-sum(row.front for row in rows), -len(rows)))
+    picked: list[list[Row]] = []
+    for place in range(max(map(len, ranked.values()), default=0)):
+        picked += [own[place] for own in ranked.values() if place < len(own)]
+    shown = [rows for rows in questions if any(rows is one for one in picked[:most])]
+    panels = (overview([rows for rows in questions if len(rows) > 1]), *map(question_panel, shown))
+    return Picture(panels, TITLE, 2 if len(panels) > 1 else 1, PAGE)
+
+
+def overview(several: "list[list[Row]]") -> Panel:
+    """Every method of every question of relative errors as a point: rivals by family, the program's own in black."""
+    points: dict[str, tuple[list[float], list[float]]] = {}
+    own: list[float] = []
+    for rows in several:
+        if rows[0].measure != "relative":
+            continue
+        base = rows[0].time or 1.0
+        for row in rows:
+            if row.method.endswith(CHOSEN):
+                own.append(_error(row))
+                continue
+            across, up = points.setdefault("convert" if row.family == "coords" else row.family, ([], []))
+            across.append(_error(row))
+            up.append((row.time or 0.0) / base)
+    curves = [
+        Curve(across, up, f"{family}: rivals", "points", place)
+        for place, (family, (across, up)) in enumerate(points.items())
+    ]
+    curves.append(Curve(own, [1.0] * len(own), "our own methods", "points", OWN))
+    axis = _ratios([ratio for _, ups in points.values() for ratio in ups])
+    return Panel(Axis(ERROR, None, True, ENDS), axis, tuple(curves), "all questions with several methods")
+
+
+def question_panel(rows: "list[Row]") -> Panel:
+    """One question: its methods by name, and the front."""
+    base = rows[0].time or 1.0
+    points = [(_error(row), (row.time or 0.0) / base, _words(row)) for row in rows]
+    axis = _ratios([ratio for _, ratio, _ in points])
+    assert axis.ends is not None
+    title = f"{rows[0].question} (1 = {_amount(base)})"
+    measure = rows[0].measure
+    x = Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
+    return Panel(x, axis, (_front(points, axis.ends[1]), *_marks(points, axis.ends)), title)
+
+
+def _alone(family: str, rows: "list[Row]") -> Panel:
+    """Questions that only the program's own method answers, with times as they are."""
+    points = [(_error(row), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
+    times = [time for _, time, _ in points]
+    ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
+    y = Axis("time of one evaluation", EvaluationTime, True, ends)
+    return Panel(Axis(ERROR, None, True, ENDS), y, tuple(_marks(points, ends)), f"{family}: one method each")
+
+
+def _error(row: "Row") -> float:
+    return min(max(row.worst, EXACT), WRONG)
+
+
+def _words(row: "Row") -> str:
+    name = row.method.removesuffix(CHOSEN)
+    left = f" (no answer: {row.refused})" if row.refused else ""
+    return _shortened(f"▸ {name}" if name != row.method else name, MOST_LETTERS - len(left)) + left
+
+
+def _shortened(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 1].rstrip(" ,") + "…"
+
+
+def _amount(seconds: float) -> str:
+    """A time with the unit that suits it."""
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
+
+
+def _ratios(ratios: "list[float]") -> Axis:
+    """The axis of times over the chosen method's: whole decades about one, two at least."""
+    low, high = min(*ratios, 1.0), max(*ratios, 1.0)
+    ends = (10.0 ** min(floor(log10(low) - 0.2), -1), 10.0 ** max(ceil(log10(high) + 0.2), 1))
+    return Axis("time, own method = 1", None, True, ends)
+
+
+def _front(points: "list[Point]", top: float) -> Curve:
+    """The edge of what no method reaches: every point above it and to its right is beaten by one on it."""
+    across: list[float] = []
+    up = [top]
     for error, time, _ in sorted(points):
-        if not front or time < front[-1][1]:
-            front.append((error, time))
-    items: list[Any] = [Mark(error, time, label) for error, time, label in points]
-    if len(front) > 1:
-        items.insert(0, Curve([error for error, _ in front], [time for _, time in front], "front", "dashed"))
-    x = Axis("worst relative error", logarithmic=True)
-    return Panel(x, Axis("time of one evaluation", EvaluationTime, logarithmic=True), tuple(items), title)
+        if time < up[-1]:
+            across += [error, error]
+            up += [up[-1], time] if len(up) > 1 else [time]
+    return Curve([*across, ENDS[1]], [*up, up[-1]], "", "dashed", 0)
+
+
+def _marks(points: "list[Point]", ends: "tuple[float, float]") -> "list[Mark]":
+    """Points with their words where no other words or points are: beside, above or below them."""
+    places = [
+        (WIDTH * _share(error, ENDS), HEIGHT * _share(time, ends), LETTER * len(words)) for error, time, words in points
+    ]
+    taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y, _ in places]
+    made = []
+    for (x, y, width), (error, time, words) in zip(places, points, strict=True):
+        left = x + 5.0 + width > WIDTH and x > 0.5 * WIDTH
+        start = x - 5.0 - width if left else x + 5.0
+        aside = 3.0
+        for step in range(24):
+            aside = (-1) ** step * (step // 2) * LINE * 0.75 + (3.0 if step % 2 == 0 else -LINE)
+            box = (start, start + width, y + aside - 1.0, y + aside + LINE - 1.0)
+            inside = box[2] >= 0.0 and box[3] <= HEIGHT
+            if inside and not any(_meet(box, own) for own in taken):
+                break
+        taken.append((start, start + width, y + aside - 1.0, y + aside + LINE - 1.0))
+        made.append(Mark(error, time, words, (-5.0 if left else 5.0, aside)))
+    return made
+
+
+def _share(value: float, ends: "tuple[float, float]") -> float:
+    """How far along a logarithmic axis a number stands."""
+    return log10(value / ends[0]) / log10(ends[1] / ends[0])
+
+
+def _meet(one: "tuple[float, ...]", other: "tuple[float, ...]") -> bool:
+    return one[0] < other[1] and other[0] < one[1] and one[2] < other[3] and other[2] < one[3]

@@ -1,20 +1,27 @@
 """The work–precision report: every method of every question, its time and its error against references."""
 
+from statistics import median
+
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import load
+from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import Row, row
+from dynamics_cli.accuracy.rows import CHOSEN, Row, finished, row
+from dynamics_cli.core.rows.progress import Progress
 from dynamics_cli.core.task import load as imported
+from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import UsageError
-from dynamics_cli.quantities import Count, Text
-from dynamics_cli.records import Advice, record
+from dynamics_cli.quantities import Count, Ratio, Text
+from dynamics_cli.records import Advice, Check, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.questions import Method, Question
 
 
@@ -28,11 +35,44 @@ class Accuracy:
         A row for every method of every question.
     questions : Count
         Questions asked.
+    looseness : Ratio
+        The program's stated bounds over its true errors: the median over its methods of their medians.
+    machine : Machine
+        What times were measured on.
+    peers : tuple of Peer
+        Libraries of others that answer some of these questions, where they were asked for.
     """
 
     methods: tuple[Row, ...]
     questions: Count
+    looseness: Ratio | None
+    machine: Machine | None
+    peers: tuple[Peer, ...] | None
+    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
+
+
+class Asked:
+    """What of the report is wanted, and which libraries of others are there."""
+
+    def __init__(self, *, hard: bool, full: bool, timed: bool, found: "Mapping[str, Peer]") -> None:
+        self.hard = hard
+        self.full = full
+        self.timed = timed
+        self.found = found
+        self.pace = Pace(full=full)
+
+    def takes(self, name: str) -> bool:
+        """Whether a library was asked for and is installed."""
+        return name in self.found and self.found[name].installed
+
+
+class Done:
+    """How many of the questions have been answered, as a progress bar counts."""
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+        self.bytes_read = 0
 
 
 def accuracy(
@@ -52,22 +92,23 @@ def accuracy(
     Parameters
     ----------
     family : Text
-        Only this family.
+        Only this family: `dynamics accuracy gear`.
     task : Text
-        Only this task of it.
+        Only this task of it: `dynamics accuracy gear pair`.
     hard : bool
-        Only the hard cases.
+        Only the hard cases: those that were chosen, or found by search, for being difficult.
     full : bool
-        More repeats and larger problems: minutes rather than seconds.
+        Three times as many repeats on five times as many cases, and larger problems: minutes rather than seconds.
     untimed : bool
-        Errors only: the same on every machine and in every run.
+        Errors only: the same bytes on every machine and in every run.
     peers : bool
-        Other people's libraries too, as far as they are installed.
+        Libraries of others too, as far as they are installed (uncertainties, GTC, mcerp, trimesh, and others: the
+        answer lists them).
 
     Returns
     -------
     Accuracy
-        A row for every method.
+        A row for every method; the checks say whether every stated bound held, and the status is 1 if one did not.
 
     Raises
     ------
@@ -77,77 +118,98 @@ def accuracy(
     Notes
     -----
     A relative error is |value − reference|/|reference|; a unit in the last place is the distance of doubles at the
-    reference. The bound is the one the program states for its own rounding.
+    reference. The bound is the one the program states for its own rounding; how loose it is compares it with the true
+    error, or with 2⁻⁵³·|reference| where that is larger. Estimates, as quadrature gives them, are not bounds: one that
+    falls short is counted, and is no fault.
     """
     asked = catalogue.questions(family, task)
     if not asked:
         known = ", ".join(sorted({question.family for question in catalogue.questions("", "")}))
         message = f"there are no references for {f'{family} {task}'.strip()!r}"
         raise UsageError(message, parameter="family", hint=f"there are for {known}")
-    pace = Pace(full=full)
+    found = {name: peer(name) for name in _names(asked)} if peers else {}
+    wanted = Asked(hard=hard, full=full, timed=not untimed, found=found)
     rows: list[Row] = []
-    missing: dict[str, None] = {}
-    for question in asked:
-        if isinstance(question, Comparison):
-            rows += _compared(question, missing, hard=hard, full=full, timed=not untimed, peers=peers)
-        else:
-            rows += _answered(question, pace, missing, hard=hard, timed=not untimed, peers=peers)
-    advice = tuple(
-        Advice("not-installed", f"{name} is not installed and was left out", "note", f"pip install {name}")
-        for name in missing
+    done = Done(len(asked))
+    with Progress(done, Terminal(), "questions") as progress:
+        for question in asked:
+            rows += finished(_rows(question, wanted), question.family, question.task)
+            done.bytes_read += 1
+            progress.advance(done.bytes_read)
+    loose = sorted(one.looseness for one in rows if one.is_proved and one.looseness is not None)
+    return Accuracy(
+        tuple(rows),
+        len({one.question for one in rows}),
+        median(loose) if loose else None,
+        None if untimed else this_machine(),
+        tuple(found.values()) or None,
+        _checks(rows),
+        tuple(_missing(one) for one in found.values() if not one.installed),
     )
-    return Accuracy(tuple(rows), len(asked), advice)
 
 
-def _compared(
-    question: "Comparison", missing: "dict[str, None]", *, hard: bool, full: bool, timed: bool, peers: bool
-) -> "list[Row]":
-    options: dict[str, Any] = {"hard": hard, "full": full, "timed": timed}
+def _names(asked: "Sequence[Question | Comparison]") -> "list[str]":
+    """The libraries of others that could answer these questions, in the order of the questions."""
+    names: dict[str, None] = {}
+    for question in asked:
+        own = question.peers if isinstance(question, Comparison) else [one.needs for one in question.methods]
+        names.update(dict.fromkeys(name for name in own if name))
+    return list(names)
+
+
+def _missing(one: Peer) -> Advice:
+    how = "cannot be imported" if one.version else "is not installed"
+    return Advice("not-installed", f"{one.name} {how} and was left out", "note", f"pip install {one.name}")
+
+
+def _checks(rows: "Sequence[Row]") -> "tuple[Check, ...]":
+    """Whether what the program claims of its own methods held: bounds, and an answer to every reference."""
+    own = [one for one in rows if one.method.endswith(CHOSEN)]
+    proved = [one for one in own if one.is_proved]
+    made = []
+    if proved:
+        broken = sum(one.broken for one in proved)
+        made.append(Check("stated bounds below a true error", broken == 0, float(broken), 0.0))
+    refused = sum(one.refused for one in own)
+    made.append(Check("references without an answer", refused == 0, float(refused), 0.0))
+    return tuple(made)
+
+
+def _rows(question: "Question | Comparison", wanted: Asked) -> "list[Row]":
+    if not isinstance(question, Comparison):
+        return _answered(question, wanted)
+    options: dict[str, Any] = {"hard": wanted.hard, "full": wanted.full, "timed": wanted.timed}
     if question.peers:
-        options["peers"] = tuple(name for name in question.peers if peers and _installed(name, missing))
+        options["peers"] = tuple(name for name in question.peers if wanted.takes(name))
     return imported(question.function)(question.name, **options)  # type: ignore[no-any-return]
 
 
-def _answered(
-    question: "Question", pace: Pace, missing: "dict[str, None]", *, hard: bool, timed: bool, peers: bool
-) -> "list[Row]":
-    cases = [case for case in load(question.file) if case.task == question.cases and (case.hard or not hard)]
+def _answered(question: "Question", wanted: Asked) -> "list[Row]":
+    cases = [case for case in load(question.file) if case.task == question.cases and (case.hard or not wanted.hard)]
     if not cases:
         return []
     rows: list[Row] = []
+    own: Errors | None = None
     base: float | None = None
     for method in question.methods:
-        if method.needs and not (peers and _installed(method.needs, missing)):
+        if method.needs and not wanted.takes(method.needs):
             continue
-        row = _row(question, method, cases, pace, base, timed=timed)
-        base = base or row.time
-        rows.append(row)
+        errors, time, many = _measured(question, method, cases, wanted)
+        base = base or time
+        name = f"{method.name}{CHOSEN}" if method.chosen else method.name
+        rows.append(row(question.name, name, errors, time, base, array_time=many, own=own))
+        own = own or errors
     return rows
 
 
-def _installed(name: str, missing: "dict[str, None]") -> bool:
-    """Whether a library can be imported: one that is there but broken is as good as none."""
-    from contextlib import redirect_stdout
-    from importlib import import_module
-    from io import StringIO
-
-    try:
-        # some print when they are imported
-        with redirect_stdout(StringIO()):
-            import_module(name)
-    except ImportError:
-        missing[name] = None
-        return False
-    return True
-
-
-def _row(
-    question: "Question", method: "Method", cases: "list[Case]", pace: Pace, base: "float | None", *, timed: bool
-) -> Row:
+def _measured(
+    question: "Question", method: "Method", cases: "list[Case]", wanted: Asked
+) -> "tuple[Errors, float | None, float | None]":
+    """A method's errors, its time, and its time for each case of arrays."""
     function = method.call()
     groups = catalogue.groups(question.family)
-    errors = errors_of(function, cases, groups, tracked=method.tracked)
-    time = scalar_time(function, cases, groups, pace) if timed else None
-    many = array_time(function, cases, groups, pace) if timed and method.arrays else None
-    name = f"{method.name} (chosen)" if method.chosen else method.name
-    return row(question.name, name, errors, time, base or time, array_time=many)
+    errors = errors_of(function, cases, groups, tracked=method.tracked, foreign=bool(method.needs))
+    timed = wanted.timed and errors.cases > 0
+    time = scalar_time(function, cases, groups, wanted.pace) if timed else None
+    many = array_time(function, cases, groups, wanted.pace) if timed and method.arrays else None
+    return errors, time, many

@@ -7,7 +7,13 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dynamics_cli.accuracy.measure import Errors
+
+CHOSEN = " (chosen)"
+# Stated errors that are proved; an estimate is not, and may fall short of a few cases.
+ESTIMATE = "estimate"
 
 
 @record
@@ -16,6 +22,10 @@ class Row:
 
     Parameters
     ----------
+    family : Text
+        The family whose calculation it is.
+    task : Text
+        The task of it, where the question is of one.
     question : Text
         What is calculated.
     method : Text
@@ -29,19 +39,38 @@ class Row:
     slower : Ratio
         Time over the time of the chosen method.
     worst : Ratio
-        Largest relative error (absolute where the reference is zero; below the normal doubles, of the smallest one).
+        Largest error, in the row's measure.
+    median : Ratio
+        Median error, in the row's measure.
     worst_ulp : Ratio
         Largest error in units in the last place of the reference.
     median_ulp : Ratio
         Median error in units in the last place.
+    own_worst : Ratio
+        The chosen method's largest error over the very results that this method gave.
+    measure : Text
+        What errors are measured in: shares of the reference (absolute where that is zero; below the normal doubles,
+        shares of the smallest one), or what the question says.
     bound : Text
         Whether the bound that the program states was never below the true error.
+    stated : Count
+        Results with a stated bound.
+    broken : Count
+        Those whose bound was below the true error.
+    looseness : Ratio
+        The stated bound over the true error, in the median; an error below half a last bit counts as that.
     worst_case : Text
         The case and the result with the largest error.
     array_time : EvaluationTime
         Time for each case of a call on arrays, where the method takes arrays.
+    entities : Count
+        Pieces needed, where a question asks for as few as keep a tolerance.
+    front : bool
+        Whether no other method of the question is as quick and as exact.
     """
 
+    family: Text
+    task: Text
     question: Text
     method: Text
     cases: Count
@@ -49,11 +78,24 @@ class Row:
     time: EvaluationTime | None
     slower: Ratio | None
     worst: Ratio
+    median: Ratio
     worst_ulp: Ratio | None
     median_ulp: Ratio | None
+    own_worst: Ratio | None
+    measure: Text
     bound: Text
+    stated: Count
+    broken: Count
+    looseness: Ratio | None
     worst_case: Text
     array_time: EvaluationTime | None
+    entities: Count | None = None
+    front: bool = False
+
+    @property
+    def is_proved(self) -> bool:
+        """Whether it is the program's own method with bounds, which estimates are not."""
+        return self.method.endswith(CHOSEN) and self.stated > 0 and not self.bound.startswith(ESTIMATE)
 
 
 def row(
@@ -65,12 +107,17 @@ def row(
     *,
     array_time: "float | None" = None,
     bound: str = "bound",
+    measure: str = "relative",
+    entities: "int | None" = None,
+    own: "Errors | None" = None,
 ) -> Row:
-    """A method's row; `base` is the chosen method's time, `bound` what the stated errors are called."""
+    """A method's row; `base` is the chosen method's time, `own` its errors, `bound` what stated errors are called."""
     stated = ""
     if errors.bounded:
         stated = f"{bound} held" if not errors.broken else f"{bound} short {errors.broken} of {errors.bounded} times"
     return Row(
+        "",
+        "",
         question,
         method,
         errors.cases,
@@ -78,9 +125,36 @@ def row(
         time,
         time / base if time and base else None,
         max(errors.relative, default=0.0),
+        median(errors.relative) if errors.relative else 0.0,
         max(errors.ulps) if errors.ulps else None,
         median(errors.ulps) if errors.ulps else None,
+        max((own.found[where] for where in errors.found if where in own.found), default=None) if own else None,
+        measure,
         stated,
+        errors.bounded,
+        errors.broken,
+        median(errors.looseness) if errors.looseness else None,
         errors.worst[0],
         array_time,
+        entities,
     )
+
+
+def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
+    """The rows of one question with their family and task, marked where no other beats them in time and error."""
+    more = {"family": family, "task": task}
+    return [Row(**{**one.__dict__, **more, "front": on_front(one, rows)}) for one in rows]
+
+
+def on_front(one: Row, rows: "Sequence[Row]") -> bool:
+    """Whether no other method of the question answers as many cases as quickly and as exactly."""
+    if one.time is None or not one.cases:
+        return False
+    mine = (one.refused, one.time, one.worst)
+    for other in rows:
+        if other.question != one.question or other.time is None or not other.cases:
+            continue
+        theirs = (other.refused, other.time, other.worst)
+        if theirs != mine and all(their <= own for their, own in zip(theirs, mine, strict=True)):
+            return False
+    return True

@@ -5,7 +5,7 @@ from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.document import build
 from dynamics_cli.core.gather import Gathered, gather
 from dynamics_cli.core.shown import Display
-from dynamics_cli.core.task import Task
+from dynamics_cli.core.task import Task, load
 from dynamics_cli.errors import ExitStatus, FaultError
 
 TYPE_CHECKING = False
@@ -50,6 +50,8 @@ def execute(task: Task, call: Call, terminal: "Terminal") -> int:
         from dynamics_cli.core.plot import show_small
 
         show_small(picture, settings, terminal)
+    if task.verdict and not all(check["passed"] for check in document["checks"]):
+        return ExitStatus.FAULT
     return status
 
 
@@ -78,7 +80,7 @@ def answered_case(
     display = Display(settings.units, settings.to)
     document = build(task, bound, answered, display, gathered.reader.notes)
     for check in document["checks"]:
-        if not check["passed"]:
+        if not check["passed"] and not task.verdict:
             raise FaultError(
                 f"our own check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
                 code="check",
@@ -178,10 +180,15 @@ def _clock() -> float:
 
 
 def _write(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> None:
-    from dynamics_cli.core.render import render
+    from dynamics_cli.core.render import render, to_table
 
     digits = settings.digits or task.digits
-    text = render(document, settings.format, digits, table)
+    if task.layout and settings.format == "table" and table != "sweep":
+        width = 0 if settings.output else terminal.columns
+        layout = load(task.layout)
+        text = to_table(document, digits, lambda results: layout(results, digits, width))
+    else:
+        text = render(document, settings.format, digits, table)
     if settings.output:
         from dynamics_cli.core.writing import WholeFile
 

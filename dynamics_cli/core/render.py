@@ -14,6 +14,7 @@ from dynamics_cli.errors import FaultError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     Document = dict[str, Any]
@@ -162,8 +163,11 @@ def _grid(table: "Any", digits: int) -> "list[list[str]]":
     return head + [list(row) for row in zip(*body, strict=True)]
 
 
-def to_table(document: "Document", digits: int) -> str:
-    """The document for people: inputs, results with their error bounds, tables, checks, warnings, source."""
+def to_table(document: "Document", digits: int, layout: "Callable[[Any], list[str]] | None" = None) -> str:
+    """The document for people: inputs, results with their error bounds, tables, checks, warnings, source.
+
+    `layout` writes the results, where a task has a way of its own.
+    """
     model = document["model"]
     lines = [document["command"]]
     inputs = flatten(document["inputs"])
@@ -177,8 +181,12 @@ def to_table(document: "Document", digits: int) -> str:
         from dynamics_cli.core.uncertain.render import driver_lines, spread_tails
 
         tails |= spread_tails(document["results"], digits)
-    lines += ["", *_aligned(flatten(document["results"]), digits, tails)]
-    lines += _tables({name: node for name, node in document["results"].items() if is_table(node)}, digits)
+    results = document["results"]
+    if layout is not None:
+        lines += layout(results)
+    else:
+        lines += ["", *_aligned(flatten(results), digits, tails)]
+        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits)
     lines += driver_lines(document, digits) if uncertain else []
     lines.append("")
     lines += [f"  limit: {item['message']}" for item in document.get("limits", ())]

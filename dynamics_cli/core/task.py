@@ -69,7 +69,10 @@ class Task:
     function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is how many a table shows unless
     asked (17: all there are). `writers` names, for endings of `--drawing` of the task's own, a function of the result
     record that gives the file's text or bytes: `{"urdf": "module:function"}`. `plot` names the function that makes the
-    picture of `--plot`: it takes the result record and then the task's own parameters by name.
+    picture of `--plot`: it takes the result record and then the task's own parameters by name. `layout` names the
+    function that writes the results in a table for people where rows and columns would not be read: it takes the
+    document's results, digits and the terminal's width (0: not a terminal), and gives lines. `verdict` says that the
+    checks are what was asked for: one that fails is shown in the document, and the status tells.
     """
 
     def __init__(
@@ -84,10 +87,14 @@ class Task:
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
         plot: str = "",
+        layout: str = "",
+        verdict: bool = False,
     ) -> None:
         self.name = name
         self.summary = summary
         self.plot = plot
+        self.layout = layout
+        self.verdict = verdict
         self.models = models
         self.examples = examples
         self.table = table

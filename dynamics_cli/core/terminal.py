@@ -79,6 +79,14 @@ class Terminal:
         return contextlib.redirect_stdout(Text())
 
     @property
+    def columns(self) -> int:
+        """The width of the terminal that standard output is; 0 where it is none."""
+        try:
+            return os.get_terminal_size(self.stdout.fileno()).columns
+        except (OSError, ValueError):
+            return 0
+
+    @property
     def shows_progress(self) -> bool:
         """Whether words for people go to a terminal."""
         return sys.stderr is not None and self.stderr.isatty()

@@ -3,63 +3,109 @@
 python tests/benchmarks/readme_accuracy.py
 """
 
-import platform
+import sys
+import time
 from pathlib import Path
+from typing import Any
 
-from dynamics_cli import run
-from dynamics_cli.accuracy.pictures import work_precision
-from dynamics_cli.accuracy.report import accuracy
+from dynamics_cli.accuracy.cases import DATA, load
+from dynamics_cli.accuracy.pictures import chosen_overview
+from dynamics_cli.accuracy.report import Accuracy, accuracy
+from dynamics_cli.accuracy.rows import CHOSEN, Row
 from dynamics_cli.core.plot.pages import draw
 
 ROOT = Path(__file__).resolve().parents[2]
 START, END = "<!-- accuracy -->", "<!-- /accuracy -->"
 DIAGRAM = ROOT / "examples" / "accuracy.svg"
+HEAD = ("question", "the program's method", "worst error", "instead", "worst error", "time, ours = 1")
 
 
-def processor() -> str:
-    """What the machine calls its processor."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        return platform.processor() or platform.machine()
-    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return names[0] if names else platform.machine()
+def questions(made: Accuracy) -> list[list[Row]]:
+    """The methods of each question, the program's own first."""
+    blocks: dict[tuple[str, str], list[Row]] = {}
+    for row in made.methods:
+        blocks.setdefault((row.family, row.question), []).append(row)
+    return list(blocks.values())
 
 
-def table() -> list[str]:
-    """The questions with rivals, a row for each method."""
-    document = run("accuracy")
-    rows = document["results"]["methods"]  # type: ignore[index]
-    several = {row["question"] for row in rows if "(chosen)" not in row["method"]}
-    head = "| question | method | time, chosen = 1 | worst relative error | no answer |"
-    lines = [head, "|---|---|---:|---:|---:|"]
-    for row in rows:
-        if row["question"] not in several:
-            continue
-        slower = f"{row['slower']['value']:.2g}" if "slower" in row else ""
-        refused = row["refused"]["value"] or ""
-        lines.append(f"| {row['question']} | {row['method']} | {slower} | {row['worst']['value']:.1e} | {refused} |")
-    held = [row for row in rows if row["bound"].endswith("held") and "(chosen)" in row["method"]]
-    stated = [row for row in rows if row["bound"] and "(chosen)" in row["method"]]
-    lines += [
-        "",
-        f"The bounds that the program states held in {len(held)} of {len(stated)} questions that have one. Measured on "
-        f"{processor()}, Python {platform.python_version()}; `no answer` counts cases that a method refused or "
-        "answered with infinity.",
+def error(row: Row) -> str:
+    """An error as it is compared, with what it is measured in, and how many cases were not answered."""
+    number = "none right" if row.worst >= 1.0 and row.measure == "relative" else f"{row.worst:.1e}"
+    if row.entities is not None:
+        number = f"{row.entities:,} pieces"
+    left = f" ({row.refused} of {row.cases + row.refused} not answered)" if row.refused else ""
+    return (number if row.cases else "–") + left
+
+
+def ratio(row: Row) -> str:
+    """A time over the program's own, without an exponent."""
+    if not row.slower:
+        return ""
+    return f"{row.slower:.0f}" if row.slower >= 10.0 else f"{row.slower:.2g}"
+
+
+def rival(own: Row, others: list[Row]) -> Row:
+    """What is put beside the program's method: what a textbook does, which the questions name first."""
+    return next((one for one in others if one.cases), others[0])
+
+
+def line(own: Row, other: Row) -> str:
+    """One question: the program's error over the results that the other method gives, the other's, and its time."""
+    here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
+    measure = "" if own.measure == "relative" else f", in {own.measure}"
+    cells = (
+        own.question + measure,
+        own.method.removesuffix(CHOSEN),
+        error(here),
+        other.method,
+        error(other),
+        ratio(other),
+    )
+    return "| " + " | ".join(cells) + " |"
+
+
+def summary(made: Accuracy) -> list[str]:
+    """Bounds, cases and the machine."""
+    own = [row for row in made.methods if row.is_proved]
+    held = [row for row in own if not row.broken]
+    cases = [case for path in sorted(DATA.glob("*.json")) for case in load(path.name)]
+    hard = sum(case.hard for case in cases)
+    here: Any = made.machine
+    return [
+        "Errors are the worst over all cases, as shares of the reference unless said otherwise, of the results that "
+        "both methods give; `none right` is an error as large as the answer. The bounds that the program states held "
+        f"in {len(held)} of {len(own)} questions that have one, for every result of every case, and are in the median "
+        f"{made.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them hard. "
+        f"Measured on {here.processor}, {here.python}, numpy {here.numpy}.",
         "",
         f"![Work–precision diagram](examples/{DIAGRAM.name})",
     ]
-    return lines
+
+
+def table(made: Accuracy) -> list[str]:
+    """A line for every question that more than one method answers."""
+    lines = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|"]
+    lines += [line(own, rival(own, others)) for own, *others in questions(made) if others]
+    return [*lines, "", *summary(made)]
 
 
 def main() -> None:
     """Rewrite the part of the README between the marks."""
+    start = time.perf_counter()
+    made = accuracy()
+    failed = [check.name for check in made.checks if not check.passed]
+    if failed:
+        sys.exit(f"not written: {', '.join(failed)}")
     readme = ROOT / "README.md"
     text = readme.read_text(encoding="utf-8")
+    if text.count(START) != 1 or text.count(END) != 1:
+        sys.exit(f"README.md has not one {START} and one {END}")
     before, _, rest = text.partition(START)
-    after = rest.partition(END)[2] if END in rest else rest
-    readme.write_text("\n".join([before + START, "", *table(), "", END]) + after, encoding="utf-8")
-    DIAGRAM.write_bytes(draw(work_precision(accuracy()), "svg", "si"))
+    after = rest.partition(END)[2]
+    picture = draw(chosen_overview(made), "svg", "si")
+    readme.write_text("\n".join([before + START, "", *table(made), "", END]) + after, encoding="utf-8")
+    DIAGRAM.write_bytes(picture)
+    print(f"{len(made.methods)} methods of {made.questions} questions in {time.perf_counter() - start:.0f} s")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ EXTREMES = "dynamics_cli.accuracy.rivals.cam_extremes:"
 POINTS = "dynamics_cli.accuracy.rivals.cam_points:"
 EXPORT = "dynamics_cli.accuracy.rivals.cam_export:"
 FORCES = "dynamics_cli.accuracy.rivals.cam_forces:"
+ENTITIES = "dynamics_cli.accuracy.rivals.cam_entities:"
 SIZES = "dynamics_cli.accuracy.rivals.cam_sizes:"
 MOTIONS = "dynamics_cli.accuracy.rivals.cam_motions:"
 
@@ -19,6 +20,8 @@ QUESTIONS = (
     Comparison("cam", "profile", "cam points", POINTS + "compare"),
     Comparison("cam", "export", "cam export, arcs", EXPORT + "compare_arcs"),
     Comparison("cam", "export", "cam export, cubics", EXPORT + "compare_cubics"),
+    Comparison("cam", "export", "cam export, pieces for 1 µm", ENTITIES + "compare_micrometre"),
+    Comparison("cam", "export", "cam export, pieces for 1 nm", ENTITIES + "compare_nanometre"),
     Comparison("cam", "size", "cam size", SIZES + "compare"),
     Comparison("cam", "force", "cam force", FORCES + "compare"),
 )

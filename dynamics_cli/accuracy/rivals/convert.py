@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.accuracy.rows import Row
 
-QUESTIONS = (Comparison("convert", "", "convert", "dynamics_cli.accuracy.rivals.convert:compare"),)
+# pint is there wherever the program is: it is named among the libraries of others, and always takes part.
+QUESTIONS = (Comparison("convert", "", "convert", "dynamics_cli.accuracy.rivals.convert:compare", peers=("pint",)),)
 
 
 def exact(case: Case) -> "Callable[[], float]":
@@ -57,24 +58,27 @@ def by_pint(case: Case) -> "Callable[[], float]":
     return lambda: float(quantity(value, source).to(target).magnitude)
 
 
-METHODS = (
-    ("exact rational factor (chosen)", exact),
-    ("factors as doubles", doubles),
-    ("pint", by_pint),
+# What is rounded once is within half a last bit, and the document says so.
+ONE_ROUNDING = 2.0**-53
+METHODS: "tuple[tuple[str, Callable[[Case], Callable[[], float]], float | None], ...]" = (
+    ("exact rational factor (chosen)", exact, ONE_ROUNDING),
+    ("factors as doubles", doubles, None),
+    ("pint", by_pint, None),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Every method over every case."""
     pace = Pace(full=full)
     cases = [case for case in load("convert.json") if case.hard or not hard]
     made: list[Row] = []
     base: float | None = None
-    for method, prepare in METHODS:
+    for method, prepare, stated in METHODS:
         errors = Errors()
         for case in cases:
             errors.cases += 1
-            errors.add(case.name, prepare(case)(), case.results["value"], None)
+            value = prepare(case)()
+            errors.add(case.name, value, case.results["value"], None if stated is None else stated * abs(value))
         time = None
         if timed:
             some = cases[: pace.timed_cases]

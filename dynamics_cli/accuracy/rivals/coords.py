@@ -1,54 +1,110 @@
-"""Coordinates: the stable forms, and the textbook's arc functions."""
+"""Coordinates: the stable forms, the textbook's arc functions, the library's, and numbers of 32 bits."""
 
 import math
 
 from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.rivals.single import DOUBLES, single
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 HERE = "dynamics_cli.accuracy.rivals.coords:"
 CHOSEN = "dynamics_cli.convert.coords:"
 SYSTEMS = ("cartesian", "cylindrical", "spherical")
 
 
-def textbook_cylindrical(x: float, y: float, z: float) -> "dict[str, float]":
+def textbook_cylindrical(x: float, y: float, z: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
     """R = √(x² + y²), θ = tan⁻¹(y/x), a half turn added left of the axis (Josephs & Huston, section 1.6)."""
-    r = math.sqrt(x * x + y * y)
-    return {"r": r, "theta": _arc_tangent(x, y), "z": z}
+    return {"r": m.sqrt(x * x + y * y), "theta": _arc_tangent(x, y, m), "z": z}
 
 
-def textbook_spherical(x: float, y: float, z: float) -> "dict[str, float]":
+def textbook_spherical(x: float, y: float, z: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
     """Φ = cos⁻¹(z/ρ), which loses half of the digits near the Z-axis."""
-    rho = math.sqrt(x * x + y * y + z * z)
-    return {"rho": rho, "phi": math.acos(z / rho), "theta": _arc_tangent(x, y)}
+    rho = m.sqrt(x * x + y * y + z * z)
+    return {"rho": rho, "phi": m.acos(z / rho), "theta": _arc_tangent(x, y, m)}
 
 
 def arc_sine_spherical(x: float, y: float, z: float) -> "dict[str, float]":
     """Φ = sin⁻¹(r/ρ), which loses half of the digits near the X–Y plane and cannot tell below from above."""
     rho = math.sqrt(x * x + y * y + z * z)
     phi = math.asin(min(1.0, math.sqrt(x * x + y * y) / rho))
-    return {"rho": rho, "phi": phi if z >= 0.0 else math.pi - phi, "theta": _arc_tangent(x, y)}
+    return {"rho": rho, "phi": phi if z >= 0.0 else math.pi - phi, "theta": _arc_tangent(x, y, DOUBLES)}
 
 
-def _arc_tangent(x: float, y: float) -> float:
-    theta = math.atan(y / x)
-    return theta if x > 0.0 else theta + math.copysign(math.pi, y)
+def library_cylindrical(x: float, y: float, z: float) -> "dict[str, float]":
+    """The library's hypot and atan2."""
+    return {"r": math.hypot(x, y), "theta": math.atan2(y, x), "z": z}
 
 
-def _question(source: str, target: str, *rivals: Method) -> Question:
-    name = f"{source}_to_{target}"
-    chosen = Method("scaled components and atan2", CHOSEN + name, chosen=True, tracked=True, arrays=True)
-    return Question("coords", "", f"coords, {source} to {target}", "coords.json", name, chosen, *rivals)
+def library_spherical(x: float, y: float, z: float) -> "dict[str, float]":
+    """The library's hypot and atan2, twice."""
+    return {"rho": math.hypot(x, y, z), "phi": math.atan2(math.hypot(x, y), z), "theta": math.atan2(y, x)}
+
+
+def cartesian_from_cylindrical(r: float, theta: float, z: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
+    """X = r·cos θ, y = r·sin θ."""
+    return {"x": r * m.cos(theta), "y": r * m.sin(theta), "z": z}
+
+
+def spherical_from_cylindrical(r: float, theta: float, z: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
+    """Φ = cos⁻¹(z/ρ), θ as given."""
+    rho = m.sqrt(r * r + z * z)
+    return {"rho": rho, "phi": m.acos(z / rho), "theta": theta}
+
+
+def cartesian_from_spherical(rho: float, phi: float, theta: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
+    """X = ρ·sin φ·cos θ, y = ρ·sin φ·sin θ, z = ρ·cos φ."""
+    r = rho * m.sin(phi)
+    return {"x": r * m.cos(theta), "y": r * m.sin(theta), "z": rho * m.cos(phi)}
+
+
+def cylindrical_from_spherical(rho: float, phi: float, theta: float, m: "Any" = DOUBLES) -> "dict[str, Any]":
+    """R = ρ·sin φ, z = ρ·cos φ, θ as given."""
+    return {"r": rho * m.sin(phi), "theta": theta, "z": rho * m.cos(phi)}
+
+
+def _arc_tangent(x: float, y: float, m: "Any") -> float:
+    theta = m.atan(y / x)
+    if x > 0.0:
+        return theta  # type: ignore[no-any-return]
+    return theta + math.pi if y >= 0.0 else theta - math.pi  # type: ignore[no-any-return]
+
+
+textbook_cylindrical_single = single(textbook_cylindrical)
+textbook_spherical_single = single(textbook_spherical)
+cartesian_from_cylindrical_single = single(cartesian_from_cylindrical)
+spherical_from_cylindrical_single = single(spherical_from_cylindrical)
+cartesian_from_spherical_single = single(cartesian_from_spherical)
+cylindrical_from_spherical_single = single(cylindrical_from_spherical)
+
+
+def _textbook(words: str, function: str) -> "tuple[Method, Method]":
+    in_single = Method("the same in 32 bits", f"{HERE}{function}_single")
+    return Method(f"textbook, {words}", HERE + function), in_single
 
 
 _RIVALS = {
-    "cylindrical": (Method("textbook, atan(y/x)", HERE + "textbook_cylindrical"),),
-    "spherical": (
-        Method("textbook, acos(z/rho)", HERE + "textbook_spherical"),
-        Method("asin(r/rho)", HERE + "arc_sine_spherical"),
+    "cartesian_to_cylindrical": (
+        *_textbook("atan(y/x)", "textbook_cylindrical"),
+        Method("library, hypot and atan2", HERE + "library_cylindrical"),
     ),
+    "cartesian_to_spherical": (
+        *_textbook("acos(z/rho)", "textbook_spherical"),
+        Method("asin(r/rho)", HERE + "arc_sine_spherical"),
+        Method("library, hypot and atan2", HERE + "library_spherical"),
+    ),
+    "cylindrical_to_cartesian": _textbook("r cos and r sin", "cartesian_from_cylindrical"),
+    "cylindrical_to_spherical": _textbook("acos(z/rho)", "spherical_from_cylindrical"),
+    "spherical_to_cartesian": _textbook("products of sines", "cartesian_from_spherical"),
+    "spherical_to_cylindrical": _textbook("rho sin and rho cos", "cylindrical_from_spherical"),
 }
-QUESTIONS = tuple(
-    _question(source, target, *(_RIVALS.get(target, ()) if source == "cartesian" else ()))
-    for source in SYSTEMS
-    for target in SYSTEMS
-    if source != target
-)
+
+
+def _question(source: str, target: str) -> Question:
+    name = f"{source}_to_{target}"
+    chosen = Method("scaled components and atan2", CHOSEN + name, chosen=True, tracked=True, arrays=True)
+    return Question("coords", "", f"coords, {source} to {target}", "coords.json", name, chosen, *_RIVALS[name])
+
+
+QUESTIONS = tuple(_question(source, target) for source in SYSTEMS for target in SYSTEMS if source != target)

@@ -3,7 +3,9 @@
 from dynamics_cli.accuracy.questions import Comparison, Method, Question
 
 RIVALS = "dynamics_cli.accuracy.rivals."
-INVOLUTE, ROOT, GEOMETRY = (RIVALS + name for name in ("gear_involute:", "gear_root:", "gear_geometry:"))
+INVOLUTE, ROOT, GEOMETRY, BOOK = (
+    RIVALS + name for name in ("gear_involute:", "gear_root:", "gear_geometry:", "gear_sizes:")
+)
 SIZES, TRAINS = "gear_geometry.json", "gear_trains.json"
 
 
@@ -35,15 +37,32 @@ QUESTIONS = (
         Method("halving on half angles", ROOT + "halving"),
     ),
     Comparison("gear", "ratio", "gear ratio", RIVALS + "gear_ratio:compare"),
-    _sizes("spur", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
-    _sizes("helical", SIZES, Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book")),
+    _sizes(
+        "spur", SIZES,
+        Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book"),
+        Method("involutes of six decimals", GEOMETRY + "spur_by_table"),
+    ),
+    _sizes(
+        "helical", SIZES,
+        Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book"),
+        Method("involutes of six decimals", GEOMETRY + "spur_by_table"),
+    ),
     _sizes(
         "pair", SIZES,
         Method("tan α − α and Newton, three sizes only", GEOMETRY + "pair_by_book"),
+        Method("involutes of six decimals", GEOMETRY + "pair_by_table"),
         Method("py_gearworks, distance only", GEOMETRY + "pair_by_py_gearworks", needs="py_gearworks"),
     ),
-    _sizes("bevel"),
-    _sizes("worm"),
-    _sizes("crossed"),
-    _sizes("measure", TRAINS),
+    _sizes(
+        "bevel", SIZES,
+        Method("second angle as a difference, cones only", BOOK + "bevel_by_book"),
+        Method("the same in 32 bits", BOOK + "bevel_single"),
+    ),
+    _sizes(
+        "worm", SIZES,
+        Method("efficiencies as printed, axial module", BOOK + "worm_by_book"),
+        Method("the same in 32 bits", BOOK + "worm_single"),
+    ),
+    _sizes("crossed", SIZES, Method("virtual spur gears, working angle only", BOOK + "crossed_by_book")),
+    _sizes("measure", TRAINS, Method("tan α − α and Newton, external only", BOOK + "span_by_book")),
 )  # fmt: skip

@@ -7,6 +7,7 @@ from dynamics_cli.accuracy.rivals.gear_involute import newton
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 
@@ -24,9 +25,24 @@ def helical(**given: "Any") -> "Any":
     return own(**given)
 
 
+def _involute(angle: float) -> float:
+    return tan(angle) - angle
+
+
+def _tabulated(angle: float) -> float:
+    """The involute as tables print it: six decimals."""
+    return round(tan(angle) - angle, 6)
+
+
+def spur_by_table(**given: "Any") -> "dict[str, float]":
+    """The same, involutes looked up."""
+    return spur_by_book(**given, involute=_tabulated)
+
+
 def spur_by_book(
-    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float = 0.0
-) -> "dict[str, float]":
+    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float = 0.0,
+    involute: "Callable[[float], float]" = _involute,
+) -> "dict[str, float]":  # fmt: skip
     """Thickness at the tip from tan α − α at both radii; external gears."""
     from math import acos, pi
 
@@ -43,7 +59,7 @@ def spur_by_book(
         "base_diameter": base,
         "tip_diameter": tip,
         "tip_pressure_angle": angle,
-        "tip_thickness": tip * (half + (tan(transverse) - transverse) - (tan(angle) - angle)),
+        "tip_thickness": tip * (half + involute(transverse) - involute(angle)),
     }
 
 
@@ -63,9 +79,14 @@ def pair(*, tips: str, **given: "Any") -> "dict[str, Any]":
     return found
 
 
+def pair_by_table(**given: "Any") -> "dict[str, float]":
+    """The same, involutes looked up to six decimals and back."""
+    return pair_by_book(**given, look_up=_tabulated)
+
+
 def pair_by_book(
     *, first: "Any", second: "Any", pitch: "Any", pressure_angle: float, helix_angle: float, internal: bool, tips: str,
-    centre_distance: "float | None" = None,
+    centre_distance: "float | None" = None, look_up: "Callable[[float], float]" = _involute,
 ) -> "dict[str, float]":  # fmt: skip
     """The working angle from tan α − α by Newton, and a from it."""
     if centre_distance is not None:
@@ -74,7 +95,9 @@ def pair_by_book(
     sign = -1.0 if internal else 1.0
     teeth = second.teeth + sign * first.teeth
     shift = second.profile_shift + sign * first.profile_shift
-    involute = 2.0 * tan(pressure_angle) * shift / teeth + tan(transverse) - transverse
+    involute = 2.0 * tan(pressure_angle) * shift / teeth + look_up(transverse)
+    if look_up is _tabulated:
+        involute = round(involute, 6)
     angle = newton(involute)["phi"]
     module = pitch.module / cos(helix_angle)
     return {

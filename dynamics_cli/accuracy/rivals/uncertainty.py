@@ -1,75 +1,186 @@
-"""Uncertainty: every method of propagation on distributions that are known by one-dimensional integrals."""
+"""Uncertainty: every method of propagation on distributions that are known in closed form or by simple integrals.
+
+Errors are the worst of both ends of the 95 % interval, median, mean and deviation, in deviations of the result.
+"""
+
+from functools import cache, partial
+from statistics import median
 
 from dynamics_cli.accuracy.cases import Case, load
 from dynamics_cli.accuracy.measure import Errors, Pace, seconds
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.rivals.uncertainty_models import FORMULAS, Arrays
+from dynamics_cli.accuracy.rivals.uncertainty_peers import PEERS
+from dynamics_cli.accuracy.rows import ESTIMATE, row
+from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.rivals.uncertainty_peers import Found
     from dynamics_cli.accuracy.rows import Row
+    from dynamics_cli.core.uncertain.distributions import Distribution
 
-QUESTIONS = (Comparison("uncertainty", "", "uncertain skid", "dynamics_cli.accuracy.rivals.uncertainty:compare"),)
-METHODS: "tuple[tuple[str, dict[str, Any]], ...]" = (
-    ("gradient quadrature, 1e-10 (chosen)", {"accuracy": 1e-10}),
-    ("gradient quadrature, 1e-4", {"accuracy": 1e-4}),
-    ("linear", {"method": "linear"}),
-    ("second order", {"method": "second-order"}),
-    ("unscented", {"method": "unscented"}),
-    ("shifted lattices, 1e-4", {"method": "lattice", "accuracy": 1e-4}),
-    ("Monte Carlo, 1e4", {"method": "monte-carlo", "samples": 10_000}),
-    ("Monte Carlo, 1e6", {"method": "monte-carlo", "samples": 1_000_000}),
+    # What was found, and its estimate of the error, if any.
+    Answer = tuple[Found, float | None]
+    Method = Callable[[Case], Answer]
+
+HERE = "dynamics_cli.accuracy.rivals.uncertainty:"
+QUESTIONS = tuple(
+    Comparison("uncertainty", "", f"uncertainty, {name}", f"{HERE}compare_{name.split()[0]}", peers=tuple(PEERS))
+    for name in ("smooth", "bounded", "kinked or folded")
 )
+MEASURE = "deviations of the result"
+RESULTS = ("low", "high", "median", "mean", "std")
+# Points that one case may take, unless there are minutes: the program itself allows ten times as many.
+FEW_POINTS = 300_000
 
 
-def skid(inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
-    """Speed from friction and length."""
-    import numpy as np
+def own_methods(kind: str, *, full: bool) -> "list[tuple[str, dict[str, Any]]]":
+    """The engine's methods; the classical ones need points only for an estimate of their error."""
+    few: dict[str, Any] = {} if full else {"samples": FEW_POINTS}
+    many = 1_000_000 if full else 100_000
+    made: list[tuple[str, dict[str, Any]]] = [
+        ("automatic (chosen)" if full else "automatic, 3e5 points at most (chosen)", few),
+        ("linear", {"method": "linear", "samples": 20_000}),
+        ("second order", {"method": "second-order", "samples": 20_000}),
+        ("unscented", {"method": "unscented", "samples": 20_000}),
+        ("shifted lattices", {"method": "lattice", **few}),
+        ("Monte Carlo, 1e4", {"method": "monte-carlo", "samples": 10_000}),
+        (f"Monte Carlo, 1e{len(str(many)) - 1}", {"method": "monte-carlo", "samples": many}),
+    ]
+    if kind == "smooth":
+        # where it converges quickly: what asking for more costs
+        made.append(("automatic, asked for 1e-10", {"accuracy": 1e-10, **few}))
+    return made
 
-    return {"speed": np.sqrt(2.0 * 9.80665 * inputs["friction"] * inputs["length"])}, None
+
+# Models with a kink, or with several branches that meet within the inputs.
+FOLDED = ("absolute", "positive", "apart", "largest", "smallest", "square", "squares", "radius", "sine")
+BOUNDED = ("uniform", "triangular", "truncated")
 
 
-def _inputs(case: Case) -> "dict[str, Any]":
-    from dynamics_cli.core.uncertain.distributions import Lognormal, Normal
+def kind_of(case: Case) -> str:
+    """What a case is hard for: folded by its model, bounded by an input, or smooth."""
+    kinds = {spelled[0] for spelled in case.inputs["inputs"]}
+    about_zero = case.name == "product about zero"
+    if case.task in FOLDED or about_zero:
+        return "kinked"
+    return "bounded" if kinds & set(BOUNDED) or case.task == "step" else "smooth"
 
-    mean, std, length, width = (float(case.inputs[key]) for key in ("mean", "std", "length", "width"))
-    make = Normal if case.inputs["shape"] == "normal" else Lognormal
-    return {"friction": make(mean, std), "length": make(length, width)}
+
+def distributions(case: Case) -> "list[Distribution]":
+    """A case's inputs."""
+    from dynamics_cli.core.uncertain.distributions import KINDS
+
+    made: list[Distribution] = []
+    for kind, *spelled in case.inputs["inputs"]:
+        numbers = [float(text) for text in spelled]
+        cls: Callable[..., Distribution] = KINDS[kind]
+        made.append(cls(numbers) if kind == "readings" else cls(*numbers))
+    return made
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
-    """Every method over every case; errors in standard deviations of the result."""
+def correlations(case: Case) -> "list[tuple[int, int, float]]":
+    """Which inputs are correlated, by place."""
+    return [(i, j, float(rho)) for i, j, rho in case.inputs.get("correlation", ())]
+
+
+@cache
+def _arrays() -> Arrays:
+    return Arrays()
+
+
+def own(case: Case, options: "dict[str, Any]") -> "Answer":
+    """The program's engine by one of its methods."""
     from dynamics_cli.core.uncertainty import propagate
 
+    made = distributions(case)
+    names = [f"x{i}" for i in range(len(made))]
+    formula = FORMULAS[case.task]
+
+    def model(x: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
+        return {"y": formula([x[name] for name in names], _arrays())}, None
+
+    pairs = {(names[i], names[j]): rho for i, j, rho in correlations(case)}
+    spread = propagate(model, dict(zip(names, made, strict=True)), pairs, shares=False, **options).spreads["y"]
+    return (*spread.interval, spread.median, spread.mean, spread.std), spread.estimate
+
+
+def of_peer(name: str, case: Case) -> "Answer":
+    """Another library."""
+    return PEERS[name][1](distributions(case), correlations(case), FORMULAS[case.task]), None
+
+
+def compare_smooth(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+    """Models with derivatives of inputs without bounds."""
+    return _compared(name, "smooth", hard=hard, full=full, timed=timed, peers=peers)
+
+
+def compare_bounded(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+    """Inputs between bounds, and steps."""
+    return _compared(name, "bounded", hard=hard, full=full, timed=timed, peers=peers)
+
+
+def compare_kinked(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+    """Kinks, atoms, branches that meet."""
+    return _compared(name, "kinked", hard=hard, full=full, timed=timed, peers=peers)
+
+
+def _compared(name: str, kind: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]") -> "list[Row]":
+    cases = [case for case in load("uncertainty.json") if kind_of(case) == kind and (case.hard or not hard)]
+    own_ones = own_methods(kind, full=full)
+    methods: list[tuple[str, Method]] = [(title, partial(own, options=options)) for title, options in own_ones]
+    methods += [(PEERS[peer][0], partial(of_peer, peer)) for peer in peers]
     pace = Pace(full=full)
-    cases = [case for case in load("uncertainty.json") if case.hard or not hard]
     made: list[Row] = []
     base: float | None = None
-    for method, options in METHODS:
-        errors = Errors()
-        for case in cases:
-            spread = propagate(skid, _inputs(case), shares=False, **options).spreads["speed"]
-            errors.cases += 1
-            std = float(case.results["std"])
-            apart = max(
-                abs(value - float(case.results[key]))
-                for key, value in zip(
-                    ("low", "high", "median", "mean", "std"),
-                    (*spread.interval, spread.median, spread.mean, spread.std),
-                    strict=True,
-                )
-            )
-            errors.note(f"{case.name}", apart / std, spread.estimate)
-        time = None
-        if timed:
-            inputs = _inputs(cases[0])
-            time = seconds(
-                lambda: propagate(skid, inputs, shares=False, **options),  # noqa: B023
-                repeats=pace.repeats,
-                least=pace.least,
-            )
+    for title, method in methods:
+        foreign = method.func is of_peer  # type: ignore[attr-defined]
+        errors = _errors(method, cases, Exception if foreign else (DynamicsError, ArithmeticError))
+        time = _time(method, cases, pace) if timed and errors.cases else None
         base = base or time
-        made.append(row(name, method, errors, time, base, bound="estimate"))
+        made.append(row(name, title, errors, time, base, bound=ESTIMATE, measure=MEASURE))
     return made
+
+
+def _errors(method: "Method", cases: "Sequence[Case]", refusals: "Any") -> Errors:
+    import warnings
+
+    errors = Errors()
+    for case in cases:
+        try:
+            with warnings.catch_warnings():
+                # what another library says to its users is not for ours
+                warnings.simplefilter("ignore")
+                found, estimate = method(case)
+        except refusals:
+            errors.refused += 1
+            continue
+        std = float(case.results["std"])
+        apart = [abs(value - float(case.results[key])) / std for value, key in zip(found, RESULTS, strict=True)]
+        if not all(one < float("inf") for one in apart):
+            errors.refused += 1
+            continue
+        errors.cases += 1
+        worst = max(apart)
+        errors.note(f"{case.name}: {RESULTS[apart.index(worst)]}", worst, estimate)
+    return errors
+
+
+def _time(method: "Method", cases: "Sequence[Case]", pace: Pace) -> "float | None":
+    """The median over some cases, spread over all."""
+    import warnings
+
+    times = []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for case in cases[:: max(1, len(cases) // pace.timed_cases)]:
+            try:
+                method(case)
+            except Exception:
+                continue
+            times.append(seconds(lambda: method(case), repeats=3, least=pace.least))  # noqa: B023
+    return median(times) if times else None

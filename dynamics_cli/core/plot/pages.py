@@ -85,28 +85,38 @@ def need() -> "Any":
 def draw(picture: "Picture", form: str, system: str) -> bytes:
     """The bytes of a picture's file."""
     matplotlib = need()
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_SETTINGS)
-        columns = min(picture.columns, len(picture.panels))
-        lines = -(-len(picture.panels) // columns)
-        tall = [
-            max(_height(panel, columns) for panel in picture.panels[i * columns : (i + 1) * columns])
-            for i in range(lines)
-        ]
-        figure = Figure(figsize=(_width(columns), sum(tall) + 0.3), layout="constrained")
-        FigureCanvasAgg(figure)
-        grid = figure.add_gridspec(lines, columns, height_ratios=tall)
-        for index, panel in enumerate(picture.panels):
-            _panel(figure.add_subplot(grid[index // columns, index % columns]), panel, system)
-        if picture.title:
-            figure.suptitle(picture.title, fontsize=10.5)
         file = io.BytesIO()
-        figure.savefig(file, format=form, dpi=RESOLUTION, metadata=_ABOUT[form])
+        if form == "pdf" and 0 < picture.page < len(picture.panels):
+            from matplotlib.backends.backend_pdf import PdfPages
+
+            with PdfPages(file, metadata=_ABOUT[form]) as pages:
+                for start in range(0, len(picture.panels), picture.page):
+                    pages.savefig(_figure(picture, picture.panels[start : start + picture.page], system))
+        else:
+            figure = _figure(picture, picture.panels, system)
+            figure.savefig(file, format=form, dpi=RESOLUTION, metadata=_ABOUT[form])
     return file.getvalue()
+
+
+def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "Any":
+    """One page of panels."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    columns = min(picture.columns, len(panels))
+    lines = -(-len(panels) // columns)
+    tall = [max(_height(panel, columns) for panel in panels[i * columns : (i + 1) * columns]) for i in range(lines)]
+    figure = Figure(figsize=(_width(columns), sum(tall) + 0.3), layout="constrained")
+    FigureCanvasAgg(figure)
+    grid = figure.add_gridspec(lines, columns, height_ratios=tall)
+    for index, panel in enumerate(panels):
+        _panel(figure.add_subplot(grid[index // columns, index % columns]), panel, system)
+    if picture.title:
+        figure.suptitle(picture.title, fontsize=10.5)
+    return figure
 
 
 def _width(columns: int) -> float:
@@ -160,6 +170,10 @@ def _panel(axes: "Any", panel: "Panel", system: str) -> None:
         axes.margins(x=0.2, y=0.12)
     if _legend(panel):
         axes.legend(**_legend_place(axes, panel))
+    if panel.x.ends:
+        axes.set_xlim(x(panel.x.ends))
+    if panel.y.ends:
+        axes.set_ylim(y(panel.y.ends))
 
 
 def _legend(panel: "Panel") -> "list[str]":
@@ -224,7 +238,8 @@ def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: "_Pens") -> None:
 def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, pens: "_Pens") -> None:
     (across,), (up,) = x((item.x,)), y((item.y,))
     axes.plot([across], [up], marker="o", markersize=4.0, color="black")
-    axes.annotate(item.label, (across, up), xytext=(5, 5), textcoords="offset points", fontsize=8.0)
+    side = "right" if item.aside[0] < 0.0 else "left"
+    axes.annotate(item.label, (across, up), xytext=item.aside, textcoords="offset points", fontsize=8.0, ha=side)
 
 
 def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: "_Pens") -> None:

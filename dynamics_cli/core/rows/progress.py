@@ -1,21 +1,32 @@
-"""A progress bar for streams that take longer than about a second, on standard error when that is a terminal."""
+"""A progress bar for streams, and other work in many steps, that take longer than about a second, on standard error when that is a terminal."""
 
 from time import monotonic
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, Self
+    from typing import Any, Protocol, Self
 
-    from dynamics_cli.core.rows.blocks import Source
     from dynamics_cli.core.terminal import Terminal
+
+    class Work(Protocol):
+        """What is to be done, and how much of it has been: of a stream, bytes."""
+
+        @property
+        def size(self) -> int | None:
+            """All of it, where that is known."""
+
+        @property
+        def bytes_read(self) -> int:
+            """What has been done."""
 
 PATIENCE = 1.0
 
 
 class Progress:
-    """Shows rows done, and the share of a file read."""
+    """Shows rows done, and the share of a file read; or as much of other work, `what` being counted."""
 
-    def __init__(self, source: "Source", terminal: "Terminal") -> None:
+    def __init__(self, source: "Work", terminal: "Terminal", what: str = "rows") -> None:
+        self._what = what
         self._source = source
         self._terminal = terminal
         self._start = monotonic()
@@ -43,10 +54,10 @@ class Progress:
 
         text = io.TextIOWrapper(self._terminal.stderr, encoding="utf-8", errors="replace", write_through=True)
         self._text = text
-        columns = (TextColumn("rows"), BarColumn(), TextColumn("{task.fields[rows]:,}"), TimeRemainingColumn())
+        columns = (TextColumn(self._what), BarColumn(), TextColumn("{task.fields[rows]:,}"), TimeRemainingColumn())
         self._shown = Bar(*columns, console=Console(file=text, force_terminal=True), transient=True)
         self._shown.start()
-        self._task = self._shown.add_task("rows", total=self._source.size, rows=0)
+        self._task = self._shown.add_task(self._what, total=self._source.size, rows=0)
 
     def __exit__(self, *_: object) -> None:
         if self._shown is not None:

@@ -1,0 +1,184 @@
+"""The report for people: a block for every question, the program's own method first, as wide as the terminal."""
+
+from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE
+from dynamics_cli.core.render import quantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    Entry = dict[str, Any]
+
+# Where standard output is no terminal the width is always the same, so that the bytes are.
+WIDTH = 112
+LEAST_WIDTH, LARGEST_WIDTH = 80, 140
+LEAST_NAME = 24
+# What columns, by their first words, and marks mean; said of those that are there.
+LEGEND = {
+    "ratio": "ratio: time over that of the program's own method (▸)",
+    "arrays": "arrays: time for each case of one call on arrays",
+    "worst": "worst, median: errors, as shares of the reference unless said otherwise",
+    "in": "in ulp: in units of a double's last place",
+    "ours": "ours: the worst error of our own method over the very results that this one gave",
+    "bound": "held ×n: the stated bound was never below the true error, and n times it in the median (~: an estimate)",
+    "cases": "a/b: of b cases b − a were not answered",
+    "*": "*: no other method is as quick and as exact",
+}
+
+
+class Column:
+    """One column of figures: its title, its text for a row, and how gladly it is given up where there is no room."""
+
+    def __init__(self, title: str, text: "Callable[[Entry], str]", order: int = 0) -> None:
+        self.title = title
+        self.text = text
+        self.order = order
+
+
+def lines(results: "Entry", digits: int, width: int) -> "list[str]":
+    """The results of a report."""
+    rows = results["methods"]
+    width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
+    columns = _fitting(_columns(rows, digits), rows, width)
+    made = ["", *_legend(columns, rows, width), *_about(results)]
+    longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
+    room = min(width - 4 - sum(2 + size for _, size in columns), longest)
+    for block in _blocks(rows):
+        made += ["", *_block(block, columns, room, width)]
+    return made
+
+
+def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int) -> "list[str]":
+    """What the columns there are mean, in lines as wide as the terminal."""
+    there = {column.title.split()[0] for column, _ in columns} | ({"*"} if any(row["front"] for row in rows) else set())
+    if not any(row["refused"]["value"] for row in rows):
+        there.discard("cases")
+    text = "; ".join(words for key, words in LEGEND.items() if key in there)
+    return [f"  {line.removeprefix('  ')}" for line in _wrapped(text, width - 2)]
+
+
+def _about(results: "Entry") -> "list[str]":
+    """What times were measured on, libraries of others, and how loose bounds are in all."""
+    made = []
+    if "looseness" in results:
+        loose = results["looseness"]["value"]
+        made.append(f"  stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
+    if "machine" in results:
+        one = results["machine"]
+        made.append(f"  measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
+    if "peers" in results:
+        there = [f"{one['name']} {one['version']}" for one in results["peers"] if one["installed"]]
+        gone = [one["name"] for one in results["peers"] if not one["installed"]]
+        made.append(f"  libraries of others: {', '.join(there) or 'none'}")
+        made += [f"  not here: {', '.join(gone)}"] if gone else []
+    return ["", *made] if made else []
+
+
+def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
+    unit = next((row["time"].get("unit", "") for row in rows if "time" in row), "")
+
+    def figure(name: str, form: "Callable[[float, int], str]" = short) -> "Callable[[Entry], str]":
+        return lambda row: form(row[name]["value"], digits) if name in row else ""
+
+    return [
+        Column("ratio", figure("slower")),
+        Column(f"time {unit}".strip(), figure("time"), 2),
+        Column(f"arrays {unit}".strip(), figure("array_time"), 3),
+        Column("worst", figure("worst", error)),
+        Column("median", figure("median", error), 4),
+        Column("in ulp", figure("worst_ulp"), 1),
+        Column("median", figure("median_ulp"), 5),
+        Column("ours", figure("own_worst", error), 6),
+        Column("bound", _bound),
+        Column("pieces", figure("entities")),
+        Column("cases", _cases),
+    ]
+
+
+def short(value: float, digits: int) -> str:
+    """A number without an exponent while that is short."""
+    if value and not 1e-3 <= abs(value) < 1e5:
+        return f"{value:.{max(digits - 2, 0)}e}"
+    return quantity(value, "", digits) if abs(value) < 1000 else f"{value:.0f}"
+
+
+def error(value: float, digits: int) -> str:
+    """An error: two digits and its power of ten, as they are compared by that."""
+    return f"{value:.{max(digits - 2, 0)}e}" if value else "0"
+
+
+def _bound(row: "Entry") -> str:
+    if not row["stated"]["value"]:
+        return ""
+    broken, word = row["broken"]["value"], "~" if row["bound"].startswith(ESTIMATE) else ""
+    if broken:
+        return f"{word}short {broken}/{row['stated']['value']}"
+    if "looseness" not in row:
+        return f"{word}held"
+    loose = row["looseness"]["value"]
+    return f"{word}held ×{loose:.0f}" if loose < 9.95e3 else f"{word}held ×{loose:.0e}"
+
+
+def _cases(row: "Entry") -> str:
+    cases, refused = row["cases"]["value"], row["refused"]["value"]
+    return f"{cases}/{cases + refused}" if refused else str(cases)
+
+
+def _fitting(columns: "list[Column]", rows: "list[Entry]", width: int) -> "list[tuple[Column, int]]":
+    """The columns that hold something, and their widths; the least wanted go where names would have no room."""
+    sized = []
+    for column in columns:
+        most = max((len(column.text(row)) for row in rows), default=0)
+        if most:
+            sized.append((column, max(most, len(column.title))))
+    while sum(2 + size for _, size in sized) > width - 4 - LEAST_NAME and any(column.order for column, _ in sized):
+        sized.remove(max(sized, key=lambda pair: pair[0].order))
+    return sized
+
+
+def _blocks(rows: "list[Entry]") -> "list[list[Entry]]":
+    """Rows that follow one another and answer one question."""
+    made: list[list[Entry]] = []
+    for row in rows:
+        if made and made[-1][0]["question"] == row["question"] and made[-1][0]["family"] == row["family"]:
+            made[-1].append(row)
+        else:
+            made.append([row])
+    return made
+
+
+def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, width: int) -> "list[str]":
+    measure = rows[0]["measure"]
+    title = rows[0]["question"] + (f", errors in {measure}" if measure != "relative" else "")
+    heads = "".join(f"  {column.title:>{size}}" for column, size in columns)
+    made = [f"  {title:<{room + 2}}{heads}" if len(title) <= room + 2 else f"  {title}\n{'':{room + 4}}{heads}"]
+    for row in rows:
+        name = row["method"].removesuffix(CHOSEN)
+        mark = "▸ " if name != row["method"] else "* " if row["front"] else "  "
+        figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
+        first, *rest = _wrapped(name, room)
+        made.append(f"  {mark}{first:<{room}}{figures}".rstrip())
+        made += [f"      {part}" for part in rest]
+        if row["worst_case"] and row["worst"]["value"]:
+            made.append(_clipped(f"      worst at {row['worst_case']}", width))
+    return made
+
+
+def _wrapped(text: str, room: int) -> "list[str]":
+    """Words in lines that fit, those after the first set in by two."""
+    made: list[str] = []
+    for word in text.split():
+        if made and len(made[-1]) + 1 + len(word) <= room - (2 if len(made) > 1 else 0):
+            made[-1] += f" {word}"
+        else:
+            made.append(word)
+    return made
+
+
+def _clipped(text: str, width: int) -> str:
+    """One line, its middle left out where it is too long: what comes last names the result."""
+    if len(text) <= width:
+        return text
+    tail = min(24, width // 4)
+    return f"{text[: width - tail - 1]}…{text[-tail:]}"

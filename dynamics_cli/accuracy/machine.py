@@ -1,0 +1,86 @@
+"""The machine that times were measured on, and other people's libraries that are installed on it."""
+
+from dynamics_cli.quantities import Text
+from dynamics_cli.records import record
+
+# Peers are imported under these names; what their authors call the package, where that is another name.
+PACKAGES = {"py_gearworks": "py-gearworks"}
+
+
+@record
+class Machine:
+    """What times depend on.
+
+    Parameters
+    ----------
+    processor : Text
+        The processor, as it calls itself.
+    system : Text
+        Operating system and architecture.
+    python : Text
+        The interpreter and its version.
+    numpy : Text
+        The version of numpy.
+    """
+
+    processor: Text
+    system: Text
+    python: Text
+    numpy: Text
+
+
+@record
+class Peer:
+    """Another library that answers some of the questions asked.
+
+    Parameters
+    ----------
+    name : Text
+        The library, as it is imported.
+    version : Text
+        Its version where it is installed, "" where it is not, and why not where it is there but cannot be imported.
+    installed : bool
+        Whether it took part.
+    """
+
+    name: Text
+    version: Text
+    installed: bool
+
+
+def this_machine() -> Machine:
+    """The machine that this process runs on."""
+    import platform
+
+    import numpy as np
+
+    system = f"{platform.system()} {platform.machine()}".strip()
+    python = f"{platform.python_implementation()} {platform.python_version()}"
+    return Machine(_processor() or platform.processor() or platform.machine(), system, python, np.__version__)
+
+
+def _processor() -> str:
+    """What Linux says of the processor; elsewhere Python knows."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8", errors="replace") as file:
+            names = [line.partition(":")[2].strip() for line in file if line.startswith("model name")]
+    except OSError:
+        return ""
+    return names[0] if names else ""
+
+
+def peer(name: str) -> Peer:
+    """A library looked for: one that is there but cannot be imported is as good as none."""
+    from importlib import import_module, metadata
+
+    try:
+        import_module(name)
+    except ImportError as error:
+        missing = isinstance(error, ModuleNotFoundError) and error.name == name
+        return Peer(name, "" if missing else f"not importable: {error}", installed=False)
+    except Exception as error:
+        return Peer(name, f"not importable: {error}", installed=False)
+    try:
+        return Peer(name, metadata.version(PACKAGES.get(name, name)), installed=True)
+    except metadata.PackageNotFoundError:
+        return Peer(name, "unknown", installed=True)
