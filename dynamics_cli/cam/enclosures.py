@@ -70,7 +70,7 @@ def bound(shape: "Any", order: int, reach: float) -> float:
     True
     """
     coefficients, waves, _, _ = shape.parts
-    total = _polynomial_size(coefficients, order, reach)
+    total: float = _polynomial_size(coefficients, order, reach)
     for amplitude, w, start in waves:
         u, which = w * reach, start + order
         size = u if which == 0 else min(2.0, 0.5 * u * u) if which == 1 else 1.0
@@ -81,7 +81,7 @@ def bound(shape: "Any", order: int, reach: float) -> float:
 def rounding(shape: "Any", order: int, reach: float) -> float:
     """Bound of what rounding does to a derivative of a shape at an exact place within ±reach."""
     coefficients, waves, _, _ = shape.parts
-    total = _polynomial_size(coefficients, order, reach)
+    total: float = _polynomial_size(coefficients, order, reach)
     total += sum(abs(amplitude) * w**order * (1.0 + w * reach) for amplitude, w, _ in waves)
     return ROUNDINGS * total
 
@@ -108,12 +108,12 @@ def derivative(shape: "Any", order: int, t: float) -> float:
 
 def reach_of(shape: "Any", ends: "tuple[float, float]") -> float:
     """Largest |τ| between two places of the shape's coordinate t."""
-    origin = shape.parts[2]
+    origin: float = shape.parts[2]
     return max(abs(ends[0] - origin), abs(ends[1] - origin))
 
 
 def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
-    return sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order)
+    return float(sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order))
 
 
 def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[Any]":
