@@ -171,9 +171,10 @@ def check(
 
     Notes
     -----
-    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their remainders
-    proved on discs of the complex plane, with bounds on derivatives that leave no turning place out. A cusp counts as undercut. The lift lost is exact where the corner that
-    is left belongs to one stretch; where undercuts run into each other it comes from what is left of 1440 points.
+    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their errors
+    proved on discs of the complex plane, with bounds on derivatives that leave no turning place out. A cusp counts as
+    undercut. The lift lost is exact where the corner that is left belongs to one stretch; where undercuts run into each
+    other it comes from what is left of 1440 points.
 
     References
     ----------

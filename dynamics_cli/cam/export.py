@@ -191,9 +191,10 @@ def export(
     Notes
     -----
     Pieces end at every joint of the laws; they touch the exact curve there with its direction, and the curve closes to
-    the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic with all roundings inside
-    (`cam.enclosures`, `numerics.discs`, `cam.proof`); nothing is inferred from samples. Errors of arcs fall with the third power of their number, of cubics with the sixth. `--drawing FILE.dxf`,
-    `.svg` or `.csv` writes the curve; `.polar` a table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
+    the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic with all roundings
+    inside (`cam.enclosures`, `numerics.discs`, `cam.proof`); nothing is inferred from samples. Errors of arcs fall with
+    the third power of their number, of cubics with the sixth. `--drawing FILE.dxf`, `.svg` or `.csv` writes the curve;
+    `.polar` a table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
 
     References
     ----------

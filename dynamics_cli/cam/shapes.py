@@ -161,6 +161,23 @@ class Beta:
             found.append(self._fourth(p) * slope)
         return found
 
+    def size(self, order: int) -> float:
+        """Bound of the magnitudes that a derivative, the first to the fourth, is made of for 0 ≤ t ≤ 1, p ≤ ¼."""
+        n, c = self.n, self.constant
+        if order < 3:
+            return (c * 0.25**n, c * n * 0.25 ** (n - 1))[order - 1]
+        if order == 3:
+            return c * n * 0.25 ** max(n - 2, 0) * ((n - 1) + (4 * n - 2) * 0.25) if n > 1 else 2.0 * c
+        bent = (n - 1) * (n - 2) * 0.25 ** max(n - 3, 0)
+        return c * n * (bent + (4 * n - 2) * (n - 1) * 0.25 ** max(n - 2, 0))
+
+    def largest(self, order: int) -> float:
+        """Bound of that derivative itself for 0 ≤ t ≤ 1: of the third, C n pⁿ⁻²((n − 1) − (4n − 2)p), the extremes."""
+        n = self.n
+        if order != 3 or n == 1:
+            return self.size(order)
+        return self.constant * n * max(((n - 2) / (4 * n - 2)) ** (n - 2), 0.5 * 0.25 ** (n - 2))
+
     def _fourth(self, p: "Any") -> "Any":
         n, c = self.n, self.constant
         if n == 1:

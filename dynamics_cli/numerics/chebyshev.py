@@ -21,7 +21,7 @@ COUNT = 24
 """Nodes of a piece."""
 RESOLVED = 3e-15
 """A remainder this small beside the largest value is small enough."""
-LEBESGUE = 3.1
+LEBESGUE = 3.0
 # radii of the discs tried about a piece, by its half width, and what their bound of the function is multiplied by in
 # the remainder of the piece and of its halves, quarters, eighths and sixteenths
 MULTIPLES = np.array([0.3, 0.6, 1.0, 1.6, 2.1, 2.7, 3.5, 5.0])
@@ -159,7 +159,7 @@ def proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", 
     -----
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
     there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
-    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3.1 the Lebesgue
+    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3 the Lebesgue
     constant. To this come Λ times the rounding of the values, and that of the transform, 2u(n + 12)Σ|f − f(middle)|
     over the nodes. Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
 
@@ -299,11 +299,13 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         turning, unsure = _cells(d1, d2, step, bounds, slack, owner[:, None])
         steady = (bounds[0] == 0.0)[owner]
         turning[steady], unsure[steady] = False, False
+        # within a cell the function is near its chord
+        room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+        high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+        if level == 0:
+            tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            # within a cell the function is near its chord
-            room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
-            high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
             decides = (high >= most) | (low <= least)
             turning &= decides
             unsure &= decides
@@ -338,9 +340,11 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
     order = np.lexsort((places, owners))
+    # a piece that stays below the greatest value by more than its error has no part in the error of that
+    room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(np.max(made.error[which] + off) * UP),
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)),
     )  # fmt: skip
 
 

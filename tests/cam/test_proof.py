@@ -256,8 +256,8 @@ HARD = {
         followers.Roller(0.03, 0.004), 1e-9,
     ),
     "a lift of a nanometre": (
-        "rise 1e-6 mm in 0.1 deg 3-4-5; dwell 100 deg; return in 100 deg harmonic; dwell", followers.Roller(0.03, 0.004),
-        1e-9,
+        "rise 1e-6 mm in 0.1 deg 3-4-5; dwell 100 deg; return in 100 deg harmonic; dwell",
+        followers.Roller(0.03, 0.004), 1e-9,
     ),
     "hardly a base circle": (
         "rise 10 mm in 180 deg cycloidal; return in 180 deg cycloidal", followers.KnifeEdge(1e-4), 1e-7
