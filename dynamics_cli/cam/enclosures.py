@@ -83,9 +83,12 @@ def rounding(shape: "Any", order: int, reach: float) -> float:
     """Bound of what rounding does to a derivative of a shape at an exact place within ±reach, its scale included."""
     coefficients, waves, _, _ = shape.parts
     if isinstance(shape, Beta):
-        return U * (24.0 * shape.size(order) if 0 < order < 5 else 20.0 * _polynomial_size(coefficients, order, reach))
+        size = 24.0 * shape.size(order) if 0 < order < 5 else 20.0 * _polynomial_size(coefficients, order, reach)
+        return U * size
     total = 64.0 * U * _polynomial_size(coefficients, order, reach)
-    return total + sum(U * abs(amplitude) * w**order * (80.0 + 12.0 * w * reach) for amplitude, w, _ in waves)
+    for amplitude, w, _ in waves:
+        total += U * abs(amplitude) * w**order * (80.0 + 12.0 * w * reach)
+    return total
 
 
 def derivative(shape: "Any", order: int, t: float) -> float:
