@@ -1,7 +1,7 @@
 """Certified extremes of curvature, pressure angle and contact of a whole cam, and what its plate weighs."""
 
 from functools import lru_cache
-from math import pi
+from math import inf, pi
 
 import numpy as np
 
@@ -62,7 +62,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     Notes
     -----
     Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane; see
-    `numerics.chebyshev` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
+    `numerics.remainders` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
     """
     slip = start_slip(geometry)
 
@@ -104,7 +104,7 @@ def pressure_bounds(geometry: Geometry, motion: "Any", found: Analysis) -> tuple
             ("largest_pressure_angle", found.pressure.largest()),
             ("least_pressure_angle", found.pressure.smallest()),
         )
-        if value
+        if value and found.pressure.error < inf
     )
 
 

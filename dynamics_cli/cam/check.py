@@ -199,11 +199,12 @@ def check(
 
     Notes
     -----
-    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, with bounds on
-    derivatives that leave no turning place out. A cusp counts as undercut. Corners of an undercut cam are crossings of
-    its envelope, found by halving and Newton's method however small the undercut and however many run into each other;
-    the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is seen to fall
-    off. The lift lost is the certified largest gap on them, to 1e-12 of the cam's size.
+    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their errors
+    proved on discs of the complex plane, with bounds on derivatives that leave no turning place out. A cusp counts as
+    undercut. Corners of an undercut cam are crossings of its envelope, found by halving and Newton's method however
+    small the undercut and however many run into each other; the edge between them is followed from corner to corner,
+    so that a lobe whose neck is cut through is seen to fall off. The lift lost is the certified largest gap on them,
+    to 1e-12 of the cam's size.
 
     References
     ----------

@@ -7,10 +7,11 @@ derivatives. All bounds come from these constants; nothing is inferred from valu
 - Around a place, |f(τ + z) − f(τ)| ≤ Σ |f⁽ʲ⁾(τ)| rʲ/j! for every complex z of magnitude r or less: the finite sum for
   the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave, the terms in r added up before magnitudes are
   taken. To first order nothing tighter is possible.
-- Rounding: shapes take at most some forty operations whose intermediate results are within the sums above (Horner's
-  rule; powers of t(1 − t), whose expanded coefficients alternate; sines and cosines of half the angle, within four
-  units in the last place), and their constants are within a few tens of roundings of their formulas, so that
-  128 u Σ(|cᵢ| i!/(i − k)! Tⁱ⁻ᵏ + |A| wᵏ (1 + wT)) bounds it, u = 2⁻⁵³.
+- Rounding, u = 2⁻⁵³, the factors lift/spanᵏ (10 u) among it. Polynomials: Horner's rule to degree 9 (18 u) on
+  coefficients within 30 u of their formulas, 64 u Σ |cᵢ| i!/(i − k)! Tⁱ⁻ᵏ. Powers of p = t(1 − t): products of numbers
+  each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift). Waves: sines and cosines of half the angle
+  within four units in the last place make 18 u, amplitudes and frequencies 50 u, the angle's own rounding 12 u of it:
+  |A| wᵏ (80 + 12 wT) u. Places: t ≤ 1 as a share of the zone by six roundings of u/2, as a cam angle by five of u t.
 
 The exact law of a name has its constants as its formula has them, π and all; a polynomial has the rational solution of
 its conditions; a clamped spline has the coefficients it was given.
@@ -18,7 +19,7 @@ its conditions; a clamped spline has the coefficients it was given.
 
 from math import cos, perm, sin
 
-from dynamics_cli.cam.shapes import u_minus_sine
+from dynamics_cli.cam.shapes import Beta, u_minus_sine
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,9 +30,7 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.motion import Motion
     from dynamics_cli.numerics.discs import Disc
 
-ROUNDINGS = 2.0**-46
-# the share of its segment that a place is known to: eight roundings of numbers up to one
-PLACE = 2.0**-50
+U = 2.0**-53
 # what magnitudes computed on the way may be too small by
 LESS = 2.0**-44
 UP = 1.0 + 2.0**-40
@@ -70,7 +69,9 @@ def bound(shape: "Any", order: int, reach: float) -> float:
     True
     """
     coefficients, waves, _, _ = shape.parts
-    total = _polynomial_size(coefficients, order, reach)
+    total: float = _polynomial_size(coefficients, order, reach)
+    if 0 < order < 5 and isinstance(shape, Beta):
+        total = min(total, shape.largest(order))
     for amplitude, w, start in waves:
         u, which = w * reach, start + order
         size = u if which == 0 else min(2.0, 0.5 * u * u) if which == 1 else 1.0
@@ -79,11 +80,15 @@ def bound(shape: "Any", order: int, reach: float) -> float:
 
 
 def rounding(shape: "Any", order: int, reach: float) -> float:
-    """Bound of what rounding does to a derivative of a shape at an exact place within ±reach."""
+    """Bound of what rounding does to a derivative of a shape at an exact place within ±reach, its scale included."""
     coefficients, waves, _, _ = shape.parts
-    total = _polynomial_size(coefficients, order, reach)
-    total += sum(abs(amplitude) * w**order * (1.0 + w * reach) for amplitude, w, _ in waves)
-    return ROUNDINGS * total
+    if isinstance(shape, Beta):
+        size = 24.0 * shape.size(order) if 0 < order < 5 else 20.0 * _polynomial_size(coefficients, order, reach)
+        return U * size
+    total = 64.0 * U * _polynomial_size(coefficients, order, reach)
+    for amplitude, w, _ in waves:
+        total += U * abs(amplitude) * w**order * (80.0 + 12.0 * w * reach)
+    return total
 
 
 def derivative(shape: "Any", order: int, t: float) -> float:
@@ -108,12 +113,12 @@ def derivative(shape: "Any", order: int, t: float) -> float:
 
 def reach_of(shape: "Any", ends: "tuple[float, float]") -> float:
     """Largest |τ| between two places of the shape's coordinate t."""
-    origin = shape.parts[2]
+    origin: float = shape.parts[2]
     return max(abs(ends[0] - origin), abs(ends[1] - origin))
 
 
 def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
-    return sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order)
+    return float(sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order))
 
 
 def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[Any]":
@@ -212,8 +217,9 @@ def _slips(piece: "Piece | None") -> "tuple[float, ...]":
         return (0.0,) * 5
     if not piece.slips:
         shape, reach = piece.shape, reach_of(piece.shape, piece.ends)
+        place = U * max(3.0, 5.0 * max(piece.ends))
         piece.slips = tuple(
-            rounding(shape, order, reach) + PLACE * bound(shape, order + 1, reach) for order in range(5)
+            rounding(shape, order, reach) + place * bound(shape, order + 1, reach) for order in range(5)
         )
     return piece.slips
 

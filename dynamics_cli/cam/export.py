@@ -150,8 +150,8 @@ def export(
 
     Equation
     --------
-    On a cell of half width h about m: |f| ≤ |f(m)| + |f′(m)| h + ½h² max|f″|, f the distance from the piece, max|f″|
-    enclosed from the lift's four derivatives by interval arithmetic.
+    Between nodes of the cam angle a distance w apart, paired with places of the piece Δt apart:
+    |e| ≤ max(|e₀|, |e₁|) + w²/8 (max|z″| + max|b″| (Δt/w)²), e the error, z the curve, b the piece.
 
     Parameters
     ----------
@@ -191,12 +191,15 @@ def export(
     Notes
     -----
     Pieces end at every joint of the laws; they touch the exact curve there with its direction, and the curve closes to
-    the bit. Errors of arcs fall with the third power of their number, of cubics with the sixth. `--drawing FILE.dxf`,
-    `.svg` or `.csv` writes the curve; `.polar` a table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
+    the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic with all roundings
+    inside (`cam.enclosures`, `numerics.discs`, `cam.proof`); nothing is inferred from samples. Errors of arcs fall with
+    the third power of their number, of cubics with the sixth. `--drawing FILE.dxf`, `.svg` or `.csv` writes the curve;
+    `.polar` a table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
 
     References
     ----------
-    Bolton, Biarc curves, Computer-Aided Design 7 (1975); Moore, Kearfott & Cloud, Introduction to Interval Analysis.
+    Bolton, Biarc curves, Computer-Aided Design 7 (1975); Moore, Kearfott & Cloud, Introduction to Interval Analysis
+    (SIAM 2009); Rump, Fast and parallel interval arithmetic, BIT 39 (1999).
 
     Examples
     --------
@@ -236,5 +239,5 @@ def export(
             Check("the curve closes to the bit", outline.pieces[0].start == outline.pieces[-1].end, 0.0, 0.0),
         ),
         advice=rough,
-        numerics=Numerics("Taylor bounds on cells, accelerations enclosed by interval arithmetic"),
+        numerics=Numerics("curve and pieces paired on cells, accelerations of every law enclosed by disc arithmetic"),
     )

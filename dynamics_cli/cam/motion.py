@@ -119,6 +119,13 @@ class _Piece:
             rise = rise / self.span
             self.scales.append(rise if not far or order % 2 else -rise)
 
+    def negated(self) -> "_Piece":
+        """The same piece of the motion upside down."""
+        made = _Piece.__new__(_Piece)
+        made.__dict__.update(self.__dict__)
+        made.base, made.scales = -self.base, [-scale for scale in self.scales]
+        return made
+
     def local(self, theta: "Any") -> "Any":
         """Distance from the end of the segment this piece is measured from, as a share of the segment."""
         away = theta - self.origin

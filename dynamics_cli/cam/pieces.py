@@ -6,8 +6,9 @@ from math import ceil, pi
 import numpy as np
 
 from dynamics_cli.cam.enclosures import discs
-from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
+from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes
 from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.remainders import proved_proxies
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
         radius = radius * (width[piece] * span)[:, None]
         return function(*discs(parts, which[piece], t, radius, derivatives))
 
-    made = proxies(sampled, starts, ends)
+    made = proved_proxies(sampled, starts, ends)
     return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error)
 
 

@@ -219,11 +219,12 @@ def _on_cubics(
     t = np.concatenate((number / count[owner], np.ones(count.size)))
     px_, py_ = px[:, own], py[:, own]
     for _ in range(ROUNDS):
-        bx, dx, _ = bezier(*px_, t)
-        by, dy, _ = bezier(*py_, t)
+        bx, dx, _ = bezier(px_[0], px_[1], px_[2], px_[3], t)
+        by, dy, _ = bezier(py_[0], py_[1], py_[2], py_[3], t)
         ex, ey = x.centre - bx, y.centre - by
         t = np.clip(t + (ex * dx + ey * dy) / (dx * dx + dy * dy), 0.0, 1.0)
-    near = _apart(x - bezier(*px_, t)[0], y - bezier(*py_, t)[0])
+    bx, by = bezier(px_[0], px_[1], px_[2], px_[3], t)[0], bezier(py_[0], py_[1], py_[2], py_[3], t)[0]
+    near = _apart(x - bx, y - by)
     # the second derivative of a cubic is linear: the largest is at an end
     turn = 6.0 * np.maximum(
         np.hypot(px[2] - 2.0 * px[1] + px[0], py[2] - 2.0 * py[1] + py[0]),

@@ -12,16 +12,19 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-# Σ (−1)^n 6 u^(2n)/(2n + 3)!: what u − sin u is of u³/6, as ratios of neighbouring terms.
-_RATIOS = tuple(1.0 / ((2.0 * n + 4.0) * (2.0 * n + 5.0)) for n in range(8))
+# (−1)^n 6/(2n + 3)!: what u − sin u is of u³/6, in powers of u²; the last first.
+_SERIES = tuple((-1.0) ** n * 6.0 / math.factorial(2 * n + 3) for n in range(8, -1, -1))
 _SERIES_BELOW = 1.0
 
 
 def _series(u: "Any") -> "Any":
     square = u * u
-    total = 1.0
-    for ratio in reversed(_RATIOS):
-        total = 1.0 - square * ratio * total
+    total = square * _SERIES[0]
+    # in place on arrays, the same on floats
+    for c in _SERIES[1:-1]:
+        total += c
+        total *= square
+    total += _SERIES[-1]
     return u * square / 6.0 * total
 
 
@@ -31,12 +34,19 @@ def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
         return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
     import numpy as np
 
-    if not u.size or u.max() < _SERIES_BELOW:
+    small = u < _SERIES_BELOW
+    count = int(np.count_nonzero(small))
+    if count == u.size:
         return _series(u)
     direct = u - (np.sin(u) if sine is None else sine)
-    if u.min() < _SERIES_BELOW:
-        small = u < _SERIES_BELOW
-        direct[small] = _series(u[small])
+    if count:
+        # angles in order have the small ones at one end, and a slice is cheaper than a mask
+        part: Any = small
+        if u.ndim == 1 and small[0] and small[:count].all():
+            part = slice(count)
+        elif u.ndim == 1 and small[-1] and small[-count:].all():
+            part = slice(u.size - count, None)
+        direct[part] = _series(u[part])
     return direct
 
 
@@ -150,6 +160,23 @@ class Beta:
         if derivatives >= 4:
             found.append(self._fourth(p) * slope)
         return found
+
+    def size(self, order: int) -> float:
+        """Bound of the magnitudes that a derivative, the first to the fourth, is made of for 0 ≤ t ≤ 1, p ≤ ¼."""
+        n, c = self.n, self.constant
+        if order < 3:
+            return (c * 0.25**n, c * n * 0.25 ** (n - 1))[order - 1]
+        if order == 3:
+            return c * n * 0.25 ** max(n - 2, 0) * ((n - 1) + (4 * n - 2) * 0.25) if n > 1 else 2.0 * c
+        bent = (n - 1) * (n - 2) * 0.25 ** max(n - 3, 0)
+        return c * n * (bent + (4 * n - 2) * (n - 1) * 0.25 ** max(n - 2, 0))
+
+    def largest(self, order: int) -> float:
+        """Bound of that derivative itself for 0 ≤ t ≤ 1: of the third, C n pⁿ⁻²((n − 1) − (4n − 2)p), the extremes."""
+        n = self.n
+        if order != 3 or n == 1:
+            return self.size(order)
+        return self.constant * n * max(((n - 2) / (4 * n - 2)) ** (n - 2), 0.5 * 0.25 ** (n - 2))
 
     def _fourth(self, p: "Any") -> "Any":
         n, c = self.n, self.constant

@@ -1,15 +1,15 @@
-"""Chebyshev proxies of analytic functions, piece by piece, with a proved remainder, and all their extremes.
+"""Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
 
 Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
-inside the pieces, so that a function that jumps at their ends is never asked there. What a proxy leaves out is bounded
-by the function's values on a disc of the complex plane around the piece, in disc arithmetic, not by its samples.
+inside the pieces, so that a function that jumps at their ends is never asked there. Proxies whose error is proved are
+made by `numerics.remainders`.
 """
 
 from functools import lru_cache
 
 import numpy as np
 
-from dynamics_cli.numerics.discs import UP, Disc
+from dynamics_cli.numerics.discs import UP
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -17,36 +17,17 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-COUNT = 24
-"""Nodes of a piece."""
-RESOLVED = 3e-15
-"""A remainder this small beside the largest value is small enough."""
-LEBESGUE = 3.1
-# radii of the discs tried about a piece, by its half width, and what their bound of the function is multiplied by in
-# the remainder of the piece and of its halves, quarters, eighths and sixteenths
-MULTIPLES = np.array([0.3, 0.6, 1.0, 1.6, 2.1, 2.7, 3.5, 5.0])
-UNIT = 2
+COUNT = 32
+"""Nodes of a piece whose remainder is estimated."""
+RESOLVED = 4e-15
+"""Last coefficients this small beside the whole mean that a piece is resolved."""
 GRID = 72
 LEVELS = 12
 SPLIT = 8
 END = 1e-4
 NOISE = 1.5e-15
 CALM = 1e-15
-# below this nothing is told from zero
-SMALLEST = 1e-280
-# pieces of one round: more are left as they are, with the remainder there is
-MOST = 4096
 ROUNDING = 2.0**-45
-
-
-def _remainders() -> "Any":
-    inside = np.maximum(2.0 ** np.arange(5)[:, None] * MULTIPLES, 1.0)
-    rho = inside + np.sqrt((inside - 1.0) * (inside + 1.0))
-    # nothing is known without room around the piece; a constant is left alone by any number
-    return np.where(rho > 1.0, 4.0 * rho ** (1.0 - COUNT) / np.where(rho > 1.0, rho - 1.0, 1.0), 1e300) * UP
-
-
-REMAINDERS = _remainders()
 
 
 @record
@@ -62,7 +43,7 @@ class Proxies:
     coefficients : array (q, m, COUNT)
         Coefficients on each piece.
     error : array (q, m)
-        Proved bound of the distance between function and proxy on the piece, all roundings included.
+        What the coefficients left out may come to: proved with all roundings, or estimated, as whoever made them says.
     """
 
     owner: "Any"
@@ -87,7 +68,8 @@ class Extremes:
     inside : array of bool
         Whether the place is inside a piece: a place where the function turns.
     error : float
-        Proved: the function's greatest and least value on the pieces are within it of the greatest and least here.
+        The function's greatest and least value on the pieces are within it of the greatest and least here: proved
+        where the error of the proxies is.
     """
 
     owner: "Any"
@@ -128,22 +110,19 @@ def _basis(count: int) -> "tuple[Any, ...]":
     return t, cosine, -k * np.sin(k * t), -k * k * cosine
 
 
-def proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", *, rounds: int = 16) -> Proxies:
-    """Interpolate analytic functions on pieces cut as fine as the remainder that is proved for them asks.
+def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
+    """Interpolate functions on pieces, halving those that are not resolved; what is left out is estimated.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
     Parameters
     ----------
     function : callable
-        Takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k). Places
-        come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on arrays
-        does for them.
+        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
     starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are analytic inside each, and the same
-        formula continues them beyond its ends.
-    rounds : int
-        How often pieces may be cut, each time into 2 to 16.
+        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
+    depth : int
+        How often a piece may be halved.
 
     Returns
     -------
@@ -157,80 +136,50 @@ def proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", 
 
     Notes
     -----
-    Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
-    there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
-    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3.1 the Lebesgue
-    constant. To this come Λ times the rounding of the values, and that of the transform, 2u(n + 12)Σ|f − f(middle)|
-    over the nodes. Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
+    A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
+    (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
+    ones do; `error` is twice the last four, which is no proof: for searches whose result is certified otherwise. With
+    proof, see `numerics.remainders`. Trefethen, Approximation Theory and Approximation Practice, chapters 3-8.
 
     Examples
     --------
     >>> made = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
-    >>> round(float(made.coefficients[0, 0, 0]), 10), bool(made.error[0, 0] < 1e-13)
-    (1.7533876544, True)
+    >>> round(float(made.coefficients[0, 0, 0]), 10)
+    1.7533876544
     """
     nodes, matrix = _transform(COUNT)
-    low, high, origin, middle, left_out = _cut(function, starts, ends, rounds)
-    half = 0.5 * (high - low)
-    with np.errstate(all="ignore"):
-        found = function(Disc(0.5 * (low + high)[:, None] + half[:, None] * nodes), origin)
-    shape = np.broadcast_shapes(found.centre.shape, (1, low.size, COUNT))
-    values = np.broadcast_to(found.centre, shape)
-    slip = np.broadcast_to(found.radius, shape).max(axis=2)
-    if not (np.isfinite(values).all() and np.isfinite(slip).all()):
-        raise ValueError("the function is not finite inside a piece")
-    away = values - middle[:, :, None]
-    made = away @ matrix
-    made[:, :, 0] += middle
-    error = left_out + LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
-    return Proxies(origin, low, high, made, error * UP)
-
-
-def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
-    """Pieces in order with the values at their middles and the remainder proved for each."""
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
-    scale: Any = 0.0
-    done: list[tuple[Any, ...]] = []
-    for level in range(rounds + 1):
+    before: Any = np.inf
+    done: list[tuple[Any, Any, Any, Any, Any]] = []
+    for level in range(depth + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
-        with np.errstate(all="ignore"):
-            found = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
-        shape = np.broadcast_shapes(found.centre.shape, found.radius.shape, (1, low.size, MULTIPLES.size))
-        # the middles may go along the discs' axis or stand alone
-        values = np.broadcast_to(found.centre, shape)[:, :, 0]
-        wide = np.broadcast_to(found.radius, shape)
-        wide = np.where(np.isfinite(wide), wide, np.inf)
-        finite = np.where(np.isfinite(values) & (wide[:, :, 0] < np.inf), np.abs(values), 0.0)
-        scale = np.maximum(scale, finite.max(axis=1))
-        wanted = (RESOLVED * scale + SMALLEST)[:, None]
-        with np.errstate(over="ignore"):
-            remainders = [(wide * row).min(axis=2) for row in REMAINDERS]
-        left_out = np.minimum(remainders[0], (1.0 + LEBESGUE) * wide[:, :, UNIT])
-        good = (left_out <= wanted).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
-        good |= low.size > MOST
-        done.append((low[good], high[good], origin[good], values[:, good], left_out[:, good]))
+        values = function(middle[:, None] + half[:, None] * nodes, origin)
+        if not np.isfinite(values).all():
+            raise ValueError("the function is not finite inside a piece")
+        made = values @ matrix
+        size = np.abs(made).sum(axis=2)
+        tail = np.abs(made[:, :, -4:]).sum(axis=2)
+        worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
+        hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
+        good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
+        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
         if good.all():
             break
-        # as many parts as would do if the discs of the parts were no worse than those of the whole
-        enough = np.array([(remainder <= wanted).all(axis=0) for remainder in remainders[1:]])
-        parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]
-        step = (high - low)[~good] / parts
-        owner = np.repeat(np.arange(parts.size), parts)
-        number = np.arange(owner.size) - np.repeat(np.cumsum(parts) - parts, parts)
-        first, last = low[~good][owner], high[~good][owner]
-        low, high = first + number * step[owner], first + (number + 1.0) * step[owner]
-        high = np.where(number == parts[owner] - 1, last, high)
-        # neighbours share their end to the bit
-        high[:-1] = np.where(number[1:] > 0, low[1:], high[:-1])
-        origin = origin[~good][owner]
-    all_low, owner = np.concatenate([part[0] for part in done]), np.concatenate([part[2] for part in done])
+        bad = ~good
+        left, mid, right = low[bad], middle[bad], high[bad]
+        low, high = np.concatenate((left, mid)), np.concatenate((mid, right))
+        origin = np.concatenate((origin[bad], origin[bad]))
+        before = np.concatenate((worst[bad], worst[bad]))
+    all_low = np.concatenate([part[0] for part in done])
+    owner = np.concatenate([part[4] for part in done])
     order = np.lexsort((all_low, owner))
-    return (
+    return Proxies(
+        owner[order],
         all_low[order],
         np.concatenate([part[1] for part in done])[order],
-        owner[order],
-        *(np.concatenate([part[index] for part in done], axis=1)[:, order] for index in (3, 4)),
+        np.concatenate([part[2] for part in done], axis=1)[:, order],
+        np.concatenate([part[3] for part in done], axis=1)[:, order],
     )
 
 
@@ -299,11 +248,13 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         turning, unsure = _cells(d1, d2, step, bounds, slack, owner[:, None])
         steady = (bounds[0] == 0.0)[owner]
         turning[steady], unsure[steady] = False, False
+        # within a cell the function is near its chord
+        room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+        high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+        if level == 0:
+            tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            # within a cell the function is near its chord
-            room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
-            high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
             decides = (high >= most) | (low <= least)
             turning &= decides
             unsure &= decides
@@ -338,9 +289,11 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
     order = np.lexsort((places, owners))
+    # a piece that stays below the greatest value by more than its error has no part in the error of that
+    room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(np.max(made.error[which] + off) * UP),
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)),
     )  # fmt: skip
 
 

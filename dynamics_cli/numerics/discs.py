@@ -37,7 +37,8 @@ class Disc:
     centre : array
         Centres.
     radius : array
-        Radii, not negative; infinite or not a number where nothing is known.
+        Radii, not negative; infinite or not a number where nothing is known. The centre is then what plain arithmetic
+        gives.
     """
 
     __slots__ = ("centre", "radius")
@@ -104,8 +105,8 @@ class Disc:
 
     def __truediv__(self, other: "Any") -> "Disc":
         if isinstance(other, Disc):
-            return self * other.inverse()
-        return self * Disc(1.0 / other, EPS * abs(1.0 / other))
+            return self.__mul__(other.inverse())
+        return self.__mul__(Disc(1.0 / other, EPS * abs(1.0 / other)))
 
     def __rtruediv__(self, other: "Any") -> "Disc":
         return self.inverse() * other
@@ -114,8 +115,9 @@ class Disc:
         """The reciprocals; nothing is known where zero is among the numbers."""
         size = np.abs(self.centre)
         apart = size - self.radius
-        centre = 1.0 / np.where(apart > 0.0, self.centre, 1.0)
-        wide = (self.radius / (size * apart) + EPS * np.abs(centre)) * UP + TINY
+        with np.errstate(all="ignore"):
+            centre = 1.0 / self.centre
+            wide = (self.radius / (size * apart) + EPS * np.abs(centre)) * UP + TINY
         return Disc(centre, np.where(apart > 0.0, wide, inf))
 
     def square(self) -> "Disc":
@@ -128,9 +130,10 @@ class Disc:
         """The square roots; nothing is known where zero or a negative number is among the numbers."""
         apart = self.centre - self.radius
         good = apart > 0.0
-        centre = np.sqrt(np.where(good, self.centre, 1.0))
+        with np.errstate(invalid="ignore"):
+            centre = np.sqrt(self.centre)
         # |√z − √m| = |z − m|/|√z + √m|, and Re √z ≥ √(m − r)
-        wide = self.radius / (centre + np.sqrt(np.where(good, apart, 1.0)))
+        wide = self.radius / (np.where(good, centre, 1.0) + np.sqrt(np.where(good, apart, 1.0)))
         return Disc(centre, np.where(good, (wide + EPS * centre) * UP, inf))
 
     def sine(self) -> "Disc":
@@ -150,7 +153,8 @@ class Disc:
         """The logarithms; nothing is known where zero or a negative number is among the numbers."""
         good = self.centre > self.radius
         share = np.where(good, self.radius / np.where(good, self.centre, 1.0) * UP, 0.0)
-        centre = np.log(np.where(good, self.centre, 1.0))
+        with np.errstate(all="ignore"):
+            centre = np.log(self.centre)
         wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
         return Disc(centre, np.where(good & (share * UP < 1.0), (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
 

@@ -155,9 +155,10 @@ def test_what_is_stated_covers_what_is_in_sixty_digits(form: str, tolerance: flo
     for name, cam in cams(2):
         if cam.away or cam.carried.kind.startswith("Conjugate") or cam.program in UNDERCUT:
             continue
+        rotation = followers.Rotation("cw" if cam.geometry.turn < 0 else "ccw")
+        flank = followers.Flank("outer" if cam.geometry.side < 0 else "inner")
         made = export(NOTHING, program=cam.program, follower=cam.geometry.follower, form=Form(form),
-                      rotation=followers.Rotation("cw" if cam.geometry.turn < 0 else "ccw"), tolerance=tolerance,
-                      flank=followers.Flank("outer" if cam.geometry.side < 0 else "inner"), start_angle=0.3)  # fmt: skip
+                      rotation=rotation, tolerance=tolerance, flank=flank, start_angle=0.3)  # fmt: skip
         assert made.deviation <= tolerance
         pieces = list(made.shape.outlines[0].pieces)
         if form == "lines":
@@ -255,8 +256,8 @@ HARD = {
         followers.Roller(0.03, 0.004), 1e-9,
     ),
     "a lift of a nanometre": (
-        "rise 1e-6 mm in 0.1 deg 3-4-5; dwell 100 deg; return in 100 deg harmonic; dwell", followers.Roller(0.03, 0.004),
-        1e-9,
+        "rise 1e-6 mm in 0.1 deg 3-4-5; dwell 100 deg; return in 100 deg harmonic; dwell",
+        followers.Roller(0.03, 0.004), 1e-9,
     ),
     "hardly a base circle": (
         "rise 10 mm in 180 deg cycloidal; return in 180 deg cycloidal", followers.KnifeEdge(1e-4), 1e-7
@@ -306,7 +307,8 @@ def test_programs_of_all_laws_and_followers(seed: int) -> None:
     try:
         made = export(NOTHING, program=program, follower=follower, form=form, curve=curve, tolerance=1e-7)
     except InadmissibleError as error:
-        assert error.code in ("undercut", "face-too-fast", "pivot-inside")
+        if error.code not in ("undercut", "face-too-fast", "pivot-inside"):
+            raise
         return
     assert made.deviation <= 1e-7
     geometry = Geometry(follower)

@@ -88,7 +88,7 @@ EXPORT = Task(
     Model(
         "fewest pieces within a proved tolerance",
         HERE + "export:export",
-        source="Taylor bounds with interval arithmetic on the exact envelope",
+        source="pairing of curve and pieces on cells, enclosed by interval arithmetic on the exact envelope",
         formula="|f| ≤ |f(m)| + |f′(m)|·h + ½·h²·max|f″| on every cell",
         assumptions=(RADIAL, "pieces end at every joint of the laws"),
         method="biarcs or cubics, equal errors; deviation proved by interval arithmetic",
