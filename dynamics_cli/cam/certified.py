@@ -1,9 +1,11 @@
 """Certified extremes of functions of a motion, with what the proxies, the motion and the arithmetic may err by."""
 
+from itertools import pairwise
 from math import inf
 
 import numpy as np
 
+from dynamics_cli.cam.motion import radians
 from dynamics_cli.cam.pieces import over_pieces, within
 from dynamics_cli.errors import require
 from dynamics_cli.numerics import chebyshev
@@ -280,12 +282,21 @@ class Survey:
         made = self.made
         own = made.coefficients[3 + which]
         even = np.arange(0, own.shape[1], 2)
-        zones = np.array([zone.end - zone.start for zone in self.motion.zones])
-        width = (made.ends - made.starts) * zones[made.owner]
+        width = (made.ends - made.starts) * np.array(_widths(self.motion))[made.owner]
         return (
             float(width @ (own[:, even] @ (1.0 / (1.0 - even * even)))),
             float(width @ np.abs(own).sum(axis=1)),
         )
+
+
+def _widths(motion: "Motion") -> "list[float]":
+    """Widths of the zones; the ends of a narrow one, as angles, would not tell them."""
+    found = []
+    for span in motion.segments:
+        width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
+        cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
+        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
+    return found
 
 
 def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":
