@@ -1,9 +1,11 @@
 """Certified extremes of functions of a motion, with what the proxies, the motion and the arithmetic may err by."""
 
+from itertools import pairwise
 from math import inf
 
 import numpy as np
 
+from dynamics_cli.cam.motion import radians
 from dynamics_cli.cam.pieces import over_pieces, within
 from dynamics_cli.errors import require
 from dynamics_cli.numerics import chebyshev
@@ -213,7 +215,8 @@ class Survey:
         Returns
         -------
         Found
-            The quotient, infinite where the lower sum is zero and the upper one is not; its first place and bound.
+            The quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
+            its rounding, zero where the upper one is that nowhere.
 
         Notes
         -----
@@ -221,20 +224,26 @@ class Survey:
         certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
         0/0 where a spring of no preload rests.
         """
-        place = self._places(top, None, 0.0)[0][0]
+        places, _ = self._places(top, None, 0.0)
+        place = places[0]
         quotient = self._quotient(top, bottom, place)
-        while quotient < inf:
+        while -inf < quotient < inf:
             places, left = self._places(top, bottom, quotient)
-            better = max((self._quotient(top, bottom, one) for one in places), default=-inf)
+            better = max(self._quotient(top, bottom, one) for one in places)
             if not better > quotient + 1e-15 * abs(quotient):
                 break
             quotient = better
             place = next(one for one in places if self._quotient(top, bottom, one) == better)
-        if quotient == inf:
-            return Found(inf, self.angle(*place), 0.0)
-        alike = (one for one in places if self._quotient(top, bottom, one) >= quotient - 4e-15 * abs(quotient))
-        error = left + self._noise(top, place) + abs(quotient) * self._noise(bottom, place)
-        return Found(quotient, self.angle(*next(alike, place)), error / self._value(bottom, place))
+        if abs(quotient) == inf:
+            return Found(max(quotient, 0.0), self.angle(*place), 0.0)
+        alike = (one for one in places if self._quotient(top, bottom, one) >= quotient - 4e-15 * quotient)
+        # of every zone the first place that might be the best, and of course the best
+        rivals = {one[0]: one for one in reversed(places) if self._quotient(top, bottom, one) > 0.0}
+        error = max(
+            (left + self._noise(top, one) + quotient * self._noise(bottom, one)) / self._value(bottom, one)
+            for one in (place, *rivals.values())
+        )
+        return Found(quotient, self.angle(*next(alike, place)), error)
 
     def _places(self, top: Sum, bottom: "Sum | None", quotient: float) -> "tuple[list[Place], float]":
         """Where top − quotient·bottom is greatest but for rounding, and what that rounding is."""
@@ -245,7 +254,8 @@ class Survey:
             constant -= quotient * bottom.constant
         own = np.tensordot(weights, self.made.coefficients, 1)
         own[:, 0] += constant
-        error = np.abs(weights) @ self.made.error
+        rounded = 2.0**-51 * np.abs(self.made.coefficients).sum(axis=2)
+        error = np.abs(weights) @ (self.made.error + rounded) + 2.0**-51 * abs(constant)
         made = chebyshev.Proxies(self.made.owner, self.made.starts, self.made.ends, own[None], error[None])
         return _Candidates(made).ties()
 
@@ -256,10 +266,11 @@ class Survey:
         )
 
     def _quotient(self, top: Sum, bottom: Sum, place: "Place") -> float:
+        """The quotient at a place, or minus infinity where rounding leaves the sign of the upper sum open."""
         above, below = self._value(top, place), self._value(bottom, place)
-        if below <= 0.0:
-            return inf if above > 0.0 else -inf
-        return above / below
+        if above <= self._noise(top, place):
+            return -inf
+        return above / below if below > 0.0 else inf
 
     def _noise(self, one: Sum, place: "Place") -> float:
         rows = zip(one.weights, self.rows, strict=False)
@@ -271,12 +282,21 @@ class Survey:
         made = self.made
         own = made.coefficients[3 + which]
         even = np.arange(0, own.shape[1], 2)
-        zones = np.array([zone.end - zone.start for zone in self.motion.zones])
-        width = (made.ends - made.starts) * zones[made.owner]
+        width = (made.ends - made.starts) * np.array(_widths(self.motion))[made.owner]
         return (
             float(width @ (own[:, even] @ (1.0 / (1.0 - even * even)))),
             float(width @ np.abs(own).sum(axis=1)),
         )
+
+
+def _widths(motion: "Motion") -> "list[float]":
+    """Widths of the zones; the ends of a narrow one, as angles, would not tell them."""
+    found = []
+    for span in motion.segments:
+        width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
+        cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
+        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
+    return found
 
 
 def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":

@@ -38,7 +38,7 @@ class Slide:
     spring_rate : Stiffness
         Rate of the spring [N/m].
     preload : Force
-        Force of the spring at no lift [N].
+        Force of the spring at no lift, or at no swing [N].
     load : Force
         Steady external force that presses a sliding follower on the cam; negative lifts it [N].
     spring_mass : Mass
@@ -90,7 +90,7 @@ class ArmOnSpring:
     spring_rate : Stiffness
         Rate of the spring [N/m].
     preload : Force
-        Force of the spring at no swing [N].
+        Force of the spring at no lift, or at no swing [N].
     load_torque : Torque
         Steady external torque that presses the arm on the cam; negative lifts it [N*m].
     spring_mass : Mass

@@ -95,7 +95,8 @@ def force(
     turning place out, and each bound adds what they, the motion and the arithmetic may err by. Least forces and torques
     pass through zero and are bounded absolutely. Next to a cusp the stress is as ill conditioned as its bound says. The
     torque does no work over a turn; its mean is checked, and so is that it is the moment of the contact force about the
-    cam's axis. A spring on an arm is taken to act square to its radius at every swing.
+    cam's axis. A spring on an arm is taken to act square to its radius at every swing. Form-closed followers (tracks,
+    conjugate cams) need no spring and share the load between two contacts: they are out of scope.
 
     References
     ----------

@@ -5,6 +5,7 @@ from math import sqrt
 from dynamics_cli.cam.certified import Found, Sum, Survey
 from dynamics_cli.cam.force_records import ArmOnTorsionSpring, Slide
 from dynamics_cli.cam.loads import load_of
+from dynamics_cli.cam.survey import extreme
 from dynamics_cli.errors import require
 
 TYPE_CHECKING = False
@@ -42,7 +43,7 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
     falling = Sum((0.0, 0.0, -load.inertia), 0.0, lambda s, s1, s2: EXACT * load.inertia * abs(s2))
     held = Sum((load.rate,), load.steady, lambda s, s1, s2: EXACT * (abs(load.rate * s) + abs(load.steady)))
     if load.rate * motion.stroke[0] + load.steady < 0.0:
-        return Found(0.0, _lowest(motion), 0.0)
+        return Found(0.0, extreme(motion, 0).least_at, 0.0)
     drop = dropping(motion)
     if drop is not None:
         return Found(0.0, drop, 0.0)
@@ -51,12 +52,6 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
         return None
     speed = 1.0 / sqrt(found.value)
     return Found(speed, found.at, (0.5 * found.error / found.value + EXACT) * speed if speed else 0.0)
-
-
-def _lowest(motion: "Motion") -> float:
-    """The first joint or zone's end of the least lift, or the start of the zone it lies in."""
-    ends = [(motion.in_zone(index, 0.0, 0)[0], zone.start) for index, zone in enumerate(motion.zones)]
-    return min(ends)[1]
 
 
 def asked_jump(

@@ -7,6 +7,7 @@ import numpy as np
 from dynamics_cli.cam.certified import Found, Sum, Survey
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat, OscillatingRoller
+from dynamics_cli.cam.survey import extreme
 from dynamics_cli.errors import require
 
 TYPE_CHECKING = False
@@ -135,8 +136,8 @@ def require_lever(geometry: Geometry, motion: "Motion") -> None:
         code="no-lever",
         hint="take another base circle, arm or pivot distance",
     )  # fmt: skip
-    for index in range(len(motion.zones)):
-        check_speed(geometry, motion.in_zone(index, np.linspace(0.0, 1.0, 65), 1)[1])
+    speed = extreme(motion, 1)
+    check_speed(geometry, (speed.least, speed.greatest))
 
 
 def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:

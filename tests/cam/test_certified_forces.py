@@ -24,6 +24,10 @@ CASES = json.loads((DATA / "cam_forces.json").read_text(encoding="utf-8"))["case
 TRAINS = {one.__name__: one for one in (Slide, ArmOnTorsionSpring, ArmOnSpring)}
 LAWS = [name for name in LawName.names if name not in ("scca", "polynomial", "spline") and not name.startswith("half")]
 GRID = np.linspace(0.0, 1.0, 1501)
+FREE = (
+    "rise 20 mm in 90 deg {}; return 5 mm in 40 deg polynomial; return 10 mm in 50 deg linear; "
+    "return 5 mm in 40 deg polynomial; dwell"
+)
 
 
 def numbers(tree: dict[str, str]) -> dict[str, float]:
@@ -183,3 +187,21 @@ def _stress_compared(kind: str, seed: int, found: Forces, dense: Any, given: Any
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_extreme_is_missed_in_eighty_cams_of_each_kind(kind: str) -> None:
     assert sum(compared(kind, seed) for seed in range(80)) >= 65
+
+
+@pytest.mark.parametrize("line", [f"rise 20 mm in 90 deg {law}; return in 90 deg {law}; dwell" for law in LAWS] + [
+    FREE.format("polynomial"), FREE.format("modified-sine")])  # fmt: skip
+def test_without_preload_the_jump_is_where_the_follower_slows_down(line: str) -> None:
+    # where it rests both the spring's force and what it has to hold are zero, or rounding about it
+    found = force(NOTHING, program=line, shaft_speed=10.0, train=Slide(0.5, 5000.0), count=2, at_lifts=())
+    if any(advice.code == "velocity-jump" for advice in found.advice):
+        assert found.jump_speed == 0.0
+        return
+    motion = motion_of(NOTHING, line)
+    squares = []
+    for index in range(len(motion.zones)):
+        s, _, s2 = motion.in_zone(index, GRID, 2)
+        down = s2 < -1e-6
+        squares += (5000.0 * s[down] / (-0.5 * s2[down])).tolist()
+    slowest = min(squares) ** 0.5
+    assert slowest * (1.0 - 1e-5) <= found.jump_speed <= slowest * (1.0 + 1e-12)
