@@ -16,11 +16,16 @@ if TYPE_CHECKING:
 
 @record
 class Axis:
-    """One axis: its title, and the kind of its SI numbers (None for pure numbers or names)."""
+    """One axis: its title, and the kind of its SI numbers (None for pure numbers or names).
+
+    `ends` are where it begins and ends, and `step` parts its ticks, where what is drawn is not to decide.
+    """
 
     title: str
     kind: "Any" = None
     logarithmic: bool = False
+    ends: "tuple[float, float] | None" = None
+    step: float = 0.0
 
 
 @record

@@ -33,7 +33,7 @@ PROFILE = Task(
     table="points",
     arrays=False,
     tracked=False,
-    writers={"html": HERE + "geometry_pictures:animation"},
+    writers={"svg": HERE + "turning:animation"},
     plot=HERE + "geometry_pictures:profile_picture",
 )
 
@@ -54,6 +54,10 @@ SIZE = Task(
         f'dynamics cam size --program "{CYCLE}" --follower flat-face --least-radius "4 mm"',
         f'dynamics cam size --program "{SWING}" --follower oscillating-roller --roller-radius "8 mm" --arm "80 mm" '
         '--pivot-distance "100 mm" --rise-limit "40 deg" --return-limit "40 deg"',
+        f'dynamics cam size --program "{SWING}" --follower oscillating-flat --pivot-distance "90 mm" '
+        '--face-offset "4 mm" --least-radius "5 mm"',
+        f'dynamics cam size --program "{CYCLE}" --follower conjugate-roller --roller-radius "6 mm" '
+        '--least-radius "10 mm"',
     ),
     arrays=False,
     tracked=False,

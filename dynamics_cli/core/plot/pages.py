@@ -115,6 +115,8 @@ def _slenderness(panel: "Panel") -> float:
 
 
 def _panel(axes: "Any", panel: "Panel", system: str) -> None:
+    from matplotlib.ticker import MultipleLocator
+
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     axes.set_xlabel(x.label)
     axes.set_ylabel(y.label)
@@ -132,6 +134,11 @@ def _panel(axes: "Any", panel: "Panel", system: str) -> None:
     if any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
         # Room for words beside the outermost points.
         axes.margins(x=0.2, y=0.12)
+    for axis, scale, limit, ticks in ((panel.x, x, axes.set_xlim, axes.xaxis), (panel.y, y, axes.set_ylim, axes.yaxis)):
+        if axis.ends is not None:
+            limit(*scale(axis.ends))
+        if axis.step:
+            ticks.set_major_locator(MultipleLocator(scale.width(axis.step)))
     if any(getattr(item, "label", "") and isinstance(item, Curve | Band) for item in panel.items):
         axes.legend(loc="best")
 
