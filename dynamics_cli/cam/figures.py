@@ -100,4 +100,4 @@ def turning_arrow(turn: float, radius: float) -> tuple[complex, ...]:
     arc = [radius * exp(1j * turn * (0.35 + 1.5 * k / 24)) for k in range(25)]
     tip, back = arc[-1], -1j * turn * arc[-1] / abs(arc[-1])
     head = [tip + 0.28 * radius * back * exp(0.5j), tip, tip + 0.28 * radius * back * exp(-0.5j)]
-    return tuple([*arc, *head])
+    return (*arc, *head)

@@ -1,4 +1,4 @@
-"""One turn of a cam with its follower as an SVG that moves by itself (SMIL, no script); its first position is the still.
+"""One turn of a cam with its follower as an SVG that moves by itself (SMIL, no script); still, it shows the start.
 
 Cam and follower are rigid: the cam only turns, a slide only shifts and an arm only swings, so that each is drawn once.
 """

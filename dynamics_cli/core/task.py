@@ -68,8 +68,9 @@ class Task:
     `table` names the result table that CSV writes; `arrays` says that the function takes arrays for floats;
     `tracked` that it takes tracked numbers; `digits` is how many a table shows unless asked (17: all there are).
     `writers` names, for endings of `--drawing` of the task's own, a function of the result record that gives the file's
-    text or bytes: `{"urdf": "module:function"}`; one that takes more is given the task's own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes
-    the result record and then the task's own parameters by name.
+    text or bytes: `{"urdf": "module:function"}`; one that takes more is given the task's own parameters by name. `plot`
+    names the function that makes the picture of `--plot`: it takes the result record and then the task's own parameters
+    by name.
     """
 
     def __init__(
