@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, SWING
+from harness import run
 
 from dynamics_cli.cam import followers
 from dynamics_cli.cam.geometry_pictures import profile_picture
@@ -141,3 +142,14 @@ def test_the_drawing_is_of_true_size_and_holds_everything() -> None:
     assert root.get("width") == f"{width:.4f}mm"
     assert (left, top) == (-0.5 * width, -0.5 * height)
     assert 0.5 * width > 100.0
+
+
+def test_the_command_writes_the_still_picture_and_the_turning_cam(tmp_path) -> None:
+    words = ["cam", "profile", "--program", SWING, "--follower", "oscillating-flat", "--base-radius", "30 mm",
+             "--pivot-distance", "100 mm", "--points", "12"]  # fmt: skip
+    turning = tmp_path / "turn.svg"
+    done = run(*words, "--drawing", str(turning), "--json")
+    assert done.status == 0
+    assert ElementTree.parse(turning).getroot().tag == f"{SVG}svg"
+    assert run(*words, "--drawing", str(tmp_path / "turn.html")).status == 2
+    assert run(*words, "--drawing", str(tmp_path / "turn.dxf")).status == 2

@@ -12,7 +12,8 @@ SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dw
 
 PROFILE = Task(
     "profile",
-    "Shape of a radial cam: pitch, cam and cutter curves, pressure angle, curvature, and the plate's inertia.",
+    "Shape of a radial cam: pitch, cam and cutter curves, pressure angle, curvature, and the plate's inertia; "
+    "--plot draws it, --drawing turn.svg shows it turning.",
     Model(
         "exact envelope",
         HERE + "profile:profile",
@@ -39,7 +40,7 @@ PROFILE = Task(
 
 SIZE = Task(
     "size",
-    "Smallest base circle, and best offset, for limits of pressure angle and curvature.",
+    "Smallest base circle, best offset or nearest pair, for limits of pressure angle and curvature.",
     Model(
         "certified extremes of closed forms",
         HERE + "size:size",
@@ -70,10 +71,10 @@ CHECK = Task(
         "certified extremes",
         HERE + "check:check",
         source=BOOK,
-        formula="undercut where w·(1 − R_r·κ) ≤ 0; lift lost = s − (lift resting on the corner left); "
-        "ω² = min k·(s + δ)/(−m·s″)",
+        formula="undercut where w·(1 − R_r·κ) ≤ 0 or the curve crosses itself; "
+        "lift lost = s − (lift resting on the corner left); ω² = min k·(s + δ)/(−m·s″)",
         assumptions=(RADIAL, RIGID),
-        method="Chebyshev proxies; Newton for the corner",
+        method="Chebyshev proxies; crossings of the envelope by halving and Newton",
     ),
     examples=(
         f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
