@@ -16,13 +16,18 @@ if TYPE_CHECKING:
 
 @record
 class Axis:
-    """One axis: its title, the kind of its SI numbers (None for pure ones), names at 1, 2, 3 …, ends if set."""
+    """One axis: its title, and the kind of its SI numbers (None for pure numbers).
+
+    `names` stand at 1, 2, 3 …; `ends` are where it begins and ends, and `step` parts its ticks, where what is drawn is
+    not to decide.
+    """
 
     title: str
     kind: "Any" = None
     logarithmic: bool = False
     names: "tuple[str, ...]" = ()
-    ends: tuple[float, float] | None = None
+    ends: "tuple[float, float] | None" = None
+    step: float = 0.0
 
 
 @record

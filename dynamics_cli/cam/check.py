@@ -204,7 +204,7 @@ def check(
     undercut. Corners of an undercut cam are crossings of its envelope, found by halving and Newton's method however
     small the undercut and however many run into each other; the edge between them is followed from corner to corner,
     so that a lobe whose neck is cut through is seen to fall off. The lift lost is the certified largest gap on them,
-    to 1e-12 of the cam's size.
+    to 4e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
 
     References
     ----------

@@ -28,12 +28,15 @@ class Crossing:
         The point [m].
     turn : float
         Angle from the first direction to the second [rad].
+    exact : bool
+        Whether Newton's method has found it; else it is one of many points too near to each other to tell.
     """
 
     first: float
     second: float
     point: complex
     turn: float
+    exact: bool = True
 
 
 def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing]":
@@ -72,7 +75,8 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
         if crossing is not None:
             found.append(crossing)
         elif short:
-            found.append(_made(curve, one, 0.5 * (one.low + one.high), two, 0.5 * (two.low + two.high)))
+            middles = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
+            found.append(_made(curve, one, middles[0], two, middles[1], exact=False))
         else:
             tiny = TINY * size
             stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
@@ -173,11 +177,11 @@ def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | Non
     return _made(curve, one, a, two, b)
 
 
-def _made(curve: Envelope, one: Arc, a: float, two: Arc, b: float) -> Crossing:
+def _made(curve: Envelope, one: Arc, a: float, two: Arc, b: float, *, exact: bool = True) -> Crossing:
     point = 0.5 * (_single(curve, one.part, a)[0] + _single(curve, two.part, b)[0])
     # velocities vanish at a cusp, the tangent does not
     turn = phase(curve.way(two.part, b) / curve.way(one.part, a))
-    return Crossing(one.part + a, two.part + b, point, turn)
+    return Crossing(one.part + a, two.part + b, point, turn, exact)
 
 
 def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex]":

@@ -1,25 +1,39 @@
-"""Pictures of a cam: its profile with the follower, pressure angle and curvature; and one turn, animated."""
+"""Pictures of a cam: its profile with the follower, pressure angle and radius of curvature."""
 
-from math import cos, degrees, pi, sin
+from cmath import exp
+from math import pi
 
+from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.figures import CIRCLE, Figure, figure, turning_arrow
+from dynamics_cli.cam.followers import Flank, Rotation
+from dynamics_cli.cam.profile import CamProfile, profile
+from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
-    from dynamics_cli.cam.profile import CamProfile
-
-CIRCLE = tuple(2.0 * pi * k / 90 for k in range(91))
+TURN = 2.0 * pi
 # Fewer points than this look like a polygon.
-SMOOTH = 360
+SMOOTH = 720
 # Radii beyond this many times the cam are straight for the eye.
-FAR = 8.0
+FAR = 4.0
+CCW = Rotation("counter-clockwise")
+INNER = Flank("inner")
 
 
 def profile_picture(
-    result: "CamProfile", scene: "Any" = None, *, program: str = "", follower: "Any" = None, **given: "Any"
+    result: CamProfile,
+    scene: Program,
+    program: str = "",
+    follower: "Any" = None,
+    rotation: Rotation = CCW,
+    flank: Flank = INNER,
+    start_angle: float = 0.0,
+    **given: "Any",
 ) -> Picture:
     """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
 
@@ -32,7 +46,13 @@ def profile_picture(
     program : str
         The program in one line.
     follower : Follower
-        The follower, for its base circle and roller.
+        The follower and where it stands.
+    rotation : Rotation
+        Which way the cam turns.
+    flank : Flank
+        Which surface.
+    start_angle : float
+        Angle by which the cam's drawing is turned on [rad].
     **given
         The task's other parameters.
 
@@ -41,142 +61,102 @@ def profile_picture(
     Picture
         Three panels.
     """
-    given.pop("points", None)
-    table = result.points
-    if scene is not None and len(table) < SMOOTH:
-        from dynamics_cli.cam.profile import profile
-
-        table = profile(scene, program=program, follower=follower, points=SMOOTH, **given).points
-    arrays = {name: _closed(column.tolist()) for name, column in table.arrays.items()}
-    items: list[Any] = [Curve(arrays["x"], arrays["y"], "cam", role=0)]
-    roller = getattr(follower, "roller_radius", 0.0)
-    if roller:
-        items.append(Curve(arrays["pitch_x"], arrays["pitch_y"], "pitch curve", style="dashed", role=1))
-        cx, cy = arrays["pitch_x"][0], arrays["pitch_y"][0]
-        items.append(_circle(cx, cy, roller, "roller", 2))
-    elif result.face_width is not None and result.arm_start_angle is None:
-        items.append(_face(arrays, result))
-    base = getattr(follower, "base_radius", 0.0)
-    if base:
-        items.append(_circle(0.0, 0.0, base, "base circle", 3))
-    items += [Mark(0.0, 0.0, ""), Mark(arrays["x"][0], arrays["y"][0], "0°")]
-    shape = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "Cam", equal=True)
-    angle = [*arrays["cam_angle"][:-1], arrays["cam_angle"][0] + 2.0 * pi]
+    cutter = given.get("cutter_radius")
+    table = profile(
+        scene, program=program, follower=follower, rotation=rotation, flank=flank, start_angle=start_angle,
+        cutter_radius=cutter, points=SMOOTH,
+    ).points  # fmt: skip
+    arrays = {name: column.tolist() for name, column in table.arrays.items()}
+    geometry = Geometry(follower, rotation, flank)
+    face = None if result.face_low is None or result.face_high is None else (result.face_low, result.face_high)
+    lift = float(motion_of(scene, program).at(0.0, 0)[0])
+    shown = figure(geometry, lift, result.largest_radius, face)
+    shape = Panel(
+        Axis("x", Coordinate),
+        Axis("y", Coordinate),
+        tuple(_items(arrays, geometry, shown, exp(1j * start_angle), cutter)),
+        f"Cam and follower at cam angle 0, turning {rotation}",
+        equal=True,
+    )
+    way = Axis("cam angle", Angle, ends=(0.0, TURN), step=pi / 6.0)
+    angle = [*arrays["cam_angle"], TURN]
     pressure = Panel(
-        Axis("cam angle", Angle),
+        way,
         Axis("pressure angle", Angle),
         (
-            Curve(angle, arrays["pressure_angle"], role=0),
+            Curve(angle, _closed(arrays["pressure_angle"]), role=0),
             Mark(result.largest_pressure_angle_at, result.largest_pressure_angle, "largest"),
             *_least(result),
             Band(0.0, 0.0, vertical=False),
         ),
         "Pressure angle",
     )
+    return Picture((shape, pressure, _curvature(result, arrays, way, angle)), "Cam profile")
+
+
+def _items(
+    arrays: "dict[str, list[float]]", geometry: Geometry, shown: Figure, on: complex, cutter: "float | None"
+) -> "list[Any]":
+    """What the first panel shows, in the cam's frame at its first angle."""
+    items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
+    if geometry.roller:
+        items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
+    if cutter:
+        items.append(Curve(_closed(arrays["cutter_x"]), _closed(arrays["cutter_y"]), "cutter path", "dotted", 3))
+    if shown.base:
+        items.append(_line((shown.base * step for step in CIRCLE), "base circle", "thin", 6))
+    items += [
+        _line((on * point for point in shown.shape), shown.name, "solid", 1),
+        _line((on * point for point in shown.holder), shown.holder_name, "thin", 1),
+        _line(turning_arrow(geometry.turn, 0.3 * (shown.base or _size(arrays))), "", "thin", 6),
+        Mark(0.0, 0.0, ""),
+        Mark(arrays["x"][0], arrays["y"][0], ""),
+    ]
+    if shown.pivot is not None:
+        pivot = on * shown.pivot
+        items.append(Mark(pivot.real, pivot.imag, "pivot"))
+    return items
+
+
+def _curvature(result: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]") -> Panel:
+    """The radius of curvature, broken where the curve is all but straight."""
     reach = FAR * result.largest_radius
-    radii = [radius if abs(radius) <= reach else float("nan") for radius in arrays["radius_of_curvature"]]
-    marks: tuple[Mark, ...] = ()
-    if result.least_convex_radius is not None and result.least_convex_radius_at is not None:
-        marks = (Mark(result.least_convex_radius_at, result.least_convex_radius, "least convex"),)
-    bend = Panel(
-        Axis("cam angle", Angle),
+    radii = [radius if abs(radius) <= reach else float("nan") for radius in _closed(arrays["radius_of_curvature"])]
+    marks = [
+        Mark(at, sign * radius, label)
+        for at, radius, sign, label in (
+            (result.least_convex_radius_at, result.least_convex_radius, 1.0, "least convex"),
+            (result.least_concave_radius_at, result.least_concave_radius, -1.0, "least concave"),
+        )
+        if at is not None and radius is not None and abs(radius) <= reach
+    ]
+    return Panel(
+        way,
         Axis("radius of curvature", Coordinate),
         (Curve(angle, radii, role=0), *marks, Band(0.0, 0.0, vertical=False)),
-        "Radius of curvature of the cam",
+        "Radius of curvature of the cam: convex above zero, broken where nearly straight",
     )
-    return Picture((shape, pressure, bend), "Cam profile")
 
 
-def _least(result: "CamProfile") -> "tuple[Mark, ...]":
+def _flank(geometry: Geometry) -> str:
+    return "cam" if geometry.side > 0.0 else "outer flank"
+
+
+def _least(result: CamProfile) -> "tuple[Mark, ...]":
     """No second mark on top of the first where the pressure angle is constant."""
     if result.least_pressure_angle == result.largest_pressure_angle:
         return ()
     return (Mark(result.least_pressure_angle_at, result.least_pressure_angle, "least"),)
 
 
-def _face(arrays: "dict[str, list[float]]", result: "CamProfile") -> Curve:
-    """The flat face at the first angle, in the cam's frame, as wide as the contact wanders."""
-    at = complex(arrays["x"][0], arrays["y"][0])
-    touch = complex(arrays["contact_x"][0], arrays["contact_y"][0])
-    turn = at / touch if touch else 1.0 + 0.0j
-    low, high = result.face_low or 0.0, result.face_high or 0.0
-    ends = [complex(along, touch.imag) * turn for along in (low, high)]
-    return Curve([end.real for end in ends], [end.imag for end in ends], "face", role=2)
+def _line(points: "Iterable[complex]", label: str, style: "Any", role: int) -> Curve:
+    points = list(points)
+    return Curve([point.real for point in points], [point.imag for point in points], label, style, role)
+
+
+def _size(arrays: "dict[str, list[float]]") -> float:
+    return max(arrays["radius"])
 
 
 def _closed(values: "list[float]") -> "list[float]":
     return [*values, values[0]]
-
-
-def _circle(x: float, y: float, radius: float, label: str, role: int) -> Curve:
-    return Curve([x + radius * cos(t) for t in CIRCLE], [y + radius * sin(t) for t in CIRCLE], label, "thin", role)
-
-
-def animation(result: "CamProfile") -> str:
-    """One turn of the cam with its follower, as a page that moves by itself (SVG with SMIL, no script).
-
-    Parameters
-    ----------
-    result : CamProfile
-        The profile; its table's points are the frames.
-
-    Returns
-    -------
-    str
-        An HTML page.
-    """
-    arrays = {name: column.tolist() for name, column in result.points.arrays.items()}
-    points = [complex(x, y) for x, y in zip(arrays["x"], arrays["y"], strict=True)]
-    touch = [complex(x, y) for x, y in zip(arrays["contact_x"], arrays["contact_y"], strict=True)]
-    pitch = [complex(x, y) for x, y in zip(arrays["pitch_x"], arrays["pitch_y"], strict=True)]
-    # what turns the cam's frame into the fixed one, at every angle of the table
-    turns = [t / p if p else 1.0 + 0.0j for p, t in zip(points, touch, strict=True)]
-    centres = [p * turn for p, turn in zip(pitch, turns, strict=True)]
-    roller = max(abs(p - q) for p, q in zip(pitch, points, strict=True))
-    reach = 1e3 * (max(map(abs, pitch)) + roller) * 1.1
-    outline = " ".join(f"{1e3 * p.real:.4f},{-1e3 * p.imag:.4f}" for p in points)
-    clockwise = (turns[1] / turns[0]).imag < 0.0 if abs(turns[0]) else False
-    first = -degrees(_phase(turns[0]))
-    last = first + (360.0 if clockwise else -360.0)
-    loop = 'dur="6s" repeatCount="indefinite"'
-    centres.append(centres[0])
-    path = ";".join(f"{1e3 * c.real:.4f} {-1e3 * c.imag:.4f}" for c in centres)
-    if roller > 0.0:
-        shape = f'<circle r="{1e3 * roller:.4f}" class="f"/>'
-    elif result.face_width is not None and result.arm_start_angle is None:
-        shape = f'<path d="M {-1.2 * reach:.3f} 0 H {1.2 * reach:.3f}" class="f"/>'
-        path = ";".join(f"0 {-1e3 * c.imag:.4f}" for c in centres)
-    elif result.arm_start_angle is not None:
-        shape = _rocker(points, turns, reach, loop)
-    else:
-        mark = 0.02 * reach
-        shape = f'<path d="M 0 0 L {-mark:.3f} {-3 * mark:.3f} H {mark:.3f} Z" class="f"/>'
-    return (
-        "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>One turn of a cam</title></head><body>\n"
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-reach:.3f} {-reach:.3f} {2 * reach:.3f} {2 * reach:.3f}" '
-        'style="max-width:40em;display:block;margin:auto">\n'
-        f"<style>.c{{fill:#9ecae1;stroke:#08519c;stroke-width:{0.006 * reach:.4f}}}"
-        f".f{{fill:none;stroke:#a63603;stroke-width:{0.008 * reach:.4f}}}</style>\n"
-        f'<g><polygon class="c" points="{outline}"/><circle r="{0.03 * reach:.3f}" fill="#08519c"/>'
-        f'<animateTransform attributeName="transform" type="rotate" from="{first:.6f}" to="{last:.6f}" {loop}/></g>\n'
-        f'<g>{shape}<animateTransform attributeName="transform" type="translate" values="{path}" {loop}/></g>\n'
-        "</svg>\n</body></html>\n"
-    )
-
-
-def _rocker(points: "list[complex]", turns: "list[complex]", reach: float, loop: str) -> str:
-    """The face of an arm, as a line that keeps to the cam's tangent where they touch."""
-    ways = [(points[(k + 1) % len(points)] - points[k - 1]) * turn for k, turn in enumerate(turns)]
-    first = _phase(ways[0])
-    angles = [first + _phase(way / ways[0]) if way and ways[0] else first for way in [*ways, ways[0]]]
-    values = ";".join(f"{-degrees(angle):.4f}" for angle in angles)
-    return (
-        f'<path d="M {-0.6 * reach:.3f} 0 H {0.6 * reach:.3f}" class="f">'
-        f'<animateTransform attributeName="transform" type="rotate" values="{values}" {loop}/></path>'
-    )
-
-
-def _phase(value: complex) -> float:
-    from cmath import phase
-
-    return phase(value)

@@ -1,6 +1,6 @@
 """Pictures of cam motion: lift, velocity, acceleration and jerk over the turn, and peak factors."""
 
-from math import nan
+from math import nan, pi
 
 from dynamics_cli.cam.laws import LawName
 from dynamics_cli.cam.motion import Motion
@@ -58,12 +58,12 @@ def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") 
         marks = () if found is None else (Mark(found.greatest_at, found.greatest), Mark(found.least_at, found.least))
         panels.append(
             Panel(
-                Axis("cam angle", Angle),
+                Axis("cam angle", Angle, ends=(motion.joints[0], motion.joints[-1]), step=pi / 6.0),
                 Axis(name, kind),
                 (*bands(motion, order), Curve(angles, columns[order]), *marks),
             )
         )
-    return Picture(tuple(panels), f"cam motion, {result.continuity}")
+    return Picture(tuple(panels), f"Cam motion, continuity {result.continuity}")
 
 
 def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":
@@ -94,11 +94,11 @@ def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list
 
 
 def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
-    """Every segment that moves, named on the first panel, as stretches of a panel."""
+    """Every segment that moves; the legend of the first panel says so once."""
+    moving = [i for i, span in enumerate(motion.segments) if span.law is not None]
     return tuple(
-        Band(motion.joints[i], motion.joints[i + 1], f"{span.name} {i + 1}" if order == 0 else "")
-        for i, span in enumerate(motion.segments)
-        if span.law is not None
+        Band(motion.joints[i], motion.joints[i + 1], "follower moves" if order == 0 and i == moving[0] else "")
+        for i in moving
     )
 
 
@@ -132,4 +132,4 @@ def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any
         curve = Curve(angles, [getattr(point, name) for point in dense], str(law) if name == "lift" else "")
         points = Curve(asked, [getattr(point, name) for point in result.points], style="points")
         panels.append(Panel(Axis("cam angle", Angle), Axis(name, kind), (curve, points)))
-    return Picture(tuple(panels), f"{law} rise")
+    return Picture(tuple(panels), f"Rise by the law {law}")

@@ -268,8 +268,8 @@ def profile(
         largest_radius=float(columns.arrays["radius"].max()),
         area=body.area,
         perimeter=body.perimeter,
-        centroid_x=body.x,
-        centroid_y=body.y,
+        centroid_x=_settled(body.x, body.perimeter),
+        centroid_y=_settled(body.y, body.perimeter),
         mass=None if weight is None else weight * body.area,
         inertia=None if weight is None else weight * body.polar,
         inertia_about_centroid=None if weight is None else weight * (body.polar - body.area * away),
@@ -288,10 +288,10 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
     import numpy as np
 
     # a point and what lies along the normal are turned by the same sine and cosine
-    angle = theta if not start_angle else theta - geometry.turn * start_angle
-    cos, sin = np.cos(angle), geometry.turn * np.sin(angle)
+    cos, sin = turned_back(theta.size, start_angle, geometry.turn)
     (cx, cy), (nx, ny) = touch.point, touch.normal
-    x, y = cx * cos + cy * sin, cy * cos - cx * sin
+    # minus zero is zero
+    x, y = cx * cos + cy * sin + 0.0, cy * cos - cx * sin + 0.0
     mx, my = nx * cos + ny * sin, ny * cos - nx * sin
     reach, tool = geometry.side * geometry.roller, geometry.side * cutter
     with np.errstate(divide="ignore"):
@@ -312,6 +312,25 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
         contact_x=np.broadcast_to(cx, theta.shape),
         contact_y=np.broadcast_to(cy, theta.shape),
     )
+
+
+def turned_back(count: int, start_angle: float, turn: float) -> "tuple[Any, Any]":
+    """Cosines and sines that turn equal steps of one turn back into the cam, exact at quarters of the turn."""
+    import numpy as np
+
+    step = np.arange(count)
+    quarter = (8 * step + count) // (2 * count)
+    rest = (4 * step - quarter * count) * (0.5 * pi / count)
+    on = round(start_angle / (0.5 * pi))
+    angle = turn * rest - (start_angle - on * (0.5 * pi))
+    cos, sin = np.cos(angle), np.sin(angle)
+    quarter = (int(turn) * quarter - on) % 4
+    return np.choose(quarter, (cos, -sin, -cos, sin)) + 0.0, np.choose(quarter, (sin, cos, -sin, -cos)) + 0.0
+
+
+def _settled(value: float, size: float) -> float:
+    """Zero where a centroid is less than its own rounding."""
+    return value if abs(value) > 1e-15 * size else 0.0
 
 
 def convex(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, float | None]":

@@ -1,5 +1,6 @@
 """A whole revolution of cam motion as a user reads it: table, extremes, joints, the book's singularity functions."""
 
+from itertools import pairwise
 from math import pi
 
 from dynamics_cli.cam.motion import Motion
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 MOST_POINTS = 1_000_001
+ROUNDING = 2.0**-52
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 
 
@@ -157,13 +159,16 @@ def _radians(degrees: float) -> float:
 
 def _table(found: Motion, count: int) -> "tuple[Any, Any]":
     angles, _ = angles_of_turn(found, count)
-    values = [column.copy() for column in found.at(angles)]
-    last = found.at(float(angles[-1]), side=-1)
+    values = [column.copy() for column in found.at(angles, 4)]
+    last = found.at(float(angles[-1]), 4, side=-1)
     for column, value in zip(values, last, strict=True):
         column[-1] = value
+    # an angle is a double: where a value is less than its change over the angle's rounding, it is zero
+    for column, slope in pairwise(values):
+        column[abs(column) <= ROUNDING * abs(angles * slope)] = 0.0
     names = ("swing" if found.swing else "lift", *NAMES[1:])
     # minus zero is zero
-    columns = {name: column + 0.0 for name, column in zip(names, values, strict=True)}
+    columns = {name: column + 0.0 for name, column in zip(names, values[:4], strict=True)}
     if found.swing:
         return None, Columns(SwingPoint, angle=angles, **columns)
     return Columns(MotionPoint, angle=angles, **columns), None

@@ -24,6 +24,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
+ROUNDING = 2.0**-52
 MOST_POINTS = 100_000
 DEGREES = 180.0 / pi
 METHOD = "closed form from the nearer end: lift and velocity within 1e-15 of the peak, acceleration 5e-15, jerk 5e-14"
@@ -227,7 +228,12 @@ def _point(
     # Where a fall is a rise run backwards, the side turns too.
     side = -1 if x == (0.0 if falling else 1.0) else 1
     side = -side if falling and 0.0 < x < 1.0 else side
-    f, *slopes = _measured(law, (span - angle) / span if falling else x, (span - angle) / span, x, falling, side)
+    f, *slopes, last = _measured(law, (span - angle) / span if falling else x, (span - angle) / span, x, falling, side)
+    # an angle is a double: what is less than its change over the angle's rounding is zero
+    slopes = [
+        slope if abs(slope) > ROUNDING * x * abs(change) else 0.0
+        for slope, change in zip(slopes, (*slopes[1:], last), strict=True)
+    ]
     signs = (-1.0, 1.0, -1.0) if falling else (1.0, 1.0, 1.0)
     v, a, j = (sign * slope * scale + 0.0 for sign, slope, scale in zip(signs, slopes, scales[1:], strict=True))
     s = lift * f
@@ -242,7 +248,7 @@ def _measured(law: Law, x: float, far: float, near: float, falling: bool, side: 
     rest = near if falling else far
     for piece in law.pieces:
         if x < piece.high or (x == piece.high and side < 0) or piece is law.pieces[-1]:
-            return tuple(law.upright(piece, rest if piece.far else x, 3))
+            return tuple(law.upright(piece, rest if piece.far else x, 4))
     raise AssertionError
 
 

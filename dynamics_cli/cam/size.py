@@ -8,6 +8,10 @@ from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record, tagged
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
 DEGREE = pi / 180.0
@@ -304,6 +308,8 @@ def size(
             code="limit",
             hint="30 deg is usual for a translating follower, 45 deg for an arm",
         )
+    from dynamics_cli.cam.pieces import joint_jumps
+
     motion = motion_of(scene, program)
     require_lift(motion, isinstance(follower, SWINGING))
     require(
@@ -312,7 +318,20 @@ def size(
         code="flank",
         hint="leave --flank out; the second cam of a conjugate pair takes the place of an outer flank",
     )
-    limits = rise_limit, return_limit
+    made = _sized(motion, follower, (rise_limit, return_limit), least_radius, rotation, flank)
+    jumps = joint_jumps(motion)[0]
+    if not jumps:
+        return made
+    message = f"the follower's velocity jumps at {jumps} joints: no base circle keeps the cam from an edge there"
+    mend = "choose laws whose velocities join; `cam check` tells the lift that an edge costs"
+    return CamSize(**{**vars(made), "advice": (*made.advice, Advice("velocity-jump", message, "serious", mend))})
+
+
+def _sized(
+    motion: "Any", follower: Wanted, limits: tuple[float, float], least_radius: float | None, rotation: Rotation,
+    flank: Flank,
+) -> CamSize:  # fmt: skip
+    """The size by the kind of follower."""
     if isinstance(follower, OscillatingRoller | OscillatingFlat):
         from dynamics_cli.cam.sizing_arms import size_arm, size_rocker
 

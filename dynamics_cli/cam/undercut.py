@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 TURN = 2.0 * pi
 # A corner that another position of the follower covers by less than this share of the cam's size is on its edge.
 COVERED = 1e-12
-# How far a corner may be from its place, of the cam's size; a small undercut's corner is known no better.
-CORNER = 1e-12
+# How far a corner may be from its place, of the cam's size: found, and where points are too near to tell.
+FOUND = 4e-15
+BLURRED = 1e-12
 # Where no corner is found between ends this close, of the cam's size, the undercut is less than its rounding.
 NOTHING = 1e-11
 
@@ -105,10 +106,11 @@ def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
     if not main:
         return Loss(inf, 0.0, 0.0, stretches, 0, len(loops))
     lift, place, error = _worst(curve, main[0], size)
-    if not backward and len(loops) == 1 and lift <= CORNER * size:
+    corner = FOUND if all(crossing.exact for crossing in found) and len(whole) == len(found) else BLURRED
+    if not backward and len(loops) == 1 and lift <= BLURRED * size:
         # a dwell that is a point of the cam, on its axis
         return None
-    return Loss(lift, float(place) % TURN, error + CORNER * size, stretches, len(main[0]), len(loops) - 1)
+    return Loss(lift, float(place) % TURN, error + corner * size, stretches, len(main[0]), len(loops) - 1)
 
 
 def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":

@@ -115,7 +115,7 @@ def answered_case(
     if settings.drawing:
         from dynamics_cli.core.drawing import files_of
 
-        files, entries = files_of(task, record, settings.drawing, settings.units)
+        files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units)
         document["files"] = [*document.get("files", ()), *entries]
     own = _own_picture(task, record, bound) if settings.plot else None
     return document, *_with_picture(document, files, _joined(own, spread), settings, task)

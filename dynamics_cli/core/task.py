@@ -68,11 +68,12 @@ class Task:
     `table` names the result table that CSV writes (several, parted by spaces: the one there is); `arrays` says that the
     function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is how many a table shows unless
     asked (17: all there are). `writers` names, for endings of `--drawing` of the task's own, a function of the result
-    record that gives the file's text or bytes: `{"urdf": "module:function"}`. `plot` names the function that makes the
-    picture of `--plot`: it takes the result record and then the task's own parameters by name. `layout` names the
-    function that writes the results in a table for people where rows and columns would not be read: it takes the
-    document's results, digits and the terminal's width (0: not a terminal), and gives lines. `verdict` says that the
-    checks are what was asked for: one that fails is shown in the document, and the status tells.
+    record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the task's
+    own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result record and
+    then the task's own parameters by name. `layout` names the function that writes the results in a table for people
+    where rows and columns would not be read: it takes the document's results, digits and the terminal's width (0: not a
+    terminal), and gives lines. `verdict` says that the checks are what was asked for: one that fails is shown in the
+    document, and the status tells.
     """
 
     def __init__(
@@ -122,7 +123,9 @@ class Task:
                 raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
             if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
                 raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
-            if not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
+            nodes = [getattr(field.node, "item", field.node) for field in made.result.fields]
+            drawn = any(getattr(node, "kind", None) is DRAWING for node in nodes)
+            if drawn and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
                 raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
             self._specification = made
         return self._specification

@@ -1,83 +1,155 @@
-"""Pictures of a cam as data, and the page that turns it."""
+"""Pictures of a cam as data, and the drawing that turns it."""
 
 import math
-import re
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, SWING
+from harness import run
 
 from dynamics_cli.cam import followers
-from dynamics_cli.cam.geometry_pictures import animation, profile_picture
+from dynamics_cli.cam.geometry_pictures import profile_picture
 from dynamics_cli.cam.profile import profile
+from dynamics_cli.cam.turning import animation
+from dynamics_cli.pictures import Curve, Mark
+
+SVG = "{http://www.w3.org/2000/svg}"
+ALL = [
+    (CYCLE, followers.Roller(0.025, 0.006, 0.003), "inner"),
+    (CYCLE, followers.Roller(0.03, 0.006), "outer"),
+    (CYCLE, followers.FlatFace(0.05), "inner"),
+    (CYCLE, followers.KnifeEdge(0.03), "inner"),
+    (CYCLE, followers.ConjugateRoller(0.03, 0.008, 0.09), "inner"),
+    (SWING, followers.OscillatingRoller(0.03, 0.008, 0.08, 0.1), "inner"),
+    (SWING, followers.OscillatingFlat(0.03, 0.1, 0.004), "inner"),
+    (SWING, followers.ConjugateOscillatingRoller(0.03, 0.008, 0.08, 0.1, 1.1), "inner"),
+]
 
 
-def test_the_picture_shows_cam_pressure_angle_and_curvature() -> None:
-    follower = followers.Roller(0.025, 0.006)
-    made = profile(NOTHING, program=CYCLE, follower=follower, points=72)
-    picture = profile_picture(made, NOTHING, program=CYCLE, follower=follower)
-    shape, pressure, bend = picture.panels
+def drawn(program, follower, flank="inner", **given):
+    given = {"program": program, "follower": follower, "flank": followers.Flank(flank), **given}
+    return profile_picture(profile(NOTHING, **given), NOTHING, **given)
+
+
+def named(panel, label: str) -> Curve:
+    return next(item for item in panel.items if isinstance(item, Curve) and item.label == label)
+
+
+@pytest.mark.parametrize(("program", "follower", "flank"), ALL)
+def test_every_follower_is_drawn_where_it_touches_the_cam(program, follower, flank) -> None:
+    shape, pressure, bend = drawn(program, follower, flank, start_angle=0.4).panels
     assert shape.equal
-    cam = shape.items[0]
+    cam = named(shape, "cam" if flank == "inner" else "outer flank")
     assert (cam.x[0], cam.y[0]) == (cam.x[-1], cam.y[-1])
-    assert max(math.hypot(x, y) for x, y in zip(cam.x, cam.y, strict=True)) == pytest.approx(0.035, rel=1e-12)
-    roller = next(item for item in shape.items if getattr(item, "label", "") == "roller")
-    assert {round(math.hypot(x, y - 0.031), 12) for x, y in zip(roller.x, roller.y, strict=True)} == {0.006}
-    assert max(pressure.items[0].y) <= made.largest_pressure_angle
-    assert pressure.items[0].x[-1] == pytest.approx(2 * math.pi)
-    assert len(bend.items[0].y) == 361
+    name = "roller" if hasattr(follower, "roller_radius") else "knife-edge"
+    touching = named(shape, "face" if "Flat" in type(follower).__name__ else name)
+    contact = next(item for item in shape.items if isinstance(item, Mark) and (item.x or item.y))
+    points = np.array(touching.x) + 1j * np.array(touching.y)
+    along = (complex(contact.x, contact.y) - points[:-1]) / np.diff(points)
+    near = np.abs(np.diff(points)) * np.where((along.real >= 0) & (along.real <= 1), np.abs(along.imag), 9.0)
+    # a circle is drawn as a polygon of 90 sides
+    assert min(near.min(), np.abs(points - complex(contact.x, contact.y)).min()) < 7e-4 * getattr(
+        follower, "roller_radius", 1e-9
+    )
+    for panel in (pressure, bend):
+        assert panel.x.ends == (0.0, 2.0 * math.pi)
+        assert panel.items[0].x[0] == 0.0
+        assert panel.items[0].x[-1] == pytest.approx(2.0 * math.pi)
 
 
-@pytest.mark.parametrize(
-    ("program", "follower"),
-    [
-        (CYCLE, followers.Roller(0.025, 0.006, 0.003)),
-        (CYCLE, followers.FlatFace(0.05)),
-        (CYCLE, followers.KnifeEdge(0.03)),
-        (SWING, followers.OscillatingRoller(0.03, 0.008, 0.08, 0.1)),
-    ],
-)
-@pytest.mark.parametrize("rotation", ["ccw", "cw"])
-def test_the_page_turns_the_cam_once(program: str, follower, rotation: str) -> None:
-    made = profile(NOTHING, program=program, follower=follower, points=36, rotation=followers.Rotation(rotation))
-    page = animation(made)
-    svg = ElementTree.fromstring(page[page.index("<svg") : page.index("</svg>") + 6])
-    turn = next(node for node in svg.iter() if node.get("type") == "rotate")
-    # y points down in SVG: anticlockwise is a falling angle
-    assert float(turn.get("to")) - float(turn.get("from")) == (-360.0 if rotation == "ccw" else 360.0)
-    move = next(node for node in svg.iter() if node.get("type") == "translate").get("values")
-    assert len(move.split(";")) == 37
-    assert all(re.fullmatch(r"-?[\d.]+ -?[\d.]+", pair) for pair in move.split(";"))
-    assert "nan" not in page
+def test_arm_and_pivot_are_drawn() -> None:
+    for follower in (followers.OscillatingRoller(0.03, 0.008, 0.08, 0.1), followers.OscillatingFlat(0.03, 0.1, 0.004)):
+        shape = drawn(SWING, follower, start_angle=0.3).panels[0]
+        pivot = next(item for item in shape.items if isinstance(item, Mark) and item.label == "pivot")
+        assert complex(pivot.x, pivot.y) == pytest.approx(0.1 * complex(math.cos(0.3), math.sin(0.3)))
+        arm = named(shape, "arm")
+        assert (arm.x[0], arm.y[0]) == (pivot.x, pivot.y)
 
 
-def test_a_short_table_does_not_make_the_picture_a_polygon() -> None:
+@pytest.mark.parametrize(("rotation", "sense"), [("ccw", 1.0), ("cw", -1.0)])
+def test_the_arrow_turns_as_the_cam_does(rotation: str, sense: float) -> None:
+    shape = drawn(CYCLE, followers.FlatFace(0.05), rotation=followers.Rotation(rotation)).panels[0]
+    arrow = [item for item in shape.items if isinstance(item, Curve)][-1]
+    assert sense * (arrow.x[0] * arrow.y[1] - arrow.x[1] * arrow.y[0]) > 0.0
+
+
+def test_the_panels_reach_the_extremes_of_the_document() -> None:
     follower = followers.Roller(0.025, 0.006)
     made = profile(NOTHING, program=CYCLE, follower=follower, points=8)
     shape, pressure, _ = profile_picture(made, NOTHING, program=CYCLE, follower=follower, points=8).panels
-    assert len(shape.items[0].x) == 361
-    assert max(pressure.items[0].y) == pytest.approx(made.largest_pressure_angle, rel=1e-3)
+    # a short table does not make the picture a polygon
+    assert len(shape.items[0].x) == 721
+    assert max(pressure.items[0].y) == pytest.approx(made.largest_pressure_angle, rel=1e-4)
+    assert [item.label for item in pressure.items if hasattr(item, "label")].count("least") == 1
+    flat = drawn(CYCLE, followers.FlatFace(0.05)).panels[1]
+    assert [item.label for item in flat.items if hasattr(item, "label")].count("least") == 0
 
 
-def test_a_flat_face_is_drawn_along_the_cam() -> None:
-    follower = followers.FlatFace(0.045)
-    made = profile(NOTHING, program=CYCLE, follower=follower, start_angle=0.5)
-    shape, pressure, _ = profile_picture(made, NOTHING, program=CYCLE, follower=follower, start_angle=0.5).panels
-    face = next(item for item in shape.items if getattr(item, "label", "") == "face")
-    (x0, x1), (y0, y1) = face.x, face.y
-    assert math.hypot(x1 - x0, y1 - y0) == pytest.approx(made.face_width, rel=1e-12)
-    # its distance from the axis is the base radius: it touches the cam at the first angle
-    assert abs(x0 * y1 - x1 * y0) / made.face_width == pytest.approx(0.045, rel=1e-12)
-    assert [item.label for item in pressure.items if hasattr(item, "label")].count("least") == 0
+def points_of(path: str) -> np.ndarray:
+    numbers = np.array([float(word) for word in path.split() if word not in "MLZ"])
+    return numbers[0::2] - 1j * numbers[1::2]
 
 
-def test_the_face_of_an_arm_leans_with_the_arm() -> None:
-    made = profile(NOTHING, program=SWING, follower=followers.OscillatingFlat(0.045, 0.1), points=360)
-    page = animation(made)
-    svg = ElementTree.fromstring(page[page.index("<svg") : page.index("</svg>") + 6])
-    face = next(node for node in svg.iter() if node.tag.endswith("path"))
-    angles = [float(value) for value in next(iter(face)).get("values").split(";")]
-    assert len(angles) == 361
-    assert angles[0] == angles[-1]
-    # the arm swings 15 degrees, and its face with it; the page takes chords for tangents
-    assert max(angles) - min(angles) == pytest.approx(15.0, abs=0.05)
+@pytest.mark.parametrize("rotation", ["ccw", "cw"])
+@pytest.mark.parametrize(("program", "follower", "flank"), ALL)
+def test_cam_and_follower_touch_all_through_the_turn(program, follower, flank, rotation) -> None:
+    given = {"program": program, "follower": follower, "flank": followers.Flank(flank),
+             "rotation": followers.Rotation(rotation), "start_angle": 0.3}  # fmt: skip
+    made = profile(NOTHING, **given)
+    page = animation(made, NOTHING, **given)
+    assert page == animation(made, NOTHING, **given)
+    root = ElementTree.fromstring(page)
+    assert "script" not in page
+    cam, moving = root.findall(f"{SVG}g")
+    turn, shift = (group.find(f"{SVG}animateTransform") for group in (cam, moving))
+    first, last = float(turn.get("from")), float(turn.get("to"))
+    # y points down in SVG: anticlockwise is a falling angle
+    assert last - first == (-360.0 if rotation == "ccw" else 360.0)
+    # without animation the first position is shown
+    assert cam.get("transform") == f"rotate({turn.get('from')})"
+    values = shift.get("values").split(";")
+    assert values[0] == values[-1]
+    assert len(values) == 361
+    outline = points_of(cam.find(f"{SVG}path").get("d").split("Z")[-2])
+    shape = points_of(moving.find(f"{SVG}path").get("d"))
+    for k in range(0, 360, 15):
+        angle = first + (last - first) * k / 360.0
+        wall = outline * np.exp(-1j * math.radians(angle))
+        numbers = [float(word) for word in values[k].replace(",", " ").split()]
+        if shift.get("type") == "rotate":
+            pivot = complex(numbers[1], -numbers[2])
+            placed = pivot + (shape - pivot) * np.exp(-1j * math.radians(numbers[0]))
+        else:
+            placed = shape + complex(numbers[0], -numbers[1])
+        if hasattr(follower, "roller_radius"):
+            centre = 0.5 * (placed[0] + placed[45])
+            assert np.abs(wall - centre).min() == pytest.approx(1e3 * follower.roller_radius, abs=0.03)
+        elif len(placed) == 2:
+            along = (wall - placed[0]) / (placed[1] - placed[0])
+            within = (along.real > 0.0) & (along.real < 1.0)
+            assert np.abs(along.imag[within]).min() * abs(placed[1] - placed[0]) < 0.03
+        else:
+            assert np.abs(wall - placed[0]).min() < 0.3
+
+
+def test_the_drawing_is_of_true_size_and_holds_everything() -> None:
+    follower = followers.OscillatingRoller(0.03, 0.008, 0.08, 0.1)
+    root = ElementTree.fromstring(
+        animation(profile(NOTHING, program=SWING, follower=follower), NOTHING, SWING, follower)
+    )
+    left, top, width, height = (float(word) for word in root.get("viewBox").split())
+    assert root.get("width") == f"{width:.4f}mm"
+    assert (left, top) == (-0.5 * width, -0.5 * height)
+    assert 0.5 * width > 100.0
+
+
+def test_the_command_writes_the_still_picture_and_the_turning_cam(tmp_path) -> None:
+    words = ["cam", "profile", "--program", SWING, "--follower", "oscillating-flat", "--base-radius", "30 mm",
+             "--pivot-distance", "100 mm", "--points", "12"]  # fmt: skip
+    turning = tmp_path / "turn.svg"
+    done = run(*words, "--drawing", str(turning), "--json")
+    assert done.status == 0
+    assert ElementTree.parse(turning).getroot().tag == f"{SVG}svg"
+    assert run(*words, "--drawing", str(tmp_path / "turn.html")).status == 2
+    assert run(*words, "--drawing", str(tmp_path / "turn.dxf")).status == 2

@@ -14,6 +14,7 @@ from dynamics_cli.cam.laws import LawName
 from dynamics_cli.cam.motion import radians as exact_radians
 from dynamics_cli.cam.program import Move, Point, Program, Segment, exact_degrees, motion_of
 from dynamics_cli.cam.revolution import motion
+from dynamics_cli.cam.rises import rise
 from dynamics_cli.cam.singularity import Form, delta
 from dynamics_cli.cam.survey import extreme, jumps, root_mean_square
 from dynamics_cli.errors import InadmissibleError, UsageError
@@ -298,3 +299,27 @@ def test_a_scalar_rise_starts_without_numpy() -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.stderr.strip() == "[]", done.stderr
     assert "19.0986" in done.stdout
+
+
+@pytest.mark.parametrize("law", ["cycloidal", "harmonic", "3-4-5", "modified-trapezoid", "gutman", "mcv50"])
+def test_a_zero_is_printed_as_zero_and_a_small_number_is_kept(law: str) -> None:
+    line = f"rise 20 mm in 100 deg {law}; dwell 55 deg; return in 130 deg {law}; dwell"
+    columns = motion(Program(), program=line, count=73).table.arrays
+    for name in ("lift", "velocity", "acceleration", "jerk"):
+        peak = max(abs(columns[name]))
+        assert not any(0.0 < abs(value) < 1e-14 * peak for value in columns[name]), name
+    # the middle of the rise, where the acceleration passes zero
+    assert columns["acceleration"][10] == 0.0
+
+
+def test_a_small_lift_at_the_start_of_a_rise_is_kept() -> None:
+    line = "rise 20 mm in 180 deg 5-6-7-8-9; return in 180 deg 5-6-7-8-9"
+    columns = motion(Program(), program=line, count=100_001).table.arrays
+    assert 0.0 < columns["lift"][1] < 1e-22
+    assert 0.0 < columns["acceleration"][1] < 1e-12
+
+
+def test_a_rise_has_no_acceleration_where_it_passes_zero() -> None:
+    found = rise(law=LawName("cycloidal"), lift=0.02, span=pi / 2, count=19)
+    assert found.points[9].acceleration == 0.0
+    assert found.points[9].velocity > 0.0

@@ -12,6 +12,7 @@ from dynamics_cli.cam.motion_pictures import one_rise, svaj
 from dynamics_cli.cam.program import Program
 from dynamics_cli.cam.revolution import motion
 from dynamics_cli.cam.rises import rise
+from dynamics_cli.core.plot import pages
 from dynamics_cli.pictures import Curve, Mark
 
 LINE = "rise 20 mm in 90 deg parabolic; dwell 60 deg; return in 90 deg 3-4-5; dwell"
@@ -63,3 +64,11 @@ def test_forces_are_drawn_with_their_extremes() -> None:
     drawn = [y for y in curve(picture.panels[1]).y if not isnan(y)]
     assert max(drawn) == pytest.approx(found.greatest_force, rel=1e-3)
     assert min(drawn) == pytest.approx(found.least_force, rel=1e-3)
+
+
+def test_the_turn_fills_the_axis_of_cam_angles() -> None:
+    axes = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
+    panel = svaj(motion(Program(), program=LINE), Program(), program=LINE).panels[0]
+    pages._panel(axes, panel, "si")
+    assert axes.get_xlim() == pytest.approx((0.0, 360.0))
+    assert list(axes.get_xticks()) == pytest.approx([30.0 * k for k in range(-1, 14)])

@@ -235,3 +235,10 @@ def test_a_symmetric_pair_has_rollers_of_one_start_radius_at_half_lift() -> None
     arms = size.size(NOTHING, program=swing, follower=size.ConjugateOscillatingRoller(0.006, 0.08, 0.1))
     second = arms.arm_angle - arms.arm_start_angle
     assert arms.second.start_radius == pytest.approx(hypot(0.1 - 0.08 * cos(second), 0.08 * sin(second)), rel=1e-13)
+
+
+def test_an_edge_where_the_velocity_jumps_is_told() -> None:
+    line = "rise 10 mm in 180 deg linear; return in 180 deg linear"
+    made = size.size(NOTHING, program=line, follower=size.Roller(0.006))
+    assert made.advice[-1].code == "velocity-jump"
+    assert not size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006)).advice

@@ -9,7 +9,7 @@ from geometry_cases import CYCLE, NOTHING, SWING, random_program
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.check import check
-from dynamics_cli.cam.profile import profile
+from dynamics_cli.cam.profile import profile, turned_back
 from dynamics_cli.cam.program import motion_of
 from dynamics_cli.errors import InadmissibleError
 
@@ -192,3 +192,18 @@ def test_no_offset_beats_the_best_one_for_a_curvature_by_more_than_the_bound(lea
     # and the offset found is kept by the size without a search
     assert smallest(found.offset).base_radius == pytest.approx(found.base_radius, rel=1e-12)
     assert found.in_line_base_radius is None
+
+
+@pytest.mark.parametrize("count", [4, 8, 12, 36, 37, 1001])
+@pytest.mark.parametrize("rotation", ["ccw", "cw"])
+@pytest.mark.parametrize("start", [0.0, 0.5 * pi, -pi, 0.3])
+def test_quarters_of_the_turn_are_exact_and_the_rest_is_right(count: int, rotation: str, start: float) -> None:
+    turn = 1.0 if rotation == "ccw" else -1.0
+    cos, sin = turned_back(count, start, turn)
+    angle = turn * np.arange(count) * (2.0 * pi / count) - start
+    assert np.abs(cos - np.cos(angle)).max() < 2e-15
+    assert np.abs(sin - np.sin(angle)).max() < 2e-15
+    if start != 0.3:
+        assert not np.any((np.abs(cos) < 1e-12) & (cos != 0.0))
+        assert not np.any((np.abs(sin) < 1e-12) & (sin != 0.0))
+        assert not np.signbit(cos[cos == 0.0]).any()

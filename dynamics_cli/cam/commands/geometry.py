@@ -12,7 +12,8 @@ SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dw
 
 PROFILE = Task(
     "profile",
-    "Shape of a radial cam: pitch, cam and cutter curves, pressure angle, curvature, and the plate's inertia.",
+    "Shape of a radial cam: pitch, cam and cutter curves, pressure angle, curvature, and the plate's inertia; "
+    "--plot draws it, --drawing turn.svg shows it turning.",
     Model(
         "exact envelope",
         HERE + "profile:profile",
@@ -33,13 +34,13 @@ PROFILE = Task(
     table="points",
     arrays=False,
     tracked=False,
-    writers={"html": HERE + "geometry_pictures:animation"},
+    writers={"svg": HERE + "turning:animation"},
     plot=HERE + "geometry_pictures:profile_picture",
 )
 
 SIZE = Task(
     "size",
-    "Smallest base circle, and best offset, for limits of pressure angle and curvature.",
+    "Smallest base circle, best offset or nearest pair, for limits of pressure angle and curvature.",
     Model(
         "certified extremes of closed forms",
         HERE + "size:size",
@@ -54,6 +55,10 @@ SIZE = Task(
         f'dynamics cam size --program "{CYCLE}" --follower flat-face --least-radius "4 mm"',
         f'dynamics cam size --program "{SWING}" --follower oscillating-roller --roller-radius "8 mm" --arm "80 mm" '
         '--pivot-distance "100 mm" --rise-limit "40 deg" --return-limit "40 deg"',
+        f'dynamics cam size --program "{SWING}" --follower oscillating-flat --pivot-distance "90 mm" '
+        '--face-offset "4 mm" --least-radius "5 mm"',
+        f'dynamics cam size --program "{CYCLE}" --follower conjugate-roller --roller-radius "6 mm" '
+        '--least-radius "10 mm"',
     ),
     arrays=False,
     tracked=False,
@@ -66,10 +71,10 @@ CHECK = Task(
         "certified extremes",
         HERE + "check:check",
         source=BOOK,
-        formula="undercut where w·(1 − R_r·κ) ≤ 0; lift lost = s − (lift resting on the corner left); "
-        "ω² = min k·(s + δ)/(−m·s″)",
+        formula="undercut where w·(1 − R_r·κ) ≤ 0 or the curve crosses itself; "
+        "lift lost = s − (lift resting on the corner left); ω² = min k·(s + δ)/(−m·s″)",
         assumptions=(RADIAL, RIGID),
-        method="Chebyshev proxies; Newton for the corner",
+        method="Chebyshev proxies; crossings of the envelope by halving and Newton",
     ),
     examples=(
         f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '

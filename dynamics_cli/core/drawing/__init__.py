@@ -50,11 +50,15 @@ def check_asked(task: "Task", name: str, output: str) -> None:
         need()
 
 
-def files_of(task: "Task", record: "Any", name: str, units: str) -> "tuple[list[File], list[dict[str, Any]]]":
+def files_of(
+    task: "Task", record: "Any", given: "tuple[list[Any], dict[str, Any]]", name: str, units: str
+) -> "tuple[list[File], list[dict[str, Any]]]":
     """The files of one case, still to be written, and their entries in the document."""
     form = _extension(name)
     if form in task.writers:
-        made = load(task.writers[form])(record)
+        writer = load(task.writers[form])
+        words, options = given if writer.__code__.co_argcount > 1 else ([], {})
+        made = writer(record, *words, **options)
         data = made.encode() if isinstance(made, str) else bytes(made)
         entry: dict[str, Any] = {**entry_of(name, data), "written": True}
     else:

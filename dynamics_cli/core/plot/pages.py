@@ -148,6 +148,8 @@ def _slenderness(panel: "Panel") -> float:
 
 
 def _panel(axes: "Any", panel: "Panel", system: str) -> None:
+    from matplotlib.ticker import MultipleLocator
+
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     axes.set_xlabel(x.label)
     axes.set_ylabel(y.label)
@@ -170,10 +172,11 @@ def _panel(axes: "Any", panel: "Panel", system: str) -> None:
         axes.margins(x=0.2, y=0.12)
     if _legend(panel):
         axes.legend(**_legend_place(axes, panel))
-    if panel.x.ends:
-        axes.set_xlim(x(panel.x.ends))
-    if panel.y.ends:
-        axes.set_ylim(y(panel.y.ends))
+    for axis, scale, limit, side in ((panel.x, x, axes.set_xlim, axes.xaxis), (panel.y, y, axes.set_ylim, axes.yaxis)):
+        if axis.ends is not None:
+            limit(*scale(axis.ends))
+        if axis.step:
+            side.set_major_locator(MultipleLocator(scale.width(axis.step)))
 
 
 def _legend(panel: "Panel") -> "list[str]":
