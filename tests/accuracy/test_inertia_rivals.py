@@ -17,6 +17,7 @@ GENERATORS = Path(__file__).resolve().parents[1] / "references"
 FILES = ("eigen.json", "inertia_bodies.json", "inertia_mesh.json", "inertia_sections.json")
 CHOICES = (
     "thin walls", "inertia body", "principal moments", "mesh moments", "shell moments", "inertia section",
+    "principal axes, by relative gap",
     "mesh moments, 32,768 triangles",
 )  # fmt: skip
 
@@ -34,6 +35,8 @@ def test_every_task_that_has_numbers_of_its_own_is_asked_about() -> None:
 def test_every_bound_is_stated_and_held(rows: list[dict[str, Any]]) -> None:
     chosen = [row for row in rows if "(chosen)" in row["method"]]
     assert len(chosen) == len(catalogue.questions("inertia", ""))
+    # the direction of an axis is no number with a bound
+    chosen = [row for row in chosen if not row["question"].startswith("principal axes")]
     assert [row["question"] for row in chosen if row["bound"] != "bound held"] == []
     assert [row["question"] for row in chosen if row["refused"]["value"]] == []
 

@@ -16,6 +16,7 @@ QUESTIONS = (
     Comparison("inertia", "compare", "inertia compare", BODIES + "compare_pairs"),
     Comparison("inertia", "tensor", "inertia tensor", BODIES + "compare_tensors"),
     Comparison("inertia", "tensor", "principal moments", EIGEN + "compare"),
+    Comparison("inertia", "tensor", "principal axes, by relative gap", EIGEN + "compare_axes"),
     Question(
         "inertia", "torque", "inertia torque", "inertia_bodies.json", "torque",
         Method("differences of moments", "dynamics_cli.inertia.torque:torque", chosen=True, tracked=True),
