@@ -23,6 +23,7 @@ QUESTIONS = (
     ),
     Comparison("inertia", "mesh", "mesh moments", MESH + "compare", peers=PEERS),
     Comparison("inertia", "mesh", "mesh moments, 32,768 triangles", MESH + "compare_large", peers=PEERS),
-    Comparison("inertia", "section", "inertia section", RIVALS + "sections:compare"),
+    Comparison("inertia", "mesh", "mesh moments, faces that overlap", MESH + "compare_overlapping"),
     Comparison("inertia", "mesh", "shell moments", MESH + "compare_shells"),
+    Comparison("inertia", "section", "inertia section", RIVALS + "sections:compare"),
 )  # fmt: skip
