@@ -127,18 +127,18 @@ def _tracked() -> type:
 
 def compose_scene(scene: Assembly) -> "Composed":
     """Put an assembly together; tracked numbers carry their rounding along, and their slopes where these are few."""
-    parts, width = _carried(scene.parts)
+    given = _width(scene.parts)
+    parts, width = _carried(scene.parts, given)
     walk = Walk(width)
     walk.into(parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     require(walk.leaves, "the assembly has no body", code="empty")
-    return composed(walk, asked=_width(scene.parts) is not None)
+    return composed(walk, asked=given is not None)
 
 
-def _carried(parts: "tuple[Part, ...]") -> "tuple[tuple[Part, ...], int | None]":
+def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part, ...], int | None]":
     """The parts with as much on their numbers as is worth its time, and how many slopes that is (None: bare)."""
     from dynamics_cli.numerics.tracked import Tracked
 
-    width = _width(parts)
     if width is None or width <= MOST_SLOPES:
         return parts, width
     if _count(parts) > BOUNDED_PARTS:
@@ -148,6 +148,8 @@ def _carried(parts: "tuple[Part, ...]") -> "tuple[tuple[Part, ...], int | None]"
 
 def _width(tree: "Any") -> int | None:
     """How many slopes the first tracked number of a tree has; None when its numbers are bare."""
+    if tree is None or type(tree) is float:
+        return None
     if hasattr(tree, "slopes"):
         return len(tree.slopes)
     if isinstance(tree, tuple):

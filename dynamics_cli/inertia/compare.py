@@ -235,7 +235,7 @@ def _tilt(one: "Composed") -> float:
         ]
         room = min(gaps) - off**0.5
         squares += off / (room * room) if room > 0.0 else inf
-    return (0.5 * squares) ** 0.5
+    return float((0.5 * squares) ** 0.5)
 
 
 def _error(x: float) -> float:

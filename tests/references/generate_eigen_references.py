@@ -1,7 +1,8 @@
-"""Writes eigen.json: eigenvalues of symmetric 3 × 3 matrices, to 40 digits, as roots of the characteristic polynomial.
+"""Writes eigen.json: eigenvalues and axes of symmetric 3 × 3 matrices, to 40 digits.
 
-The program rotates by Jacobi; here the cubic is solved with 400 digits. Matrices are doubles, taken as exact.
-Run: python tests/references/generate_eigen_references.py [FILE]. The same bytes every time.
+The program rotates by Jacobi; here the cubic is solved with 400 digits, and axes are across the rows of A − λ·1.
+Matrices are doubles, taken as exact. Run: python tests/references/generate_eigen_references.py [FILE]. The same bytes
+every time.
 """
 
 import json
@@ -53,15 +54,30 @@ def eigenvalues(rows):
     return sorted((mp.re(root) for root in roots), reverse=True)
 
 
+def axis(rows, value):
+    """The unit vector that A − λ·1 takes to nothing: across its rows, by the two that span the most."""
+    a = [[mpf(x) - (value if i == j else 0) for j, x in enumerate(row)] for i, row in enumerate(rows)]
+    cross = [
+        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+        for p, q in ((a[0], a[1]), (a[1], a[2]), (a[2], a[0]))
+    ]
+    best = max(cross, key=lambda v: sum(x * x for x in v))
+    size = mp.sqrt(sum(x * x for x in best))
+    return [x / size for x in best]
+
+
 def main() -> None:
     mp.dps = 400
     lines = []
     for kind, name, why, rows in matrices():
         case = {"task": "eigen", "kind": kind, "name": name, **({"why": why} if why else {})}
         inputs = {"rows": [[repr(x) for x in row] for row in rows]}
-        results = {f"values[{i}]": mp.nstr(value, 40) for i, value in enumerate(eigenvalues(rows))}
+        found = eigenvalues(rows)
+        results = {f"values[{i}]": mp.nstr(value, 40) for i, value in enumerate(found)}
+        for i, value in enumerate(found):
+            results |= {f"axes[{i}][{j}]": mp.nstr(x, 40) for j, x in enumerate(axis(rows, value))}
         lines.append(json.dumps({**case, "inputs": inputs, "results": results}))
-    about = "Written by generate_eigen_references.py: eigenvalues of matrices of doubles, to 40 digits."
+    about = "Written by generate_eigen_references.py: eigenvalues and axes of matrices of doubles, to 40 digits."
     text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
     (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "eigen.json").write_text(text, encoding="utf-8")
 

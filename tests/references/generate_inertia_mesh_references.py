@@ -195,6 +195,7 @@ def main(file: Path) -> None:
     mp.dps = 90
     out = []
     every = [("mesh", *case) for case in cases()] + [("large mesh", *case) for case in large_cases()]
+    every += [("overlapping mesh", "hard", *case) for case in inertia_found.OVERLAPPING]
     for task, kind, name, why, inputs in every:
         case = {"task": task, "kind": kind, "name": name, **({"why": why} if why else {})}
         out.append({**case, "inputs": written(inputs), "results": integrals(inputs)})

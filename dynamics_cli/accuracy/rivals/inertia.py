@@ -16,12 +16,14 @@ QUESTIONS = (
     Comparison("inertia", "compare", "inertia compare", BODIES + "compare_pairs"),
     Comparison("inertia", "tensor", "inertia tensor", BODIES + "compare_tensors"),
     Comparison("inertia", "tensor", "principal moments", EIGEN + "compare"),
+    Comparison("inertia", "tensor", "principal axes, by relative gap", EIGEN + "compare_axes"),
     Question(
         "inertia", "torque", "inertia torque", "inertia_bodies.json", "torque",
         Method("differences of moments", "dynamics_cli.inertia.torque:torque", chosen=True, tracked=True),
     ),
     Comparison("inertia", "mesh", "mesh moments", MESH + "compare", peers=PEERS),
     Comparison("inertia", "mesh", "mesh moments, 32,768 triangles", MESH + "compare_large", peers=PEERS),
-    Comparison("inertia", "section", "inertia section", RIVALS + "sections:compare"),
+    Comparison("inertia", "mesh", "mesh moments, faces that overlap", MESH + "compare_overlapping"),
     Comparison("inertia", "mesh", "shell moments", MESH + "compare_shells"),
+    Comparison("inertia", "section", "inertia section", RIVALS + "sections:compare"),
 )  # fmt: skip

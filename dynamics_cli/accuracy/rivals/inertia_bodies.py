@@ -117,15 +117,22 @@ def transport(mass: float, d: "Array") -> "Array":
     return mass * (d @ d * np.eye(3) - np.outer(d, d))  # type: ignore[no-any-return]
 
 
+def _middle(parts: "list[tuple[float, Array, Array]]") -> "tuple[float, Array]":
+    """Mass and mass centre."""
+    import numpy as np
+
+    mass = sum(part[0] for part in parts)
+    return mass, np.sum([m * c for m, c, _ in parts], axis=0) / mass
+
+
 def from_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
     """The textbook: tensors summed about the origin, I = I₀ − m (c²·1 − c cᵀ) at the end, LAPACK."""
     import numpy as np
 
     def answer() -> "dict[str, Any]":
         parts = placed(case)
-        mass = sum(part[0] for part in parts)
-        centre = sum(m * c for m, c, _ in parts) / mass
-        whole = sum(inner + transport(m, c) for m, c, inner in parts) - transport(mass, centre)
+        mass, centre = _middle(parts)
+        whole = np.sum([inner + transport(m, c) for m, c, inner in parts], axis=0) - transport(mass, centre)
         return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
 
     return answer
@@ -137,9 +144,8 @@ def from_centre(case: "Case") -> "Callable[[], dict[str, Any]]":
 
     def answer() -> "dict[str, Any]":
         parts = placed(case)
-        mass = sum(part[0] for part in parts)
-        centre = sum(m * c for m, c, _ in parts) / mass
-        whole = sum(inner + transport(m, c - centre) for m, c, inner in parts)
+        mass, centre = _middle(parts)
+        whole = np.sum([inner + transport(m, c - centre) for m, c, inner in parts], axis=0)
         return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
 
     return answer

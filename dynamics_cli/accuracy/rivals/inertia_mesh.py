@@ -258,6 +258,11 @@ def compare_large(name: str, *, hard: bool, full: bool, timed: bool, peers: "tup
     return rows_of(name, _cases("large mesh", hard=hard), methods, full=full, timed=timed)
 
 
+def compare_overlapping(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Solids that single precision has left with faces through one another, and little between them."""
+    return rows_of(name, _cases("overlapping mesh", hard=hard), METHODS, full=full, timed=timed)
+
+
 def compare_shells(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Thin shells along the triangles."""
     return rows_of(name, _cases("mesh", hard=hard, shell=True), SHELLS, full=full, timed=timed)

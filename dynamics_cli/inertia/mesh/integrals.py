@@ -126,7 +126,7 @@ class Sums:
         more, other = np.minimum(np.sqrt(self.count) * self.grain, np.sqrt(squares.sum(axis=1)))
         # Cauchy and Schwarz: Σ |eᵢ fⱼ| ≤ √(Σ eᵢ² Σ fⱼ²)
         turned = [more * (f[k - 1] + f[k - 2]) + other * (e[k - 1] + e[k - 2]) + 2.0 * more * other for k in range(3)]
-        return exact + np.array(turned)
+        return exact + np.array(turned)  # type: ignore[no-any-return]
 
     def add(self, x: "Array") -> None:
         """Add a block seen from the reference point, coordinates by vectors a, e, f by triangles; overwrites it."""

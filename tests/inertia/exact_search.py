@@ -1,0 +1,126 @@
+"""A search for bounds of meshes and sections below the true error, against exact rationals.
+
+    python tests/inertia/exact_search.py [SECONDS [SEED]]
+
+Meshes are stretched to needles and plates, turned, moved far off and rounded to single precision; sections are thin,
+turned and far off. The worst that were found are among the shipped cases.
+"""
+
+import math
+import random
+import sys
+import time
+from collections.abc import Callable, Iterator
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "references"))
+
+import generate_inertia_mesh_references as meshes
+import generate_inertia_sections_references as sections
+import numpy as np
+from mpmath import mp, mpf, nstr
+
+from dynamics_cli.accuracy.cases import Case
+from dynamics_cli.accuracy.rivals import inertia_bodies, inertia_mesh, inertia_sections
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.inertia.lump import tensor_of
+from dynamics_cli.inertia.mesh.lift import Lift
+from dynamics_cli.inertia.mesh.measured import Measured, require_closed
+from dynamics_cli.inertia.mesh.stl import Corners
+from dynamics_cli.inertia.mesh.surface import LengthUnit
+
+# A result's address, its true value to 40 digits, and the program's with its bound.
+Result = tuple[str, str, Any]
+
+
+def between(rng: random.Random, low: float, high: float) -> float:
+    """A number of any order of magnitude."""
+    return math.exp(rng.uniform(math.log(low), math.log(high)))
+
+
+def mesh(rng: random.Random) -> Iterator[Result]:
+    """A solid or a shell that exact arithmetic says has a volume."""
+    stretch = [1.0, between(rng, 1e-7, 1.0), between(rng, 1e-7, 1.0)]
+    rng.shuffle(stretch)
+    turn = [rng.uniform(-1.0, 1.0) for _ in range(4)]
+    offset = [rng.choice((0.0, 1.0)) * rng.uniform(-1.0, 1.0) * 10.0 ** rng.uniform(0.0, 8.0) for _ in range(3)]
+    solid = rng.choice(("ball 1", "box", "tetrahedron", "bracket", "hollow ball", "ball 2"))
+    single, shell = rng.random() < 0.15, rng.random() < 0.2
+    recipe = meshes.recipe(solid, stretch, turn, offset, single=single, shell=shell)
+    mp.dps = 60
+    true = meshes.integrals(recipe)
+    corners = np.array(meshes.triangles(recipe)).reshape(-1, 3)
+    source = Corners("", "", corners, np.arange(len(corners)).reshape(-1, 3))
+    found = Measured(source, shell=shell)
+    if not shell:
+        require_closed(found, allowed=False)
+    lift = Lift(found, LengthUnit("m"), 0)
+    tensor = tensor_of(lift.second(1.0))
+    made = inertia_mesh.named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
+    yield from ((name, text, made[name]) for name, text in true.items())
+
+
+def section(rng: random.Random) -> Iterator[Result]:
+    """A polygon, a thin turned strip, a thin tube, or two pieces, near or far off."""
+    kind = rng.randrange(4)
+    x, y = (rng.choice((0.0, 1.0)) * sign * 10.0 ** rng.uniform(0.0, 12.0) for sign in (1.0, -1.0))
+    if kind == 0:
+        inputs: dict[str, Any] = {
+            "polygon": sections.star(rng, 10.0 ** rng.uniform(0.0, 8.0), (x, y), rng.randrange(3))
+        }
+    elif kind == 1:
+        inputs = {"polygon": sections.strip(1.0, 10.0 ** -rng.uniform(0.0, 10.0), rng.randrange(3), (x, y))}
+    elif kind == 2:
+        outer = between(rng, 1e-3, 1e3)
+        inner = min(outer * (1.0 - 2.0 * between(rng, 1e-14, 0.4)), math.nextafter(outer, 0.0))
+        inputs = {"pieces": [{"diameter": outer, "x": x, "y": y}], "holes": [{"diameter": inner, "x": x, "y": y}]}
+    else:
+        plate = {"width": between(rng, 1e-6, 1.0), "height": between(rng, 1e-6, 1.0), "x": x}
+        inputs = {"pieces": [plate, {"diameter": between(rng, 1e-6, 0.1), "x": x + 3.0, "y": rng.uniform(-2.0, 2.0)}]}
+    # coordinates made in multiple precision are rounded before they are exact
+    inputs = {key: [_plain(item) for item in items] for key, items in inputs.items()}
+    case = Case({"task": "section", "kind": "hard", "name": "", "inputs": sections.written(inputs), "results": {}})
+    made = inertia_sections.exact(**inertia_bodies.arguments(case))
+    mp.dps = 90
+    for name, value in sections.results(inputs).items():
+        yield name, nstr(value, 40) if abs(value) > mpf(10) ** -60 else "0.0", made[name]
+
+
+def _plain(item: Any) -> Any:
+    return {name: float(value) for name, value in item.items()} if isinstance(item, dict) else float(item)
+
+
+def short(make: Callable[[random.Random], Iterator[Result]], rng: random.Random) -> tuple[int, list[str]]:
+    """How many results one body gave, and which of them lie beyond their bound; none where it is refused."""
+    try:
+        results = list(make(rng))
+    except (InadmissibleError, ZeroDivisionError):
+        # a body that rounding has turned inside out, or left nothing of
+        return 0, []
+    found = []
+    for name, text, own in results:
+        true = Decimal(text)
+        error = abs(Decimal(own.value) - true) - abs(true) * Decimal("1e-38")
+        if error > Decimal(own.error):
+            found.append(f"{make.__name__} {name}: off by {error:.3g}, bound {own.error:.3g}")
+    return len(results), found
+
+
+def main() -> None:
+    """Search as long as asked."""
+    seconds, seed = (float(sys.argv[1]) if len(sys.argv) > 1 else 60.0), int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    for make in (mesh, section):
+        rng, until, bodies, results = random.Random(seed), time.monotonic() + 0.5 * seconds, 0, 0
+        while time.monotonic() < until:
+            count, found = short(make, rng)
+            bodies, results = bodies + (count > 0), results + count
+            for line in found:
+                print(line, flush=True)
+        print(f"{make.__name__}: {bodies} bodies, {results} results")
+
+
+if __name__ == "__main__":
+    main()
