@@ -210,7 +210,7 @@ RIVALS = (
     Rival("Taylor of order 24, strides of half the radius", taylor(24, 0.5)),
     Rival("scipy DOP853, 1e-12", dop853(1e-12), needs="scipy"),
     Rival("scipy DOP853, 1e-6", dop853(1e-6), needs="scipy"),
-    Rival("RK4, 100 steps", steps(_rk4, 100)),
+    Rival("RK4, 40 steps", steps(_rk4, 40)),
     Rival("RK4, 10 steps", steps(_rk4, 10)),
     Rival("Euler, 1,000 steps", steps(_euler, 1000)),
 )
