@@ -91,8 +91,8 @@ def stated(case: Case) -> float:
 
     c = Contact(case)
     end = travel(c.k, c.u, c.mu, c.e, c.law)
-    size = sqrt(sum(part * part for part in end.impulse))
-    return ROUNDINGS * max(1.0, max(c.k[0][0], c.k[1][1], c.k[2][2]) * size / -c.u[2])
+    most: float = max(c.k[0][0], c.k[1][1], c.k[2][2])
+    return ROUNDINGS * max(1.0, most * sqrt(sum(part * part for part in end.impulse)) / -c.u[2])
 
 
 def _euler(c: Contact, y: "State", step: float) -> "State":
@@ -179,8 +179,7 @@ def dop853(tolerance: float) -> "Callable[[Case], Callable[[], Vector]]":
                 def ends(_: float, y: "Any", compression: float = compression, done: float = done) -> float:
                     return float(c.aim(y, compression, done))
 
-                for event in (stops, ends):
-                    event.terminal = True  # type: ignore[attr-defined]
+                stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
                 ends.direction = 1.0  # type: ignore[attr-defined]
                 found = solve_ivp(
                     rhs, [0.0, longest], y, method="DOP853", events=[stops, ends], rtol=tolerance,
