@@ -148,7 +148,7 @@ class Tracked:
 
 
 def _exact_sum(a: float, b: float) -> bool:
-    """Whether nothing of a sum is rounded away, as of nearly equal numbers subtracted: Knuth's error of a sum is zero."""
+    """Whether nothing of a sum is rounded away (Knuth's error of it is zero), as of nearly equal numbers subtracted."""
     total = a + b
     part = total - a
     return (a - (total - part)) + (b - part) == 0.0
