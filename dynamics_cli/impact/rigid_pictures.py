@@ -11,7 +11,7 @@ from dynamics_cli.impact.planar import meeting_of
 from dynamics_cli.impact.space import frame_about, mobility, unit
 from dynamics_cli.impact.spatial import approach
 from dynamics_cli.impact.spatial import solid as solid_in_space
-from dynamics_cli.impact.straight import X, Y
+from dynamics_cli.impact.straight import Slip, X, Y, rates_along, settled
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Friction, Impulse, Length, RoadSpeed, Speed
 
@@ -174,6 +174,15 @@ def _hodograph(
     slips, impulses = [before], [0.0]
     for _ in range(200):
         if friction == 0.0 or math.hypot(state[X], state[Y]) <= 1e-9 * (abs(before[0]) + abs(before[1])):
+            break
+        way = settled(k, friction, Slip(state))
+        if way is not None:
+            _, growth, slope = rates_along(k, way, friction)
+            speed = state[X] * way[0] + state[Y] * way[1]
+            more = min(until - state[3], -speed / growth if growth < 0.0 else math.inf)
+            speed += growth * more
+            slips.append((speed * way[0], speed * way[1], state[2] + slope * more))
+            impulses.append(state[3] + more)
             break
         coefficients = series(k, friction, state, POINTS)
         step = reach_of(coefficients, POINTS, STRIDE)

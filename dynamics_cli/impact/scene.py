@@ -17,6 +17,7 @@ from dynamics_cli.impact.space import (
     frame_about,
     mobility,
     nose_in_plane,
+    relative_velocity,
     require_inertia,
     subtract,
     unit,
@@ -58,7 +59,7 @@ class _Seen:
         require(
             one.mass is not None or two.mass is not None, "both bodies are fixed: nothing can give way", code="no-mass"
         )
-        slip = subtract(one.contact_velocity(), two.contact_velocity())
+        slip = relative_velocity(one, two)
         self.frame = frame_about(self.inward, slip)
         self.before = approach(self.bodies, self.frame)
         # the first tangent is the direction of slip
@@ -227,7 +228,7 @@ def _smooth(seen: _Seen, name: str, advice: tuple[Advice, ...]) -> SpatialImpact
         history="slip without friction" if before[0] or before[1] else "no slip",
         slip_impulse=impulse,
     )
-    numerics = Numerics(f"closed form of a {name}", bounds((one, two), k, before, end))
+    numerics = Numerics(f"closed form of a {name}", bounds((one, two), seen.frame, k, before, end))
     return certified(end, (one, two), seen.frame, k, before, 0.0, seen.contact, seen.law, numerics, advice)
 
 
@@ -268,7 +269,8 @@ def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Spa
     )
     turns = seen.turns and seen.friction > 0.0
     numerics = Numerics(
-        "closed-form Routh–Keller path in the plane of normal and slip", bounds(seen.bodies, k, seen.before, end)
+        "closed-form Routh–Keller path in the plane of normal and slip",
+        bounds(seen.bodies, seen.frame, k, seen.before, end),
     )
     advice = _neglects(("the turning of the slip out of its plane", turns))
     return certified(

@@ -9,6 +9,9 @@ from dynamics_cli.numerics.elementary import hypot, multiply_add, sqrt
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 ZERO = 0.0, 0.0, 0.0
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
 class SolidInSpace:
@@ -53,9 +56,31 @@ class SolidInSpace:
 
 def residual(row: Vector, vector: Vector, given: float) -> float:
     """row·vector − given, rounded once."""
-    products = [a * b for a, b in zip(row, vector, strict=True)]
-    lost = [multiply_add(a, b, -product) for a, b, product in zip(row, vector, products, strict=True)]
-    return fsum([*products, *lost, -given])
+    return fsum([*exact_products(zip(row, vector, strict=True)), -given])
+
+
+def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
+    """Products and what their rounding took from them: the sum of all is that of the exact products."""
+    found = []
+    for a, b in pairs:
+        product = a * b
+        found += [product, multiply_add(a, b, -product)]
+    return found
+
+
+def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:
+    """Velocity of body 1 relative to body 2 at the contact, each part rounded once: what is left may be a last bit."""
+    parts = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        turning = [
+            (one.spin[j], one.lever[k]),
+            (-one.spin[k], one.lever[j]),
+            (-two.spin[j], two.lever[k]),
+            (two.spin[k], two.lever[j]),
+        ]
+        parts.append(fsum([one.velocity[i], -two.velocity[i], *exact_products(turning)]))
+    return parts[0], parts[1], parts[2]
 
 
 def nose_in_plane(nose: Vector | None, velocity: Vector) -> Pair:

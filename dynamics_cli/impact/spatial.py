@@ -13,6 +13,7 @@ from dynamics_cli.impact.space import (
     frame_about,
     mobility,
     nose_in_plane,
+    relative_velocity,
     require_inertia,
     subtract,
     unit,
@@ -214,13 +215,13 @@ def answer_in_space(
     k = mobility(bodies, frame)
     end = travel(k, before, friction, contact.restitution, law)
     how = f"Taylor series of order 24, {end.steps} steps of slip" if end.steps else "closed form: no slip to follow"
-    numerics = Numerics(how, bounds(bodies, k, before, end))
+    numerics = Numerics(how, bounds(bodies, frame, k, before, end))
     return certified(end, bodies, frame, k, before, friction, contact, law, numerics, advice)
 
 
 def approach(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Vector:
     """Relative velocity at the contact in its frame; refuses bodies that do not approach."""
-    relative = subtract(bodies[0].contact_velocity(), bodies[1].contact_velocity())
+    relative = relative_velocity(*bodies)
     before = dot(relative, frame[0]), dot(relative, frame[1]), dot(relative, frame[2])
     require_approach(-before[2])
     return before

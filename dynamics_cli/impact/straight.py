@@ -105,14 +105,19 @@ def restitution_of(slip: Slip, speed: float, slope: float, approach: float, rest
     return (2.0 * left / (speed + after) if after > 0.0 else 0.0), after
 
 
-def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float, restitution: float, law: str) -> bool:
-    """Slip along one direction until it stops or the law's end, whichever is first; whether this was the end of all."""
+def rates_along(k: "Matrix", way: "Pair", friction: float) -> "tuple[Pair, float, float]":
+    """Friction, growth of the slip and of the normal velocity per normal impulse, while slip keeps a direction."""
     (k11, k12, k13), (_, k22, k23), (_, _, k33) = k
-    state = slip.state
-    speed = state[X] * way[0] + state[Y] * way[1]
     ratio = -friction * way[0], -friction * way[1]
     growth = way[0] * (k13 + k11 * ratio[0] + k12 * ratio[1]) + way[1] * (k23 + k12 * ratio[0] + k22 * ratio[1])
-    slope = k33 + k13 * ratio[0] + k23 * ratio[1]
+    return ratio, growth, k33 + k13 * ratio[0] + k23 * ratio[1]
+
+
+def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float, restitution: float, law: str) -> bool:
+    """Slip along one direction until it stops or the law's end, whichever is first; whether this was the end of all."""
+    state = slip.state
+    speed = state[X] * way[0] + state[Y] * way[1]
+    ratio, growth, slope = rates_along(k, way, friction)
     left = -speed / growth if growth < 0.0 else inf
 
     def ahead(more: float) -> None:

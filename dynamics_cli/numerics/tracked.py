@@ -63,11 +63,8 @@ class Tracked:
                 return self
             return self._result(self.value + other, self.error, self.slopes)
         slopes = tuple(a + b for a, b in zip(self.slopes, other.slopes, strict=True))
-        value = self.value + other.value
-        # Knuth: what rounding took from the sum, which is nothing when nearly equal numbers are subtracted
-        part = value - self.value
-        exact = (self.value - (value - part)) + (other.value - part) == 0.0
-        return self._result(value, self.error + other.error, slopes, 0.0 if exact else 1.0)
+        exact = _exact_sum(self.value, other.value)
+        return self._result(self.value + other.value, self.error + other.error, slopes, 0.0 if exact else 1.0)
 
     __radd__ = __add__
 
@@ -155,6 +152,13 @@ class Tracked:
             for column in zip(*(argument.slopes for argument in tracked), strict=True)
         )
         return self._result(value, spread, slopes, roundings)
+
+
+def _exact_sum(a: float, b: float) -> bool:
+    """Whether nothing of a sum is rounded away (Knuth's error of it is zero), as of nearly equal numbers subtracted."""
+    total = a + b
+    part = total - a
+    return (a - (total - part)) + (b - part) == 0.0
 
 
 def _lost(value: float, *factors: float) -> float:

@@ -213,7 +213,7 @@ def precision() -> None:
 def space() -> None:
     """Time against error in space."""
     from mpmath import mp, mpf
-    from references.impact_keller import impact
+    from references.impact_keller import Impact
 
     mp.dps = 40
     r = random.Random(6)
@@ -227,7 +227,7 @@ def space() -> None:
         if in_space(k, u, mu, e, "stronge").history != "slip":
             # by impulse, as DOP853 goes here, the equations are singular where slip stops
             continue
-        scenes.append((k, u, mu, e, impact(k, u, mu, e, "stronge")[0]))
+        scenes.append((k, u, mu, e, [mpf(str(part)) for part in Impact(k, u, mu, e, "stronge").impulse]))
 
     def error(function: Callable[..., Any]) -> float:
         found = 0.0

@@ -37,11 +37,24 @@ def test_there_are_enough_hard_cases() -> None:
 
 @pytest.mark.parametrize("task", TRACKED)
 def test_errors_are_a_few_ulps_where_well_conditioned(task: str) -> None:
-    measured = [one for case in cases(task) for one in measure(TASKS[task], case)]
+    measured = [one for case in cases(task) if not found(case) for one in measure(TASKS[task], case)]
     judged = [one for one in measured if one.condition <= WELL_CONDITIONED and one.reference != 0]
     assert len(judged) > len(measured) / 2
     worst = max(judged, key=lambda one: one.ulps)
     assert worst.ulps <= MOST_ULPS, worst
+
+
+def found(case: dict[str, Any]) -> bool:
+    """Whether search found it."""
+    return case.get("why", "").startswith("found by search")
+
+
+@pytest.mark.parametrize("task", TRACKED)
+def test_the_worst_that_search_found_is_a_few_roundings_of_the_inputs(task: str) -> None:
+    measured = [one for case in cases(task) if found(case) for one in measure(TASKS[task], case)]
+    assert measured
+    for one in measured:
+        assert one.ulps <= 6.0 * max(one.condition, 1.0), one
 
 
 def test_chains_are_right_to_a_few_roundings_of_the_fastest_body() -> None:

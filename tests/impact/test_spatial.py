@@ -48,7 +48,7 @@ def test_impulses_are_right_within_the_stated_tolerance(case: dict[str, Any]) ->
     k, u = case["inputs"]["mobility"], case["inputs"]["velocity"]
     stretch = max(1.0, max(float(k[i][i]) for i in range(3)) * float(size) / -float(u[2]))
     # K and the velocity are given here: their roundings, for which the rest of the bound is, are not in this error
-    limit = 0.05 * ROUNDINGS * stretch * size
+    limit = 0.125 * ROUNDINGS * stretch * size
     assert max(abs(mpf(a) - b) for a, b in zip(found.impulse, exact, strict=True)) <= limit
     assert abs(mpf(found.compression) - mpf(case["results"]["compression"])) <= limit
 
@@ -308,11 +308,15 @@ class TestRefusals:
         bounds = answer(*CALL)["numerics"]["error_bound"]
         assert 1e-14 <= bounds["impulse_magnitude"]["relative"] <= 2e-12
 
-    def test_a_closing_speed_of_last_bits_widens_the_bound(self) -> None:
+    def test_slip_that_a_rounded_normal_lets_into_the_closing_speed_widens_the_bound(self) -> None:
         words = list(CALL)
         words[words.index("--first-velocity") + 1] = "300, 1, -1e-9 m/s"
-        bound = answer(*words)["numerics"]["error_bound"]["impulse_magnitude"]["relative"]
-        assert bound >= 300.0 / 1e-9 * 1e-16
+        along_an_axis = answer(*words)["numerics"]["error_bound"]["impulse_magnitude"]["relative"]
+        assert along_an_axis < 1e-13
+        words[words.index("--normal") + 1] = "1e-3, 0, -1"
+        words[words.index("--first-velocity") + 1] = "300, 1, 0.299999999 m/s"
+        leaning = answer(*words)["numerics"]["error_bound"]["impulse_magnitude"]["relative"]
+        assert leaning >= 300.0 / 1e-9 * 1e-16
 
     @pytest.mark.parametrize(
         ("mass", "lever", "velocity", "friction"),

@@ -3,6 +3,7 @@
 import math
 import random
 from collections.abc import Callable
+from fractions import Fraction
 
 import mpmath
 import pytest
@@ -115,3 +116,17 @@ def test_comparisons_are_of_values() -> None:
     assert not x > y
     assert x == 2.0
     assert max(x, y) is y
+
+
+def test_a_sum_that_is_exact_adds_nothing_to_the_bound() -> None:
+    exact = [(0.07, -0.04), (300.0, -299.99999999999994), (1.5, 0.25), (1.0, 0.0), (5e-324, 5e-324), (1e300, -1e300)]
+    for a, b in exact:
+        one, two = Tracked.inputs([a, b])
+        assert Fraction(a) + Fraction(b) == Fraction(a + b)
+        assert (one + two).error <= 5e-324
+    for a, b in [(0.1, 0.2), (1.0, 2.0**-54), (0.07, 0.04), (1e16, 1.0 + 2.0**-52)]:
+        one, two = Tracked.inputs([a, b])
+        left = abs(Fraction(a) + Fraction(b) - Fraction(a + b))
+        assert 0 < left <= Fraction((one + two).error)
+    one, two = Tracked.inputs([1e308, 1e308])
+    assert (one + two).error == math.inf

@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import acos, atan2, cos, matrix, mp, mpf, pi, polyroots, sin, sqrt
 from references.impact_approaches import approach, approaches
+from references.impact_found import FOUND
 
 mp.dps = 300
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -1097,13 +1098,14 @@ def recorded(task: str, tree: dict[str, Any]) -> dict[str, Any]:
 def cases() -> Iterator[dict[str, Any]]:
     for task, inputs, answer in ALL:
         generator = random.Random(f"impact {task}")
-        for number, (kind, why, own) in enumerate(inputs(generator)):
+        found = [("hard", f"found by search: {why}", own) for why, own in FOUND.get(task, ())]
+        for number, (kind, why, own) in enumerate([*inputs(generator), *found]):
             # what is left of exact zeros after 300 digits
-            found = {
+            exactly = {
                 name: mpf(0) if abs(value) < mpf(10) ** -250 else value for name, value in answer(exact(own)).items()
             }
             case = {"task": task, "kind": kind, "name": f"{task} {number}", **({"why": why} if why else {})}
-            results = {name: mp.nstr(value, 40, min_fixed=0, max_fixed=0) for name, value in found.items()}
+            results = {name: mp.nstr(value, 40, min_fixed=0, max_fixed=0) for name, value in exactly.items()}
             yield {**case, "inputs": recorded(task, own), "results": results}
 
 

@@ -180,7 +180,9 @@ def way_out(k: Any, mu: Number) -> "tuple[Number, Number]":
     turns = [rates(place)[1] for place in places]
     for low, high, a, b in zip(places, places[1:], turns, turns[1:], strict=False):
         if a * b <= 0:
-            angle = mp.findroot(lambda angle: rates(angle)[1], (low, high), solver="anderson", tol=mpf(10) ** -124)
+            angle = mp.findroot(
+                lambda angle: rates(angle)[1], (low, high), solver="anderson", tol=mpf(10) ** (-2 * DIGITS - 12)
+            )
             if rates(angle)[0] > 0:
                 return Decimal(mp.nstr(mp.cos(angle), DIGITS)), Decimal(mp.nstr(mp.sin(angle), DIGITS))
     raise AssertionError("no way out")

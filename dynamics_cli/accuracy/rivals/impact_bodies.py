@@ -156,7 +156,7 @@ def planar_by_pycrash(
     inputs = {"cor": contact.restitution, "cof": friction, "impact_norm_deg": normal / DEGREE + 180.0}
     with contextlib.redirect_stdout(io.StringIO()):
         made = impc_calcs(*bodies, bodies[1].pimpact_x, bodies[1].pimpact_y, inputs)
-    found = {}
+    found: dict[str, float] = {}
     for name, one in zip(("first", "second"), made, strict=True):
         x, y, spin = (float(_last(one[key])) for key in ("dvx", "dvy", "oz_deg"))
         found |= {f"{name}.delta_v.magnitude": hypot(x, y) * MILE_PER_HOUR, f"{name}.spin_change": spin * DEGREE}

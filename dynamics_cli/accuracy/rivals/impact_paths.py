@@ -70,9 +70,9 @@ def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
     from dynamics_cli.impact.path_arrays import planar_impacts
 
     c = Contact(case)
-    given = [np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un)]
+    kt, kx, kn, ut, un = (np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un))
     friction = np.linspace(0.0, 1.0, rows)
-    return lambda: planar_impacts(*given, friction, c.e, law=c.law)
+    return lambda: planar_impacts(kt, kx, kn, ut, un, friction, c.e, law=c.law)
 
 
 def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
@@ -176,8 +176,7 @@ def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "l
             return p - (1.0 + c.e) * compression
         return float(y[3] + (1.0 - c.e * c.e) * done)
 
-    for event in (stops, ends):
-        event.terminal = True  # type: ignore[attr-defined]
+    stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
     ends.direction = 1.0  # type: ignore[attr-defined]
     return [stops, ends]
 

@@ -73,7 +73,7 @@ def compared(
             calls.append(call)
             errors.cases += 1
             errors.note(case.name, error, rival.stated(case) if rival.stated else None)
-        some = calls[:: max(1, len(calls) // 10)]
+        some = calls[:: max(1, len(calls) // 4)]
         time = None
         if timed and some:
             time = seconds(lambda: [call() for call in some], repeats=3, least=pace.least) / len(some)  # noqa: B023
