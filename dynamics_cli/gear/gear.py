@@ -8,6 +8,7 @@ lengths are given back as magnitudes.
 from math import pi
 
 from dynamics_cli.errors import require
+from dynamics_cli.gear.toothing import once
 from dynamics_cli.gear.trochoid import Cutter, transverse
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
@@ -281,17 +282,17 @@ class Gear:
         """Whether the teeth point inwards."""
         return self.teeth < 0
 
-    @property
+    @once
     def transverse_module(self) -> float:
         """m_t = m_n/cos β."""
         return self.module / cos(self.helix_angle)
 
-    @property
+    @once
     def transverse_angle(self) -> float:
         """α_t: tan α_t = tan α_n/cos β."""
         return transverse(self.rack.pressure_angle, self.helix_angle)
 
-    @property
+    @once
     def transverse_cosine(self) -> float:
         """Cos α_t, from the sides of its triangle: accurate also for steep helices."""
         if self.helix_angle == 0.0:
@@ -300,29 +301,29 @@ class Gear:
         across = sin(self.rack.pressure_angle)
         return along / sqrt(across * across + along * along)
 
-    @property
+    @once
     def base_helix_angle(self) -> float:
         """β_b: sin β_b = sin β·cos α_n."""
         sine, cosine = sin(self.rack.pressure_angle), cos(self.rack.pressure_angle)
         along = cosine * cos(self.helix_angle)
         return atan2(sin(self.helix_angle) * cosine, sqrt(sine * sine + along * along))
 
-    @property
+    @once
     def reference_diameter(self) -> float:
         """Reference diameter z·m_t."""
         return self.teeth * self.transverse_module
 
-    @property
+    @once
     def base_diameter(self) -> float:
         """d_b = d·cos α_t."""
         return self.reference_diameter * self.transverse_cosine
 
-    @property
+    @once
     def tip_diameter(self) -> float:
         """d_a = d + 2 m_n (h_a* + x + k)."""
         return self.reference_diameter + 2.0 * self.module * (self.rack.addendum + self.shift + self.tip_change)
 
-    @property
+    @once
     def root_diameter(self) -> float:
         """d_f = d − 2 m_n (h_fP* − x)."""
         return self.reference_diameter - 2.0 * self.module * (self.rack.dedendum - self.shift)
@@ -332,7 +333,7 @@ class Gear:
         """p_bt = π·m_t·cos α_t."""
         return pi * self.transverse_module * cos(self.transverse_angle)
 
-    @property
+    @once
     def base_half_angle(self) -> float:
         """ψ_b: half the angle of a tooth on the base circle; of ISO's sign, negative for an internal gear."""
         across = 0.5 * pi + 2.0 * self.shift * tan(self.rack.pressure_angle)
@@ -359,7 +360,7 @@ class Gear:
         )
         return sqrt((diameter - base) * (diameter + base)) / absolute(base)
 
-    @property
+    @once
     def tip_roll(self) -> float:
         """Roll angle at the tip from q = d_a/d: √((q − c)(q + c))/c with c = cos α_t and q − c free of cancellation."""
         height = self.rack.addendum + self.shift + self.tip_change

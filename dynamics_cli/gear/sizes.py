@@ -162,7 +162,7 @@ def ideal_over(gear: Toothing) -> float:
         2e3 * base,
         code="span-off-flank",
     )
-    length = 2.0 * sqrt((reach - base) * (reach + base)) / gear.base_helix_cosine
+    length = 2.0 * base * gear.shifted_roll / gear.base_helix_cosine
     alpha = gear.pressure_angle
     turns = (length - 2.0 * gear.shift * gear.module * sin(alpha)) / (gear.module * cos(alpha))
     return (turns - gear.teeth * gear.pitch_involute) / pi + 0.5
@@ -286,9 +286,8 @@ def ideal_pin(gear: Toothing) -> float | None:
     """
     reach = gear.pitch_radius + gear.shift * gear.module
     base = gear.base_radius
-    ratio = reach / base
-    require(ratio > 1.0, "d + 2xm lies inside the base circle: no pin touches there", code="pin-off-flank")
-    touch = sqrt((ratio - 1.0) * (ratio + 1.0))
+    require(reach > base, "d + 2xm lies inside the base circle: no pin touches there", code="pin-off-flank")
+    touch = gear.shifted_roll
     helix = gear.base_helix_cosine
     sign = -1.0 if gear.internal else 1.0
     offset = gear.solid_half if gear.internal else gear.hollow_half

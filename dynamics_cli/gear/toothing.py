@@ -3,7 +3,7 @@
 from math import pi
 
 from dynamics_cli.gear.trochoid import transverse
-from dynamics_cli.numerics.elementary import cos, sin, sqrt
+from dynamics_cli.numerics.elementary import cos, maximum, sin, sqrt
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.records import record
 
@@ -77,6 +77,13 @@ class Toothing:
     def base_radius(self) -> float:
         """Base radius r_b."""
         return self.pitch_radius * cos(self.transverse_angle)
+
+    @once
+    def shifted_roll(self) -> float:
+        """Roll angle tan α at d + 2xm; how far that lies above the base circle is a sum, not a difference of radii."""
+        half = sin(0.5 * self.transverse_angle)
+        above = maximum(2.0 * self.pitch_radius * half * half + self.shift * self.module, 0.0)
+        return sqrt(above * (2.0 * self.base_radius + above)) / self.base_radius
 
     @once
     def base_helix_cosine(self) -> float:

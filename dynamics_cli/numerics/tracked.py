@@ -55,14 +55,14 @@ class Tracked:
         return Tracked(other, 0.0, (0.0,) * len(self.slopes))
 
     def _chain(self, slope: float) -> "tuple[float, ...]":
-        return tuple(slope * own for own in self.slopes)
+        return tuple([slope * own for own in self.slopes])
 
     def __add__(self, other: "Tracked | float") -> "Tracked":
         if not isinstance(other, Tracked):
             if other == 0.0:
                 return self
             return self._result(self.value + other, self.error, self.slopes)
-        slopes = tuple(a + b for a, b in zip(self.slopes, other.slopes, strict=True))
+        slopes = tuple([a + b for a, b in zip(self.slopes, other.slopes, strict=True)])
         exact = _exact_sum(self.value, other.value)
         return self._result(self.value + other.value, self.error + other.error, slopes, 0.0 if exact else 1.0)
 
@@ -78,9 +78,11 @@ class Tracked:
         return self if self.value >= 0.0 else -self
 
     def __sub__(self, other: "Tracked | float") -> "Tracked":
-        if not isinstance(other, Tracked) and other == 0.0:
-            return self
-        return self + (-other)
+        if not isinstance(other, Tracked):
+            return self + (-other)
+        slopes = tuple([a - b for a, b in zip(self.slopes, other.slopes, strict=True)])
+        exact = _exact_sum(self.value, -other.value)
+        return self._result(self.value - other.value, self.error + other.error, slopes, 0.0 if exact else 1.0)
 
     def __rsub__(self, other: float) -> "Tracked":
         return (-self) + other
@@ -90,7 +92,7 @@ class Tracked:
         spread = abs(self.value) * b.error + abs(b.value) * self.error + self.error * b.error
         if spread < _UNDERFLOWS and (self.error or b.error):
             spread += _faint(self, b)
-        slopes = tuple(b.value * i + self.value * j for i, j in zip(self.slopes, b.slopes, strict=True))
+        slopes = tuple([b.value * i + self.value * j for i, j in zip(self.slopes, b.slopes, strict=True)])
         value = self.value * b.value
         exact = self.value in _EXACT_FACTORS or b.value in _EXACT_FACTORS
         return self._result(value, spread + _lost(value, self.value, b.value), slopes, 0.0 if exact else 1.0)
@@ -104,7 +106,7 @@ class Tracked:
         spread = (self.error + abs(value) * b.error) / room if room > 0.0 else math.inf
         if spread < _UNDERFLOWS and (self.error or b.error):
             spread += 4.0 * TINY if self.value or self.error else 0.0
-        slopes = tuple((i - value * j) / b.value for i, j in zip(self.slopes, b.slopes, strict=True))
+        slopes = tuple([(i - value * j) / b.value for i, j in zip(self.slopes, b.slopes, strict=True)])
         return self._result(value, spread + _lost(value, self.value), slopes)
 
     def __rtruediv__(self, other: float) -> "Tracked":
@@ -147,9 +149,11 @@ class Tracked:
         if spread < _UNDERFLOWS and any(argument.error for argument in tracked):
             spread += 4.0 * TINY
         slopes = tuple(
-            # a slope without bound, as of a root at zero, is of the inputs that the argument depends on
-            sum([partial * slope for partial, slope in zip(partials, column, strict=True) if slope], 0.0)
-            for column in zip(*(argument.slopes for argument in tracked), strict=True)
+            [
+                # a slope without bound, as of a root at zero, is of the inputs that the argument depends on
+                sum([partial * slope for partial, slope in zip(partials, column, strict=True) if slope], 0.0)
+                for column in zip(*[argument.slopes for argument in tracked], strict=True)
+            ]
         )
         return self._result(value, spread, slopes, roundings)
 

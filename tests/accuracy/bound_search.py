@@ -169,6 +169,18 @@ def _moved(rng: random.Random, start: Start, base: list[float], index: int, step
     return rng.choice(alike) * rng.choice((1.0, 1.0, -1.0, 1.0 + step))
 
 
+# Eigenvalues come from an iteration in doubles, whatever numbers came in: independent_search.py compares them.
+ITERATED = (
+    "principal_",
+    "ellipsoid_axes",
+    "equivalent_",
+    "slack",
+    "extreme_products",
+    "greatest_product",
+    "moment_there",
+)
+
+
 def difference(value: float, exact: Any) -> Any:
     """The error; a direction at the cut between −180 and 180 degrees is one direction."""
     error = abs(Exact(value) - exact)
@@ -195,12 +207,16 @@ def evaluate(start: Start, numbers: list[float], found: Findings) -> bool:
     worse = False
     for address, own, exact, plain in leaves:
         if type(own) is Tracked:
-            if type(exact) is Precise and isfinite(own.error) and isfinite(own.value):
+            if type(exact) is Precise and isfinite(own.error) and isfinite(own.value) and not _iterated(start, address):
                 worse |= _compare(start, numbers, address, own, exact.exact, found)
             own = own.value
         if floats is not tracked and own != plain and not (own != own and plain != plain):
             found.unlike.append(f"{start.task} {address}: {plain!r} is not {own!r}, {start.label}: {numbers}")
     return worse
+
+
+def _iterated(start: Start, address: str) -> bool:
+    return start.task.startswith("inertia ") and address.startswith(ITERATED)
 
 
 def _compare(start: Start, numbers: list[float], address: str, own: Tracked, exact: Any, found: Findings) -> bool:

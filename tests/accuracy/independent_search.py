@@ -5,14 +5,14 @@
 Each question draws inputs of its own kind of hardness, calls the task's function, and compares its results and the
 bounds it states with the functions that made the shipped references (tests/references): exact rationals of the legal
 definitions of units, arc cosines at up to 1,400 digits, laws of motion integrated from their acceleration, every set of
-acting contacts tried, products of tooth numbers. What is exact there is exact here.
+acting contacts tried, products of tooth numbers, eigenvalues by QR at 60 digits. What is exact there is exact here.
 """
 
 import random
 import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from math import pi
+from math import pi, sqrt
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -35,6 +35,8 @@ from dynamics_cli.gear.ratio import ratio
 from dynamics_cli.gear.train import train
 from dynamics_cli.gear.train_scene import Planetary, Stages
 from dynamics_cli.impact.chain import Body, ChainLaw, chain
+from dynamics_cli.inertia.tensor import Whole, tensor
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import ExactQuantity
 
 # What the program gave, what it bounds its error by, and the exact value.
@@ -184,12 +186,41 @@ def choosing(rng: random.Random) -> Iterator[Compared]:
             yield from bounded(answer, f"best[{index}].{name}", value, mpf(rational.numerator) / rational.denominator)
 
 
+def turning(rng: random.Random) -> Iterator[Compared]:
+    """A body from round to needle, turned anyhow, against mpmath's QR method at 60 digits."""
+    seconds = [10.0 ** rng.choice((0.0, rng.uniform(-8.0, 0.0), rng.uniform(-1.0, 0.0))) for _ in range(3)]
+    near = rng.choice((0.0, 1e-15, 1e-9, 1e-3)) * rng.uniform(-1.0, 1.0)
+    seconds[2] = rng.choice((seconds[2], seconds[1] * (1.0 + near)))
+    a, b, c, d = (rng.choice((0.0, 1.0, rng.gauss(0.0, 1.0))) for _ in range(4))
+    size = sqrt(a * a + b * b + c * c + d * d) or 1.0
+    a, b, c, d = (1.0, 0.0, 0.0, 0.0) if size == 1.0 else (a / size, b / size, c / size, d / size)
+    turn = (
+        (a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)),
+        (2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b)),
+        (2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d),
+    )
+    moments = (seconds[1] + seconds[2], seconds[2] + seconds[0], seconds[0] + seconds[1])
+    rows = [[sum(turn[i][k] * moments[k] * turn[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+    whole = tuple(tuple(rows[max(i, j)][min(i, j)] for j in range(3)) for i in range(3))
+    tracked = tuple(tuple(Tracked(x, 0.0, ()) for x in row) for row in whole)
+    answer = tensor(inertia=Whole(tracked))
+    with mp.workdps(60):
+        wanted = sorted(mp.eigsy(mp.matrix([[mpf(x) for x in row] for row in whole]), eigvals_only=True), reverse=True)
+        made = answer.principal_moments
+        found = sorted((made.first, made.second, made.third), key=lambda one: -one.value)
+        for index, (own, exact) in enumerate(zip(found, wanted, strict=True)):
+            # which of equal doubles is which is not told: the largest of their bounds is for all of them
+            bound = max(one.error for one in found if one.value == own.value)
+            yield f"principal_moments[{index}]", own.value, bound, exact
+
+
 # Each question, and how many evaluations the suite can afford: trying all sets of contacts takes 20 ms, a search 1 ms.
 QUESTIONS: dict[str, tuple[Callable[[random.Random], Iterator[Compared]], int]] = {
     "convert": (converting, 10_000),
     "coords": (locating, 10_000),
     "cam rise": (rising, 10_000),
     "impact chain": (chaining, 200),
+    "inertia tensor": (turning, 3_000),
     "gear train": (gearing, 10_000),
     "gear ratio": (choosing, 500),
 }

@@ -29,8 +29,11 @@ def test_no_bound_is_below_the_error(task: str) -> None:
 @pytest.mark.parametrize("task", STARTS)
 def test_bounds_are_tight_in_the_median(task: str) -> None:
     made = found(task)
-    assert 0.0 < made.median <= ROOM
-    assert {address: value for address, value in made.loose().items() if address not in LOOSE.get(task, ())} == {}
+    assert made.looseness
+    assert made.median <= ROOM
+    known = LOOSE.get(task, {})
+    for address, value in made.loose().items():
+        assert value <= next((most for name, most in known.items() if address.startswith(name)), ROOM), address
 
 
 @pytest.mark.parametrize("task", STARTS)
@@ -38,8 +41,12 @@ def test_floats_give_the_bits_of_tracked_numbers(task: str) -> None:
     assert found(task).unlike == []
 
 
-# Results whose own median is above the room, and why.
-LOOSE: dict[str, tuple[str, ...]] = {}
+# Results whose own median is above the room, and what it may be. Gear pairs: sliding, curvature and with them the loss
+# are differences of lengths along the path of contact; a ring's last margin is at the end of the contact, an angle from
+# its cosine.
+LOOSE: dict[str, dict[str, float]] = {
+    "gear pair": {"points[": 200.0, "loss_factor": 200.0, "verdicts[4].margin": 500.0}
+}
 
 
 def test_every_tracked_task_is_searched() -> None:
