@@ -41,7 +41,7 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     rows = results["methods"]
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
     columns = _fitting(_columns(rows, digits), rows, width)
-    made = ["", *_legend(columns, rows, width), *_about(results)]
+    made = ["", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     for block in _blocks(rows):
@@ -55,24 +55,24 @@ def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int
     if not any(row["refused"]["value"] for row in rows):
         there.discard("cases")
     text = "; ".join(words for key, words in LEGEND.items() if key in there)
-    return [f"  {line.removeprefix('  ')}" for line in _wrapped(text, width - 2)]
+    return [f"  {line}" for line in _wrapped(text, width - 2)]
 
 
-def _about(results: "Entry") -> "list[str]":
+def _about(results: "Entry", width: int) -> "list[str]":
     """What times were measured on, libraries of others, and how loose bounds are in all."""
     made = []
     if "looseness" in results:
         loose = results["looseness"]["value"]
-        made.append(f"  stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
+        made.append(f"stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
     if "machine" in results:
         one = results["machine"]
-        made.append(f"  measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
+        made.append(f"measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
     if "peers" in results:
         there = [f"{one['name']} {one['version']}" for one in results["peers"] if one["installed"]]
         gone = [one["name"] for one in results["peers"] if not one["installed"]]
-        made.append(f"  libraries of others: {', '.join(there) or 'none'}")
-        made += [f"  not here: {', '.join(gone)}"] if gone else []
-    return ["", *made] if made else []
+        made.append(f"libraries of others: {', '.join(there) or 'none'}")
+        made += [f"not here: {', '.join(gone)}"] if gone else []
+    return ["", *(f"  {line}" for text in made for line in _wrapped(text, width - 2))] if made else []
 
 
 def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
@@ -83,7 +83,7 @@ def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
 
     return [
         Column("ratio", figure("slower")),
-        Column(f"time {unit}".strip(), figure("time"), 2),
+        Column(f"time {unit}".strip(), figure("time", whole), 2),
         Column(f"arrays {unit}".strip(), figure("array_time"), 3),
         Column("worst", figure("worst", error)),
         Column("median", figure("median", error), 4),
@@ -91,7 +91,7 @@ def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
         Column("median", figure("median_ulp"), 5),
         Column("ours", figure("own_worst", error), 6),
         Column("bound", _bound),
-        Column("pieces", figure("entities")),
+        Column("pieces", figure("entities", whole)),
         Column("cases", _cases),
     ]
 
@@ -101,6 +101,11 @@ def short(value: float, digits: int) -> str:
     if value and not 1e-3 <= abs(value) < 1e5:
         return f"{value:.{max(digits - 2, 0)}e}"
     return quantity(value, "", digits) if abs(value) < 1000 else f"{value:.0f}"
+
+
+def whole(value: float, digits: int) -> str:
+    """A number whose size is seen by its length."""
+    return f"{value:.0f}" if 1e5 <= value < 1e9 else short(value, digits)
 
 
 def error(value: float, digits: int) -> str:

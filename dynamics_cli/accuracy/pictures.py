@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 # What is more exact stands at the left end, what has no digit right at the right one.
 EXACT, WRONG = 1e-17, 1.0
 ENDS = (2e-18, 5.0)
+PIECES = (10.0, 1e6)
 # A panel's axes in points of print, and its letters.
 WIDTH, HEIGHT, LETTER, LINE = 335.0, 165.0, 4.9, 10.0
 # Words beside a point need half a panel at most, so that one side of it has room for them.
@@ -64,14 +65,14 @@ def by_question(made: "Accuracy") -> "list[list[Row]]":
 
 
 def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
-    """All methods in one panel, and the questions that tell most: of each family those with the longest fronts."""
+    """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
     questions = by_question(made)
     ranked: dict[str, list[list[Row]]] = {}
     for rows in questions:
-        if len(rows) > 2:
+        if len(rows) > 2 and rows[0].entities is None:
             ranked.setdefault(rows[0].family, []).append(rows)
     for own in ranked.values():
-        own.sort(key=lambda rows: (-sum(row.front for row in rows), -len(rows)))
+        own.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
     picked: list[list[Row]] = []
     for place in range(max(map(len, ranked.values()), default=0)):
         picked += [own[place] for own in ranked.values() if place < len(own)]
@@ -107,13 +108,14 @@ def overview(several: "list[list[Row]]") -> Panel:
 def question_panel(rows: "list[Row]") -> Panel:
     """One question: its methods by name, and the front."""
     base = rows[0].time or 1.0
-    points = [(_error(row), (row.time or 0.0) / base, _words(row)) for row in rows]
-    axis = _ratios([ratio for _, ratio, _ in points])
-    assert axis.ends is not None
-    title = f"{rows[0].question} (1 = {_amount(base)})"
-    measure = rows[0].measure
-    x = Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
-    return Panel(x, axis, (_front(points, axis.ends[1]), *_marks(points, axis.ends)), title)
+    pieces = rows[0].entities is not None
+    x = Axis("pieces needed", None, True, PIECES) if pieces else _errors_in(rows[0].measure)
+    points = [
+        (float(row.entities or PIECES[1]) if pieces else _error(row), (row.time or 0.0) / base, _words(row))
+        for row in rows
+    ]
+    y = _ratios([ratio for _, ratio, _ in points])
+    return Panel(x, y, (_front(points, x, y), *_marks(points, x, y)), f"{rows[0].question} (1 = {_amount(base)})")
 
 
 def _alone(family: str, rows: "list[Row]") -> Panel:
@@ -121,8 +123,12 @@ def _alone(family: str, rows: "list[Row]") -> Panel:
     points = [(_error(row), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
     times = [time for _, time, _ in points]
     ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
-    y = Axis("time of one evaluation", EvaluationTime, True, ends)
-    return Panel(Axis(ERROR, None, True, ENDS), y, tuple(_marks(points, ends)), f"{family}: one method each")
+    x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends)
+    return Panel(x, y, tuple(_marks(points, x, y)), f"{family}: one method each")
+
+
+def _errors_in(measure: str) -> Axis:
+    return Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
 
 
 def _error(row: "Row") -> float:
@@ -154,21 +160,26 @@ def _ratios(ratios: "list[float]") -> Axis:
     return Axis("time, own method = 1", None, True, ends)
 
 
-def _front(points: "list[Point]", top: float) -> Curve:
+def _front(points: "list[Point]", x: Axis, y: Axis) -> Curve:
     """The edge of what no method reaches: every point above it and to its right is beaten by one on it."""
+    assert x.ends is not None
+    assert y.ends is not None
     across: list[float] = []
-    up = [top]
+    up = [y.ends[1]]
     for error, time, _ in sorted(points):
         if time < up[-1]:
             across += [error, error]
             up += [up[-1], time] if len(up) > 1 else [time]
-    return Curve([*across, ENDS[1]], [*up, up[-1]], "", "dashed", 0)
+    return Curve([*across, x.ends[1]], [*up, up[-1]], "", "dashed", 0)
 
 
-def _marks(points: "list[Point]", ends: "tuple[float, float]") -> "list[Mark]":
+def _marks(points: "list[Point]", across: Axis, up: Axis) -> "list[Mark]":
     """Points with their words where no other words or points are: beside, above or below them."""
+    assert across.ends is not None
+    assert up.ends is not None
     places = [
-        (WIDTH * _share(error, ENDS), HEIGHT * _share(time, ends), LETTER * len(words)) for error, time, words in points
+        (WIDTH * _share(error, across.ends), HEIGHT * _share(time, up.ends), LETTER * len(words))
+        for error, time, words in points
     ]
     taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y, _ in places]
     made = []

@@ -146,15 +146,20 @@ def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
     return [Row(**{**one.__dict__, **more, "front": on_front(one, rows)}) for one in rows]
 
 
+def quality(one: Row) -> float:
+    """What is to be small: the pieces needed, where all keep a tolerance, else the error."""
+    return one.worst if one.entities is None else float(one.entities)
+
+
 def on_front(one: Row, rows: "Sequence[Row]") -> bool:
     """Whether no other method of the question answers as many cases as quickly and as exactly."""
     if one.time is None or not one.cases:
         return False
-    mine = (one.refused, one.time, one.worst)
+    mine = (one.refused, one.time, quality(one))
     for other in rows:
         if other.question != one.question or other.time is None or not other.cases:
             continue
-        theirs = (other.refused, other.time, other.worst)
+        theirs = (other.refused, other.time, quality(other))
         if theirs != mine and all(their <= own for their, own in zip(theirs, mine, strict=True)):
             return False
     return True

@@ -89,7 +89,8 @@ def _of_mcerp(one: "Distribution") -> "Any":
         import math
 
         width = math.sqrt(math.log1p((given["std"] / given["mean"]) ** 2))
-        return mcerp.LogN(math.log(given["mean"]) - 0.5 * width * width, width)
+        # its own LogN takes the median where the mean of the logarithm is meant
+        return mcerp.uv(stats.lognorm(width, scale=given["mean"] * math.exp(-0.5 * width * width)))
     if one.name == "truncated":
         ends = [(given[key] - given["centre"]) / given["width"] for key in ("low", "high")]
         return mcerp.uv(stats.truncnorm(*ends, given["centre"], given["width"]))
