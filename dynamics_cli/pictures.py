@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @record
 class Axis:
-    """One axis: its title, the kind of its SI numbers (None for pure numbers or names), and its ends, if they are set."""
+    """One axis: its title, the kind of its SI numbers (None for pure numbers or names), and its ends, if set."""
 
     title: str
     kind: "Any" = None

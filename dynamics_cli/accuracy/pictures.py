@@ -6,9 +6,8 @@ so that panels can be compared.
 
 from math import ceil, floor, log10
 
-from dynamics_cli.accuracy.rows import CHOSEN
-from dynamics_cli.errors import UsageError
-from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.accuracy.rows import CHOSEN, compared_worst
+from dynamics_cli.pictures import Axis, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import EvaluationTime
 
 TYPE_CHECKING = False
@@ -41,8 +40,7 @@ def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
     """A panel for every question with several methods, one of all of them, and one of each family's other questions."""
     questions = by_question(made)
     if not questions:
-        message = "a work–precision diagram needs times"
-        raise UsageError(message, parameter="plot", code="exclusive", hint="leave out --untimed")
+        return errors_alone(made)
     several = [rows for rows in questions if len(rows) > 1]
     alone: dict[str, list[Row]] = {}
     for rows in questions:
@@ -62,6 +60,18 @@ def by_question(made: "Accuracy") -> "list[list[Row]]":
         if row.time and row.cases:
             questions.setdefault((row.family, row.question), []).append(row)
     return list(questions.values())
+
+
+def errors_alone(made: "Accuracy") -> Picture:
+    """Where there are no times: every method's worst error as a bar, a panel for every question."""
+    questions: dict[tuple[str, str], list[Row]] = {}
+    for row in made.methods:
+        questions.setdefault((row.family, row.question), []).append(row)
+    panels = []
+    for (_, question), rows in questions.items():
+        bars = Bars(tuple(map(_words, rows)), [ENDS[0]] * len(rows), [_error(row) for row in rows])
+        panels.append(Panel(_errors_in(rows[0].measure), Axis(""), (bars,), question))
+    return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
 
 
 def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
@@ -91,10 +101,10 @@ def overview(several: "list[list[Row]]") -> Panel:
         base = rows[0].time or 1.0
         for row in rows:
             if row.method.endswith(CHOSEN):
-                own.append(_error(row))
+                own.append(_error(row, rows))
                 continue
             across, up = points.setdefault("convert" if row.family == "coords" else row.family, ([], []))
-            across.append(_error(row))
+            across.append(_error(row, rows))
             up.append((row.time or 0.0) / base)
     curves = [
         Curve(across, up, f"{family}: rivals", "points", place)
@@ -111,7 +121,7 @@ def question_panel(rows: "list[Row]") -> Panel:
     pieces = rows[0].entities is not None
     x = Axis("pieces needed", None, True, PIECES) if pieces else _errors_in(rows[0].measure)
     points = [
-        (float(row.entities or PIECES[1]) if pieces else _error(row), (row.time or 0.0) / base, _words(row))
+        (float(row.entities or PIECES[1]) if pieces else _error(row, rows), (row.time or 0.0) / base, _words(row))
         for row in rows
     ]
     y = _ratios([ratio for _, ratio, _ in points])
@@ -120,7 +130,7 @@ def question_panel(rows: "list[Row]") -> Panel:
 
 def _alone(family: str, rows: "list[Row]") -> Panel:
     """Questions that only the program's own method answers, with times as they are."""
-    points = [(_error(row), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
+    points = [(_error(row, [row]), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
     times = [time for _, time, _ in points]
     ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
     x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends)
@@ -131,8 +141,9 @@ def _errors_in(measure: str) -> Axis:
     return Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
 
 
-def _error(row: "Row") -> float:
-    return min(max(row.worst, EXACT), WRONG)
+def _error(row: "Row", rows: "list[Row]") -> float:
+    """Where a method of a question stands on the axis of errors."""
+    return min(max(compared_worst(row, rows), EXACT), WRONG)
 
 
 def _words(row: "Row") -> str:

@@ -16,11 +16,10 @@ from dynamics_cli.accuracy.machine import peer
 from dynamics_cli.accuracy.measure import Errors, errors_of
 from dynamics_cli.accuracy.questions import Method, Question
 from dynamics_cli.accuracy.report import Accuracy, Done, accuracy
-from dynamics_cli.accuracy.rows import CHOSEN, Row, finished, row
+from dynamics_cli.accuracy.rows import CHOSEN, Row, compared_worst, finished, row
 from dynamics_cli.core.rows import progress
 from dynamics_cli.core.terminal import Terminal
-from dynamics_cli.errors import UsageError
-from dynamics_cli.pictures import Curve, Mark
+from dynamics_cli.pictures import Bars, Curve, Mark
 
 
 @pytest.fixture(scope="module")
@@ -130,6 +129,17 @@ class TestFront:
         assert [one.front for one in rows] == [True, True]
         assert {(one.family, one.task) for one in rows} == {("f", "t")}
 
+    def test_our_own_method_stands_by_its_error_where_another_answers(self) -> None:
+        own, other = Errors(), Errors()
+        own.cases = other.cases = 2
+        own.add("hard", 1.5, "1", None)
+        own.add("easy", 1.0, "1", None)
+        other.add("easy", 1.25, "1", None)
+        rows = [row("q", "ours (chosen)", own, 1.0, 1.0), row("q", "theirs", other, 1.0, 1.0, own=own)]
+        assert rows[0].worst == 0.5
+        assert [compared_worst(one, rows) for one in rows] == [0.0, 0.25]
+        assert [one.front for one in finished(rows, "f", "t")] == [True, False]
+
 
 class TestDiagram:
     def test_every_question_has_its_panel(self, measured: Accuracy) -> None:
@@ -182,12 +192,15 @@ class TestDiagram:
         assert len(picture.panels) == 5
         assert picture.panels[0].title == "all questions with several methods"
 
-    def test_without_times_there_is_nothing_to_draw(self, tmp_path: Path) -> None:
-        outcome = run("accuracy", "skid", "yaw", "--untimed", "--plot", str(tmp_path / "no.svg"), "--json")
-        assert outcome.status == 2
-        assert "untimed" in outcome.error["hint"]
-        with pytest.raises(UsageError):
-            pictures.work_precision(accuracy("skid", "yaw", untimed=True))
+    def test_without_times_errors_are_drawn_alone(self) -> None:
+        untimed = accuracy("skid", "vault", untimed=True)
+        picture = pictures.work_precision(untimed)
+        assert len(picture.panels) == 2
+        drawn = [bars for panel in picture.panels for bars in panel.items if isinstance(bars, Bars)]
+        lengths = [error for bars in drawn for error in bars.high]
+        assert len(lengths) == len(untimed.methods)
+        for one, length in zip(untimed.methods, lengths, strict=True):
+            assert one.method.endswith(CHOSEN) or length == min(max(one.worst, pictures.EXACT), pictures.WRONG)
 
 
 class Screen(io.BytesIO):
