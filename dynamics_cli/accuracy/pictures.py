@@ -69,7 +69,7 @@ def errors_alone(made: "Accuracy") -> Picture:
         questions.setdefault((row.family, row.question), []).append(row)
     panels = []
     for (_, question), rows in questions.items():
-        bars = Bars(tuple(map(_words, rows)), [ENDS[0]] * len(rows), [_error(row) for row in rows])
+        bars = Bars(tuple(map(_words, rows)), [ENDS[0]] * len(rows), [_error(row, rows) for row in rows])
         panels.append(Panel(_errors_in(rows[0].measure), Axis(""), (bars,), question))
     return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
 
