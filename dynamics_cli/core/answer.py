@@ -60,7 +60,11 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
     args, kwargs = arguments(task, bound, values)
     try:
         return model.call()(*args, **kwargs)
-    except DynamicsError:
+    except DynamicsError as error:
+        from dynamics_cli.core.messages import FEWEST_TO_GIVE, in_written_units
+
+        error.message = in_written_units(error.message, bound)
+        error.hint = in_written_units(error.hint, bound, FEWEST_TO_GIVE) if error.hint else None
         raise
     except ArithmeticError as error:
         raise InadmissibleError(

@@ -223,7 +223,7 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
     ):
         if entries:
             numerics[key] = entries
-    warnings = [_advice(item) for item in walk.advice]
+    warnings = [_advice(item, bound) for item in walk.advice]
     warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]
     return {
         "schema": "dynamics/1",
@@ -280,6 +280,8 @@ def _check(check: Check) -> "dict[str, Any]":
     return out
 
 
-def _advice(advice: Advice) -> "dict[str, Any]":
-    out = {"code": advice.code, "severity": advice.severity, "message": advice.message}
-    return {**out, "mend": advice.mend} if advice.mend else out
+def _advice(advice: Advice, bound: Fields) -> "dict[str, Any]":
+    from dynamics_cli.core.messages import FEWEST_TO_GIVE, in_written_units
+
+    out = {"code": advice.code, "severity": advice.severity, "message": in_written_units(advice.message, bound)}
+    return {**out, "mend": in_written_units(advice.mend, bound, FEWEST_TO_GIVE)} if advice.mend else out

@@ -4,12 +4,15 @@ Each row is answered as one command would answer it (`rows.case`). Blocks of man
 exact factors (`rows.exact`), which give the same bits; whatever these cannot take goes back to the single call.
 """
 
+import itertools
+
 from dynamics_cli.core.call import Call, Settings
 from dynamics_cli.core.jobs import spread
 from dynamics_cli.core.rows.blocks import Source
 from dynamics_cli.core.rows.case import Case
 from dynamics_cli.core.rows.inputs import CsvInput, Input, JsonInput, TextInput, decode_line, split_csv, split_header
 from dynamics_cli.core.rows.outputs import OUTPUTS, Output
+from dynamics_cli.core.rows.records import cleared, first_record, records
 from dynamics_cli.core.task import Task
 from dynamics_cli.core.writing import output
 from dynamics_cli.errors import DynamicsError, ExitStatus, UsageError
@@ -50,14 +53,16 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
             with Progress(source, terminal) as progress:
                 blocks = source.blocks()
                 for lines in blocks:
-                    lines = [line for line in lines if line is None or not line.isspace()]
+                    lines = _without_blank_head(lines)
                     if lines:
                         stream, lines = _begin(case, lines, form, terminal)
                         sink.write(stream.output.head())
                         break
                 if stream is None:
                     return ExitStatus.DONE
-                for block in spread(stream.block, _joined([lines], blocks, settings.jobs), settings.jobs):
+                every = itertools.chain([lines], blocks)
+                rows = cleared(records(every) if isinstance(stream.source, CsvInput) else every)
+                for block in spread(stream.block, _joined(rows, settings.jobs), settings.jobs):
                     stream.take(block)
                     sink.write(block.text)
                     if not settings.output:
@@ -69,17 +74,19 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
     return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
 
 
-def _joined(
-    first: "list[list[bytes | None]]", blocks: "Iterator[list[bytes | None]]", jobs: int
-) -> "Iterator[list[bytes | None]]":
-    """All blocks; for several processes a few at a time, as sending each costs something."""
-    import itertools
+def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
+    for start, line in enumerate(lines):
+        if line is None or line.strip():
+            return lines[start:]
+    return []
 
-    every = itertools.chain(first, blocks)
+
+def _joined(blocks: "Iterator[list[bytes | None]]", jobs: int) -> "Iterator[list[bytes | None]]":
+    """All blocks; for several processes a few at a time, as sending each costs something."""
     if jobs == 1:
-        yield from every
+        yield from blocks
         return
-    while several := list(itertools.islice(every, BLOCKS_A_PIECE)):
+    while several := list(itertools.islice(blocks, BLOCKS_A_PIECE)):
         # A line too long to read is a block of its own.
         if all(None not in block for block in several):
             yield [line for block in several for line in block]
@@ -110,16 +117,19 @@ def _begin(
     if start == b"[":
         hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
         raise UsageError("rows begin with '[': a JSON list is no stream", parameter="rows", code="json", hint=hint)
+    head, rest = first_record(lines)
+    looked = lines
     if start == b"{":
         source = JsonInput(case, first)
-    elif case.task.specification.words and not _is_header(case, first):
+    elif case.task.specification.words and not _is_header(case, head):
         source = TextInput(case)
     else:
-        lines = lines[1:]
+        first, lines = head, rest
         source = _csv_input(case, first, terminal)
-    _settle_unit(case, source, lines[:LOOKED_AT])
+        looked = next(records([lines]), [])
+    _settle_unit(case, source, looked[:LOOKED_AT])
     case.check()
-    case.take_spread(_readable(source, lines[:LOOKED_AT]))
+    case.take_spread(_readable(source, looked[:LOOKED_AT]))
     return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
 
 

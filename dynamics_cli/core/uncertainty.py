@@ -171,7 +171,7 @@ def _distribute(
         wanted = list(limits.get(name, ()))
         if twin and not wanted and not limits.get(twin):
             made.spreads[name] = _copy(made.spreads[twin], name)
-        elif (probe[row] == probe[row, 0]).all():
+        elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
             made.spreads[name] = _constant(name, float(probe[row, 0]), wanted)
         elif sample is not None:
             made.spreads[name] = _sampled(name, row, sample, goal, wanted)

@@ -7,7 +7,7 @@ other. Everything is found from the profiles themselves, point by point, not fro
 from math import acos, pi, sqrt
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.flanks import ToothForm, _fillet_centre, flank
+from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -17,10 +17,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Array = NDArray[Any]
-
-# Chords of a tooth and of the space it turns through, as shares of the module; steps of the turn.
-_COARSE, _FINE = 2e-4, 1e-6
-_STEPS = 241
 
 
 @record
@@ -145,77 +141,6 @@ def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
     return (path.total - length) / second.base - path.pressure_angle - second.half_base + pi / second.teeth
 
 
-def wall(form: ToothForm, tolerance: float) -> "tuple[Array, Array, Array]":
-    """The side of a tooth space: rising radii, half angles of the space, and the share of arcs that lies across."""
-    import numpy as np
-
-    chain = flank(form, tolerance)
-    radius, half = chain.radius, pi / form.teeth - chain.angle
-    if form.internal:
-        more_radius, more_half = _fillet_points(form)
-        radius = np.concatenate([radius[::-1], more_radius[1:]])
-        half = np.concatenate([half[::-1], more_half[1:]])
-    slope = radius * np.gradient(half, radius)
-    return radius, half, 1.0 / np.sqrt(1.0 + slope * slope)
-
-
-def _fillet_points(form: ToothForm) -> "tuple[Array, Array]":
-    """The fillet of an internal gear from the involute to the root circle, as radii and half angles of the space."""
-    import numpy as np
-
-    if form.fillet == 0.0:
-        return np.array([form.form, form.root]), np.full(2, form.half_angle(form.roll(form.form)))
-    centre, angle = _fillet_centre(form)
-    reach = sqrt((centre - form.base) * (centre + form.base))
-    half = pi / form.teeth - angle
-    # from the normal of the involute, which leans by the pressure angle of the centre, to the radius
-    directions = np.linspace(0.5 * pi - np.arctan(reach / form.base), 0.0, 33)
-    x = centre + form.fillet * np.cos(directions)
-    y = form.fillet * np.sin(directions)
-    return np.hypot(x, y), half + np.arctan2(y, x)
-
-
-def least_gaps(first: ToothForm, second: ToothForm, distance: float, play: float) -> tuple[float, float]:
-    """Least distances of a tooth of `first` from the root and the flanks of the space of `second` it turns through.
-
-    `play` is half the angle `second` can be turned by: the driving flanks touch. Along the involutes the distance is
-    zero by design, to the sampling; negative ones are overlaps (off the line of action: trimming). Infinite where
-    nothing comes near.
-    """
-    import numpy as np
-
-    own_radius, own_angle = _tooth_points(first)
-    radius, half, across = wall(second, _FINE * second.module)
-    reach = _reach(first, second, distance)
-    turned = np.linspace(-reach, reach, _STEPS)[:, None]
-    angle = own_angle + turned
-    x, y = own_radius * np.cos(angle), own_radius * np.sin(angle)
-    if first.internal:
-        x2, y2, ratio = x - distance, y, first.teeth / second.teeth
-    elif second.internal:
-        x2, y2, ratio = x + distance, y, first.teeth / second.teeth
-    else:
-        x2, y2, ratio = distance - x, -y, -first.teeth / second.teeth
-    away = np.hypot(x2, y2)
-    near = away > second.tip if second.internal else away < second.tip
-    away = away[near]
-    if not away.size:
-        return float("inf"), float("inf")
-    # of the ways round, the one that the space has turned with the tooth
-    lean = np.remainder((np.arctan2(y2, x2) - ratio * turned)[near] + pi, 2.0 * pi) - pi
-    beside = away * (np.interp(away, radius, half) - np.abs(lean - play)) * np.interp(away, radius, across)
-    deep = away > second.form if second.internal else away < second.form
-    above = second.root - away if second.internal else away - second.root
-    # a root that is dug into shows up there, and not again from the other side
-    involute = own_radius <= first.form if first.internal else own_radius >= first.form
-    flanks = np.broadcast_to(involute, near.shape)[near] & ~deep
-    return _least(np.minimum(beside, above), deep), _least(beside, flanks)
-
-
-def _least(gaps: "Array", where: "Array") -> float:
-    return float(gaps[where].min()) if where.any() else float("inf")
-
-
 def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
     """How far the tip of a pinion is ahead of an internal gear's tip where their tip circles cross, along that circle.
 
@@ -229,25 +154,3 @@ def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
     pinion = acos(own) - first.half_angle(first.roll(first.tip))
     ring = acos(other) - second.half_angle(second.roll(second.tip))
     return second.tip * (pinion * first.teeth / second.teeth - ring)
-
-
-def _tooth_points(form: ToothForm) -> "tuple[Array, Array]":
-    """Radii and angles of the points of a whole tooth, its tip land with them."""
-    import numpy as np
-
-    chain = flank(form, _COARSE * form.module)
-    land = np.linspace(-chain.angle[-1], chain.angle[-1], 9)[1:-1]
-    radius = np.concatenate([chain.radius, np.full(land.shape, form.tip), chain.radius[::-1]])
-    return radius, np.concatenate([-chain.angle, land, chain.angle[::-1]])
-
-
-def _reach(first: ToothForm, second: ToothForm, distance: float) -> float:
-    """How far from the line of centres a tip of `first` is within the teeth of `second`."""
-    if first.internal:
-        cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
-    elif second.internal:
-        cosine = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
-    else:
-        cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
-    # a little farther, so that a tooth's own width is inside at both ends
-    return min(pi, (0.0 if cosine >= 1.0 else acos(max(cosine, -1.0))) + 2.0 * pi / first.teeth)

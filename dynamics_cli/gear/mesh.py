@@ -3,12 +3,13 @@
 from math import cos, pi, sqrt, tan
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.contact import Path, half_play, least_gaps, path_of_contact, tips_pass, transmission_error
+from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error
 from dynamics_cli.gear.door import gear_of
 from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.profile import tooth_form
+from dynamics_cli.gear.room import least_gaps
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
@@ -434,6 +435,8 @@ def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:
             ErrorBound("working_pressure_angle", spread / max(angle, 1e-8) + 2.0**-50),
             ErrorBound("contact_ratio", loose),
             ErrorBound("nominal_contact_ratio", loose),
+            # it is none at all; what is found is rounding, and checked to be
+            ErrorBound("transmission_error", EXACT, relative=False),
             ErrorBound("backlash", 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
         ),
     )

@@ -220,7 +220,7 @@ class TestTables:
     def test_checks_advice_and_stated_bounds_reach_the_document(self) -> None:
         document = answer("toy", "curve", "--lift", "20 mm")
         assert document["checks"][0]["passed"]
-        assert document["warnings"][0]["mend"] == "raise the span to 2 rad"
+        assert document["warnings"][0]["mend"] == "raise the span to 114.592 deg"
         assert document["numerics"]["method"] == "sampling"
         assert document["numerics"]["error_bound"]["peak"]["relative"] >= 1e-15
 

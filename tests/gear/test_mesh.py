@@ -8,9 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.gear import room
 from dynamics_cli.gear.flanks import ToothForm, flank
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.mesh import MeshProof, mesh
+from dynamics_cli.gear.gear import NormalModule, Sign
+from dynamics_cli.gear.mesh import FULL, MeshProof, forms_of, mesh
 from dynamics_cli.gear.outline import chain_points
 
 MM = 1e-3
@@ -152,6 +153,43 @@ def test_a_long_tip_digs_into_the_root_it_turns_through() -> None:
     assert longer.second_in_first < -1e-6
     assert not longer.runs
     assert {"interference", "clipped"} <= {one.code for one in longer.advice}
+
+
+def test_room_beside_the_flanks_does_not_depend_on_where_the_points_fall() -> None:
+    """Distances from root and flank grow steadily with the centre distance, as the profiles themselves do."""
+    distances = np.linspace(68.05, 68.15, 11) * MM
+    proofs = [mesh(first_teeth=17, second_teeth=51, pitch=M2, centre_distance=d, points=10) for d in distances]
+    for name in ("first_in_second", "second_in_first"):
+        gaps = np.array([getattr(proof, name) for proof in proofs])
+        assert (np.diff(gaps) > 0.0).all()
+        # a smooth curve: third differences are a small part of first ones
+        assert np.abs(np.diff(gaps, 3)).max() < 0.01 * np.diff(gaps).max()
+
+
+@pytest.mark.parametrize("internal", [False, True])
+def test_room_is_the_least_of_many_more_points(internal: bool) -> None:
+    teeth = (16, 40) if internal else (12, 24)
+    first = form_at(*teeth, internal=internal)
+    for one, two in (first, first[::-1]):
+        distance = 24.3 * MM if internal else 36.2 * MM
+        found = room.least_gaps(one, two, distance, 0.0)
+        turn, reach = room._Turn(one, two, distance, 0.0), room._reach(one, two, distance)
+        chord = 1e-5
+        points = room._tooth_points(one, chord, 33)
+        many = [np.inf, np.inf]
+        for part in np.array_split(np.linspace(-reach, reach, 2001), 20):
+            many = [min(least, float(gap.min())) for least, gap in zip(many, turn.gaps(*points, part)[0], strict=True)]
+        for least, other in zip(found, many, strict=True):
+            assert least == other or other - 2e-6 < least <= other + chord * 2 * MM
+
+
+def form_at(first: int, second: int, *, internal: bool) -> tuple[ToothForm, ToothForm]:
+    more = {"helix_angle": 0.0, "pitch": M2, "profile": FULL, "pressure_angle": math.radians(20)}
+    more |= {"addendum_factor": None, "dedendum_factor": None}
+    return forms_of(
+        first_teeth=first, second_teeth=second, first_profile_shift=0.0, second_profile_shift=0.0, internal=internal,
+        shift_sign=Sign("iso"), root_radius_factor=None, first_tip_diameter=None, second_tip_diameter=None, **more,
+    )  # fmt: skip
 
 
 def turned(answer: MeshProof) -> tuple[float, ...]:

@@ -18,7 +18,7 @@ BOM = b"\xef\xbb\xbf"
 
 
 class Source:
-    """A stream of lines: `blocks()` gives lists of lines without their ends, empty lines left out.
+    """A stream of lines: `blocks()` gives lists of lines without their ends.
 
     A line longer than `LONGEST_LINE` is given as None in a block of its own; the rest of it is read and dropped.
     """
@@ -73,12 +73,11 @@ class Source:
             whole = b"".join((*rest, data[:end])) if rest else data[:end]
             rest = [data[end + 1 :]]
             length = len(rest[0])
-            if lines := self._lines(whole):
-                yield lines
+            yield self._lines(whole)
         if dropping:
             yield [None]
-        if lines := self._lines(b"".join(rest)):
-            yield lines
+        if last := b"".join(rest):
+            yield self._lines(last)
 
     def _next(self) -> bytes:
         """Some bytes: one read, and what more has already come, up to a block."""
@@ -113,11 +112,7 @@ class Source:
             data = data.removeprefix(BOM)
         if b"\r" in data:
             data = data.replace(b"\r\n", b"\n").removesuffix(b"\r")
-        if not data:
-            return []
         lines = data.split(b"\n")
-        if b"" in lines:
-            lines = [line for line in lines if line]
         self._fit(len(data), len(lines))
         return lines  # type: ignore[return-value]
 

@@ -56,7 +56,8 @@ def split_csv(line: str) -> "list[str]":
         return next(csv.reader([line], strict=True))
     except csv.Error as error:
         message = f"the row is not CSV: {error}"
-        raise UsageError(message, code="csv", hint="a row is one line, its quotes closed") from None
+        hint = 'close its quotes; a quote within a quoted cell is written ""'
+        raise UsageError(message, code="csv", hint=hint) from None
 
 
 class Column:

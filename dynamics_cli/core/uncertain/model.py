@@ -3,6 +3,7 @@
 import numpy as np
 
 from dynamics_cli.core.answer import arguments, result_leaves
+from dynamics_cli.core.shown import plain
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
 
 TYPE_CHECKING = False
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dynamics_cli.core.bound import Fields
+    from dynamics_cli.core.specification import Record
     from dynamics_cli.core.task import Model, Task
 
     Array = NDArray[Any]
@@ -38,6 +40,17 @@ class Sampled(np.ndarray):
         return _FUNCTIONS[name](*arguments)
 
 
+def _noise(record: "Any", spec: "Record") -> "dict[str, float]":
+    """What a solver states that its results may be off by: a variation within it is none."""
+    values = {name: abs(float(plain(value))) for name, _, value in result_leaves(record, spec)}
+    bounds = getattr(getattr(record, "numerics", None), "bounds", ())
+    return {
+        bound.result: bound.bound * (values[bound.result] if bound.relative else 1.0)
+        for bound in bounds
+        if bound.result in values
+    }
+
+
 class TaskModel:
     """The model of a task at the inputs as read, with arrays at the uncertain addresses."""
 
@@ -48,6 +61,7 @@ class TaskModel:
         self.spec = task.specification.result
         self.names = [name for name, _, _ in result_leaves(nominal, self.spec)]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
+        self.noise = _noise(nominal, self.spec)
         self.arrays = task.arrays
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":

@@ -44,6 +44,8 @@ class Space:
         # Without a finite variance (Student's t of two or three readings) neither has, as a rule, the result.
         self.heavy = any(made.std == np.inf for made in self.distributions)
         self.results: list[str] = []
+        # by result, what its values may be off by
+        self.noise: Mapping[str, float] = getattr(model, "noise", {})
         self.points = 0
         # A model that is asked case by case is dear, and its results are often asked for at the same points.
         self.slow = not getattr(model, "arrays", True)

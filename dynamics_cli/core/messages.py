@@ -1,0 +1,104 @@
+"""What physics says of sizes, in the units the inputs were written in.
+
+Physics works in SI and words its refusals and advice in it. A size that is one of the inputs is shown as it was
+written; another one of the same dimension goes into the inputs' unit where that is no decimal multiple of SI; radians
+become degrees.
+"""
+
+from dynamics_cli.core.bound import Bound, Fields, Several, Value, VectorValue
+from dynamics_cli.core.shown import pretty
+from dynamics_cli.core.units import Unit, conformable, parse_unit
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    # an input's SI value (None for vectors), its number as written, its unit
+    _Written = tuple[float | None, object, Unit]
+
+# The units that physics words its messages in.
+UNITS = ("kg·m²", "N·m", "N·s", "N/m", "m/s", "m²", "mm", "rad", "kg", "m", "N", "J")
+# What may stand behind a unit in a sentence.
+ENDS = ",.;:)"
+# How messages write their numbers.
+FORMATS = ("{:.6g}", "{:.4g}", "{:.3g}", "{:.9g}", "{:.5g}")
+# What a size in another unit is shown with at the least, and one that a user is told to give.
+FEWEST_DIGITS, FEWEST_TO_GIVE = 4, 6
+
+
+def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> str:
+    """A message with its sizes in the units of the inputs.
+
+    >>> in_written_units("the throw distance 0.3048 m is short", Fields(None, {}))
+    'the throw distance 0.3048 m is short'
+    """
+    words = text.split(" ")
+    places = [place for place in range(len(words) - 1) if words[place + 1].rstrip(ENDS) in UNITS]
+    places = [place for place in places if _is_number(words[place].lstrip("("))]
+    if not places:
+        return text
+    written = list(_written(bound))
+    for place in places:
+        number, unit = words[place].lstrip("("), words[place + 1].rstrip(ENDS)
+        made = _shown(number, unit, written, digits)
+        if made:
+            words[place] = words[place].replace(number, made[0])
+            words[place + 1] = words[place + 1].replace(unit, made[1])
+    return " ".join(words)
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _shown(number: str, name: str, written: "list[_Written]", fewest: int) -> "tuple[str, str] | None":
+    """Number and unit in place of these; None where they stay."""
+    unit = parse_unit(name)
+    alike = [(si, shown, own) for si, shown, own in written if conformable(own, unit)]
+    for si, shown, own in alike:
+        if si is not None and isinstance(shown, int | float) and _is(number, _in(si, unit)):
+            return f"{shown:.9g}", pretty(own.text)
+    other = next((own for _, _, own in alike if not _is_decimal(own)), None)
+    if other is None and name == "rad" and not alike:
+        other = parse_unit("deg")
+    if other is None:
+        return None
+    digits = max(fewest, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
+    return f"{_in(float(number) * _factor(unit), other):.{digits}g}", pretty(other.text)
+
+
+def _is(number: str, value: float) -> bool:
+    return any(form.format(value) == number for form in FORMATS)
+
+
+def _factor(unit: Unit) -> float:
+    from math import pi
+
+    return unit.numerator / unit.denominator * pi**unit.pi
+
+
+def _in(si: float, unit: Unit) -> float:
+    return si / _factor(unit)
+
+
+def _is_decimal(unit: Unit) -> bool:
+    """Whether a unit is SI, or a power of ten of it."""
+    whole = unit.numerator * unit.denominator
+    return unit.pi == 0 and str(whole).strip("0") == "1"
+
+
+def _written(bound: Bound) -> "Iterator[_Written]":
+    """Every input with a unit."""
+    if isinstance(bound, Fields):
+        for part in bound.fields.values():
+            yield from _written(part)
+    elif isinstance(bound, Several):
+        for part in bound.items:
+            yield from _written(part)
+    elif isinstance(bound, Value | VectorValue) and bound.unit and ";" not in bound.unit:
+        unit = parse_unit(bound.unit, parse_unit(bound.kind.unit) if bound.kind.unit else None)
+        yield (bound.si if isinstance(bound, Value) else None), bound.shown, unit

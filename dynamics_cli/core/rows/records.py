@@ -1,0 +1,96 @@
+"""Records of CSV: lines, and several lines together where a quoted cell runs over their ends."""
+
+from collections import deque
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    Lines = list[bytes | None]
+
+# A quote that nobody closes must not swallow the rest of the stream.
+MOST_LINES = 1000
+
+
+def cleared(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
+    """Blocks without empty lines; blocks of nothing else are left out."""
+    for lines in blocks:
+        kept = [line for line in lines if line is None or line] if b"" in lines else lines
+        if kept:
+            yield kept
+
+
+def records(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
+    """Blocks whose lines are whole records; a line too long to be read is, as before, a block of its own."""
+    joiner = _Joiner()
+    for lines in blocks:
+        if None in lines:
+            yield joiner.rest()
+            yield lines
+        elif joiner.held or any(b'"' in line for line in lines):  # type: ignore[operator]
+            yield joiner.joined(lines)  # type: ignore[arg-type]
+        else:
+            yield lines
+    yield joiner.rest()
+
+
+def first_record(lines: "Lines") -> "tuple[bytes, Lines]":
+    """The first record of lines that begin with one, and the lines after it."""
+    assert lines[0] is not None
+    for count in range(1, min(len(lines), MOST_LINES) + 1):
+        if lines[count - 1] is None:
+            break
+        if _whole(lines[:count]):  # type: ignore[arg-type]
+            return b"\n".join(lines[:count]), lines[count:]  # type: ignore[arg-type]
+    return lines[0], lines[1:]
+
+
+class _Joiner:
+    """Lines that wait for the end of a quoted cell.
+
+    A quote that is not closed within `MOST_LINES` lines stays with its own line, and the next line is a record again.
+    """
+
+    def __init__(self) -> None:
+        self.held: list[bytes] = []
+
+    def joined(self, lines: "list[bytes]") -> "Lines":
+        """The records that these lines complete."""
+        waiting, made = deque(lines), list[bytes | None]()
+        while waiting:
+            line = waiting.popleft()
+            self.held.append(line)
+            whole = _whole(self.held) if b'"' in line or len(self.held) == 1 else None
+            if whole is None and len(self.held) < MOST_LINES:
+                continue
+            first, *others = self.held
+            self.held = []
+            if whole:
+                made.append(b"\n".join((first, *others)))
+            else:
+                made.append(first)
+                waiting.extendleft(reversed(others))
+        return made
+
+    def rest(self) -> "Lines":
+        """What still waits when no more lines come: its first line as it is, the others as records."""
+        made: Lines = []
+        while self.held:
+            first, *others = self.held
+            self.held = []
+            made += [first, *self.joined(others)]
+        return made
+
+
+def _whole(lines: "list[bytes]") -> bool | None:
+    """Whether lines are one record; None where its last cell is still open."""
+    text = b"\n".join(lines)
+    if b'"' not in text:
+        return True
+    import csv
+
+    try:
+        next(csv.reader([text.decode(errors="replace")], strict=True))
+    except csv.Error as error:
+        return None if "unexpected end" in str(error) else False
+    return True

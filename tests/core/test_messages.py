@@ -1,0 +1,60 @@
+"""Refusals and advice speak in the units that the inputs were written in."""
+
+import json
+
+import pytest
+from harness import answer, run
+
+from dynamics_cli.core.bound import Fields, Several, Value
+from dynamics_cli.core.messages import in_written_units
+from dynamics_cli.quantities import Angle, Distance, Friction, Mass, RoadSpeed
+
+MILE = 0.44704
+
+
+def inputs(*values: Value) -> Fields:
+    return Fields(None, {"group": Several(list(values))})
+
+
+FEET = Value("distance", Distance, 18.288, 60.0, "ft")
+MPH = Value("speed", RoadSpeed, 30 * MILE, 30, "mph")
+METRES = Value("distance", Distance, 0.25, 0.25, "m")
+POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
+
+
+@pytest.mark.parametrize(
+    ("text", "values", "wanted"),
+    [
+        ("a mark of 18.288 m is long", (FEET,), "a mark of 60 ft is long"),
+        ("from 13.4112 m/s it stops after 13.1 m", (FEET, MPH), "from 30 mph it stops after 42.98 ft"),
+        ("0.25 m, not 250 mm", (METRES,), "0.25 m, not 0.25 m"),
+        ("2.5 mm of 10 m", (METRES,), "2.5 mm of 10 m"),
+        ("a mass of 0.907 kg", (POUNDS,), "a mass of 2 lb"),
+        ("it turns by 0.785398 rad", (), "it turns by 45 deg"),
+        ("it turns by 0.5 rad", (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
+        ("-1e-05 m away", (FEET,), "-3.281e-05 ft away"),
+        ('for example "3 m" or model-2 m', (FEET,), 'for example "3 m" or model-2 m'),
+        ("an area of 3 m² at 2 m/s²", (FEET, MPH), "an area of 3 m² at 2 m/s²"),
+        ("friction 0.7 may be", (Value("friction", Friction, 0.7, 0.7, ""),), "friction 0.7 may be"),
+    ],
+)
+def test_sizes_in_messages(text, values, wanted) -> None:
+    assert in_written_units(text, inputs(*values)) == wanted
+
+
+def test_refusals_quote_what_was_written() -> None:
+    call = ("skid", "distance", "--speed", "30 mph", "--end-speed", "40 mph", "--friction", "0.7", "--json")
+    outcome = run(*call)
+    assert outcome.status == 3
+    assert outcome.error["message"].startswith("the end speed 40 mph exceeds the speed 30 mph")
+
+
+def test_advice_quotes_what_was_written() -> None:
+    call = ("skid", "yaw", "--chord", "60 ft", "--middle-ordinate", "1 in", "--friction", "0.7")
+    assert "the middle ordinate 1 in" in answer(*call)["warnings"][0]["message"]
+
+
+def test_rows_quote_what_was_written() -> None:
+    rows = "speed[mph],end_speed[mph],friction\n30,40,0.7\n"
+    outcome = run("skid", "distance", "--rows", "-", "--format", "ndjson", stdin=rows)
+    assert "the end speed 40 mph exceeds the speed 30 mph" in json.loads(outcome.out)["error"]["message"]
