@@ -76,15 +76,16 @@ def _about(results: "Entry", width: int) -> "list[str]":
 
 
 def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
-    unit = next((row["time"].get("unit", "") for row in rows if "time" in row), "")
+    def unit(name: str) -> str:
+        return next((f" {row[name]['unit']}" for row in rows if name in row), "")
 
     def figure(name: str, form: "Callable[[float, int], str]" = short) -> "Callable[[Entry], str]":
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
     return [
         Column("ratio", figure("slower")),
-        Column(f"time {unit}".strip(), figure("time", whole), 2),
-        Column(f"arrays {unit}".strip(), figure("array_time"), 4),
+        Column(f"time{unit('time')}", figure("time", whole), 2),
+        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("worst", figure("worst", error)),
         Column("median", figure("median", error), 5),
         Column("in ulp", figure("worst_ulp"), 1),

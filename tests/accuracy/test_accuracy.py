@@ -189,6 +189,7 @@ class TestReport:
         assert outcome.status == 2
         assert "skid" in outcome.error["hint"]
         assert run("accuracy", "skid", "leap").status == 2
+        assert "there are for avoid, distance" in run("accuracy", "skid", "leap").err
 
     def test_peers_that_are_not_installed_are_named(self, monkeypatch: pytest.MonkeyPatch) -> None:
         from dynamics_cli.accuracy.questions import Method

@@ -83,6 +83,10 @@ class TestTable:
         for one in gears["methods"]:
             assert f"{one['worst']['value']:.1e}" in text
 
+    def test_times_stand_under_the_unit_they_were_asked_in(self) -> None:
+        text = run("accuracy", "skid", "yaw", "--to", "methods.time=ms", "--to", "methods.array_time=ns").out
+        assert "time ms  arrays ns" in text
+
     def test_columns_that_are_empty_are_left_out(self) -> None:
         text = run("accuracy", "gear", "ratio", "--untimed").out
         assert "ratio: time" not in text
