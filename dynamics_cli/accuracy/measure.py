@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
+    from dynamics_cli.records import ErrorBound
+
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
 SMALLEST_NORMAL = Decimal(2.0**-1022)
@@ -48,12 +50,14 @@ class Errors:
         # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
         share = DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else true
         relative = float(min(share, MOST))
-        ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
         self.relative.append(relative)
-        self.ulps.append(ulps)
         self.found[where] = max(relative, self.found.get(where, 0.0))
-        if ulps > self.worst[1]:
-            self.worst = (where, ulps)
+        if near or not true:
+            # beside zero there is no last place: what is left there is held against the bound
+            ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
+            self.ulps.append(ulps)
+            if ulps > self.worst[1]:
+                self.worst = (where, ulps)
         if bound is not None:
             self.bounded += 1
             self.broken += Decimal(bound) < true
@@ -91,10 +95,11 @@ def errors_of(
 
             numbers = Tracked.inputs(numbers)
         try:
-            results = results_of(function(**build(case.inputs, iter(numbers), groups), **case.choices))
+            answer = function(**build(case.inputs, iter(numbers), groups), **case.choices)
         except refusals:
             made.refused += 1
             continue
+        results, stated = results_of(answer), stated_by(answer)
         shown = {
             name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results
         }
@@ -104,6 +109,8 @@ def errors_of(
         made.cases += 1
         for name, value in shown.items():
             bound = getattr(results[name], "error", 0.0 if tracked else None)
+            if name in stated:
+                bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
             made.add(f"{case.name}: {name}", value, case.results[name], bound)
     return made
 
@@ -111,6 +118,12 @@ def errors_of(
 def results_of(answer: "Any") -> "dict[str, Any]":
     """Results by address, of a record or a dictionary."""
     return answer if isinstance(answer, dict) else flat(answer)
+
+
+def stated_by(answer: "Any") -> "dict[str, ErrorBound]":
+    """The bounds that a solver states for its results."""
+    numerics = getattr(answer, "numerics", None)
+    return {bound.result: bound for bound in numerics.bounds} if numerics is not None else {}
 
 
 def seconds(call: "Callable[[], Any]", *, repeats: int, least: float) -> float:
