@@ -64,7 +64,7 @@ class Errors:
             # an answer that happens to be exact would make any bound infinitely loose
             least = DIGITS.multiply(HALF_ULP, reference.copy_abs())
             if bound and (whole := max(true, least)):
-                self.looseness.append(float(DIGITS.divide(Decimal(bound), whole)))
+                self.looseness.append(float(min(DIGITS.divide(Decimal(bound), whole), MOST)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
         """Count an error measured otherwise, beside the bound or the estimate stated for it."""
