@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     Entry = dict[str, Any]
 
 # Where standard output is no terminal the width is always the same, so that the bytes are.
-WIDTH = 112
+WIDTH = 118
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
 # What columns, by their first words, and marks mean; said of those that are there.
