@@ -14,8 +14,8 @@ TASK = Task(
     examples=(
         "dynamics accuracy coords --untimed",
         "dynamics accuracy skid yaw --hard --untimed",
-        "dynamics accuracy gear ratio --full",
-        "dynamics accuracy skid friction --peers",
+        "dynamics accuracy gear ratio --full --untimed",
+        "dynamics accuracy convert --peers --untimed",
     ),
     table="methods",
     arrays=False,

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     Entry = dict[str, Any]
 
 # Where standard output is no terminal the width is always the same, so that the bytes are.
-WIDTH = 112
+WIDTH = 118
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
 # What columns, by their first words, and marks mean; said of those that are there.
@@ -41,7 +41,7 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     rows = results["methods"]
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
     columns = _fitting(_columns(rows, digits), rows, width)
-    made = ["", *_legend(columns, rows, width), *_about(results)]
+    made = ["", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     for block in _blocks(rows):
@@ -55,43 +55,44 @@ def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int
     if not any(row["refused"]["value"] for row in rows):
         there.discard("cases")
     text = "; ".join(words for key, words in LEGEND.items() if key in there)
-    return [f"  {line.removeprefix('  ')}" for line in _wrapped(text, width - 2)]
+    return [f"  {line}" for line in _wrapped(text, width - 2)]
 
 
-def _about(results: "Entry") -> "list[str]":
+def _about(results: "Entry", width: int) -> "list[str]":
     """What times were measured on, libraries of others, and how loose bounds are in all."""
     made = []
     if "looseness" in results:
         loose = results["looseness"]["value"]
-        made.append(f"  stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
+        made.append(f"stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
     if "machine" in results:
         one = results["machine"]
-        made.append(f"  measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
+        made.append(f"measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
     if "peers" in results:
         there = [f"{one['name']} {one['version']}" for one in results["peers"] if one["installed"]]
         gone = [one["name"] for one in results["peers"] if not one["installed"]]
-        made.append(f"  libraries of others: {', '.join(there) or 'none'}")
-        made += [f"  not here: {', '.join(gone)}"] if gone else []
-    return ["", *made] if made else []
+        made.append(f"libraries of others: {', '.join(there) or 'none'}")
+        made += [f"not here: {', '.join(gone)}"] if gone else []
+    return ["", *(f"  {line}" for text in made for line in _wrapped(text, width - 2))] if made else []
 
 
 def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
-    unit = next((row["time"].get("unit", "") for row in rows if "time" in row), "")
+    def unit(name: str) -> str:
+        return next((f" {row[name]['unit']}" for row in rows if name in row), "")
 
     def figure(name: str, form: "Callable[[float, int], str]" = short) -> "Callable[[Entry], str]":
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
     return [
         Column("ratio", figure("slower")),
-        Column(f"time {unit}".strip(), figure("time"), 2),
-        Column(f"arrays {unit}".strip(), figure("array_time"), 3),
+        Column(f"time{unit('time')}", figure("time", whole), 2),
+        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("worst", figure("worst", error)),
-        Column("median", figure("median", error), 4),
+        Column("median", figure("median", error), 5),
         Column("in ulp", figure("worst_ulp"), 1),
-        Column("median", figure("median_ulp"), 5),
-        Column("ours", figure("own_worst", error), 6),
+        Column("median", figure("median_ulp"), 6),
+        Column("ours", figure("own_worst", error), 3),
         Column("bound", _bound),
-        Column("pieces", figure("entities")),
+        Column("pieces", figure("entities", whole)),
         Column("cases", _cases),
     ]
 
@@ -101,6 +102,11 @@ def short(value: float, digits: int) -> str:
     if value and not 1e-3 <= abs(value) < 1e5:
         return f"{value:.{max(digits - 2, 0)}e}"
     return quantity(value, "", digits) if abs(value) < 1000 else f"{value:.0f}"
+
+
+def whole(value: float, digits: int) -> str:
+    """A number whose size is seen by its length."""
+    return f"{value:.0f}" if 1e5 <= value < 1e9 else short(value, digits)
 
 
 def error(value: float, digits: int) -> str:

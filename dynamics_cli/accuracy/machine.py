@@ -71,10 +71,14 @@ def _processor() -> str:
 
 def peer(name: str) -> Peer:
     """A library looked for: one that is there but cannot be imported is as good as none."""
+    from contextlib import redirect_stdout
     from importlib import import_module, metadata
+    from io import StringIO
 
     try:
-        import_module(name)
+        # some print when they are imported
+        with redirect_stdout(StringIO()):
+            import_module(name)
     except ImportError as error:
         missing = isinstance(error, ModuleNotFoundError) and error.name == name
         return Peer(name, "" if missing else f"not importable: {error}", installed=False)

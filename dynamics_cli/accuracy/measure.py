@@ -64,18 +64,21 @@ class Errors:
             # an answer that happens to be exact would make any bound infinitely loose
             least = DIGITS.multiply(HALF_ULP, reference.copy_abs())
             if bound and (whole := max(true, least)):
-                self.looseness.append(float(DIGITS.divide(Decimal(bound), whole)))
+                self.looseness.append(float(min(DIGITS.divide(Decimal(bound), whole), MOST)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
         """Count an error measured otherwise, beside the bound or the estimate stated for it."""
+        # numbers of numpy are not for documents
+        error = float(error)
         self.relative.append(error)
         if error > self.worst[1]:
             self.worst = (where, error)
         if estimate is not None:
             self.bounded += 1
+            estimate = float(estimate)
             self.broken += estimate < error
             if error > 0.0:
-                self.looseness.append(estimate / error)
+                self.looseness.append(float(min(Decimal(estimate) / Decimal(error), MOST)))
 
 
 def errors_of(

@@ -6,9 +6,8 @@ so that panels can be compared.
 
 from math import ceil, floor, log10
 
-from dynamics_cli.accuracy.rows import CHOSEN
-from dynamics_cli.errors import UsageError
-from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.accuracy.rows import CHOSEN, compared_worst
+from dynamics_cli.pictures import Axis, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import EvaluationTime
 
 TYPE_CHECKING = False
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
 # What is more exact stands at the left end, what has no digit right at the right one.
 EXACT, WRONG = 1e-17, 1.0
 ENDS = (2e-18, 5.0)
+PIECES = (10.0, 1e6)
 # A panel's axes in points of print, and its letters.
 WIDTH, HEIGHT, LETTER, LINE = 335.0, 165.0, 4.9, 10.0
 # Words beside a point need half a panel at most, so that one side of it has room for them.
@@ -40,8 +40,7 @@ def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
     """A panel for every question with several methods, one of all of them, and one of each family's other questions."""
     questions = by_question(made)
     if not questions:
-        message = "a work–precision diagram needs times"
-        raise UsageError(message, parameter="plot", code="exclusive", hint="leave out --untimed")
+        return errors_alone(made)
     several = [rows for rows in questions if len(rows) > 1]
     alone: dict[str, list[Row]] = {}
     for rows in questions:
@@ -63,15 +62,27 @@ def by_question(made: "Accuracy") -> "list[list[Row]]":
     return list(questions.values())
 
 
+def errors_alone(made: "Accuracy") -> Picture:
+    """Where there are no times: every method's worst error as a bar, a panel for every question."""
+    questions: dict[tuple[str, str], list[Row]] = {}
+    for row in made.methods:
+        questions.setdefault((row.family, row.question), []).append(row)
+    panels = []
+    for (_, question), rows in questions.items():
+        bars = Bars(tuple(map(_words, rows)), [ENDS[0]] * len(rows), [_error(row, rows) for row in rows])
+        panels.append(Panel(_errors_in(rows[0].measure), Axis(""), (bars,), question))
+    return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
+
+
 def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
-    """All methods in one panel, and the questions that tell most: of each family those with the longest fronts."""
+    """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
     questions = by_question(made)
     ranked: dict[str, list[list[Row]]] = {}
     for rows in questions:
-        if len(rows) > 2:
+        if len(rows) > 2 and rows[0].entities is None:
             ranked.setdefault(rows[0].family, []).append(rows)
     for own in ranked.values():
-        own.sort(key=lambda rows: (-sum(row.front for row in rows), -len(rows)))
+        own.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
     picked: list[list[Row]] = []
     for place in range(max(map(len, ranked.values()), default=0)):
         picked += [own[place] for own in ranked.values() if place < len(own)]
@@ -90,10 +101,10 @@ def overview(several: "list[list[Row]]") -> Panel:
         base = rows[0].time or 1.0
         for row in rows:
             if row.method.endswith(CHOSEN):
-                own.append(_error(row))
+                own.append(_error(row, rows))
                 continue
             across, up = points.setdefault("convert" if row.family == "coords" else row.family, ([], []))
-            across.append(_error(row))
+            across.append(_error(row, rows))
             up.append((row.time or 0.0) / base)
     curves = [
         Curve(across, up, f"{family}: rivals", "points", place)
@@ -107,26 +118,32 @@ def overview(several: "list[list[Row]]") -> Panel:
 def question_panel(rows: "list[Row]") -> Panel:
     """One question: its methods by name, and the front."""
     base = rows[0].time or 1.0
-    points = [(_error(row), (row.time or 0.0) / base, _words(row)) for row in rows]
-    axis = _ratios([ratio for _, ratio, _ in points])
-    assert axis.ends is not None
-    title = f"{rows[0].question} (1 = {_amount(base)})"
-    measure = rows[0].measure
-    x = Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
-    return Panel(x, axis, (_front(points, axis.ends[1]), *_marks(points, axis.ends)), title)
+    pieces = rows[0].entities is not None
+    x = Axis("pieces needed", None, True, PIECES) if pieces else _errors_in(rows[0].measure)
+    points = [
+        (float(row.entities or PIECES[1]) if pieces else _error(row, rows), (row.time or 0.0) / base, _words(row))
+        for row in rows
+    ]
+    y = _ratios([ratio for _, ratio, _ in points])
+    return Panel(x, y, (_front(points, x, y), *_marks(points, x, y)), f"{rows[0].question} (1 = {_amount(base)})")
 
 
 def _alone(family: str, rows: "list[Row]") -> Panel:
     """Questions that only the program's own method answers, with times as they are."""
-    points = [(_error(row), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
+    points = [(_error(row, [row]), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
     times = [time for _, time, _ in points]
     ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
-    y = Axis("time of one evaluation", EvaluationTime, True, ends)
-    return Panel(Axis(ERROR, None, True, ENDS), y, tuple(_marks(points, ends)), f"{family}: one method each")
+    x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends)
+    return Panel(x, y, tuple(_marks(points, x, y)), f"{family}: one method each")
 
 
-def _error(row: "Row") -> float:
-    return min(max(row.worst, EXACT), WRONG)
+def _errors_in(measure: str) -> Axis:
+    return Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
+
+
+def _error(row: "Row", rows: "list[Row]") -> float:
+    """Where a method of a question stands on the axis of errors."""
+    return min(max(compared_worst(row, rows), EXACT), WRONG)
 
 
 def _words(row: "Row") -> str:
@@ -154,21 +171,26 @@ def _ratios(ratios: "list[float]") -> Axis:
     return Axis("time, own method = 1", None, True, ends)
 
 
-def _front(points: "list[Point]", top: float) -> Curve:
+def _front(points: "list[Point]", x: Axis, y: Axis) -> Curve:
     """The edge of what no method reaches: every point above it and to its right is beaten by one on it."""
+    assert x.ends is not None
+    assert y.ends is not None
     across: list[float] = []
-    up = [top]
+    up = [y.ends[1]]
     for error, time, _ in sorted(points):
         if time < up[-1]:
             across += [error, error]
             up += [up[-1], time] if len(up) > 1 else [time]
-    return Curve([*across, ENDS[1]], [*up, up[-1]], "", "dashed", 0)
+    return Curve([*across, x.ends[1]], [*up, up[-1]], "", "dashed", 0)
 
 
-def _marks(points: "list[Point]", ends: "tuple[float, float]") -> "list[Mark]":
+def _marks(points: "list[Point]", across: Axis, up: Axis) -> "list[Mark]":
     """Points with their words where no other words or points are: beside, above or below them."""
+    assert across.ends is not None
+    assert up.ends is not None
     places = [
-        (WIDTH * _share(error, ENDS), HEIGHT * _share(time, ends), LETTER * len(words)) for error, time, words in points
+        (WIDTH * _share(error, across.ends), HEIGHT * _share(time, up.ends), LETTER * len(words))
+        for error, time, words in points
     ]
     taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y, _ in places]
     made = []

@@ -124,9 +124,10 @@ def accuracy(
     """
     asked = catalogue.questions(family, task)
     if not asked:
-        known = ", ".join(sorted({question.family for question in catalogue.questions("", "")}))
+        tasks = sorted({question.task for question in catalogue.questions(family, "")} - {""})
+        known = tasks or sorted({question.family for question in catalogue.questions("", "")})
         message = f"there are no references for {f'{family} {task}'.strip()!r}"
-        raise UsageError(message, parameter="family", hint=f"there are for {known}")
+        raise UsageError(message, parameter="task" if tasks else "family", hint=f"there are for {', '.join(known)}")
     found = {name: peer(name) for name in _names(asked)} if peers else {}
     wanted = Asked(hard=hard, full=full, timed=not untimed, found=found)
     rows: list[Row] = []

@@ -146,15 +146,27 @@ def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
     return [Row(**{**one.__dict__, **more, "front": on_front(one, rows)}) for one in rows]
 
 
+def compared_worst(one: Row, rows: "Sequence[Row]") -> float:
+    """The error by which a method stands beside the others: the program's own, over results that another gives too."""
+    if not one.method.endswith(CHOSEN):
+        return one.worst
+    return max((other.own_worst for other in rows if other.own_worst is not None), default=one.worst)
+
+
+def quality(one: Row, rows: "Sequence[Row]") -> float:
+    """What is to be small: the pieces needed, where all keep a tolerance, else the error."""
+    return compared_worst(one, rows) if one.entities is None else float(one.entities)
+
+
 def on_front(one: Row, rows: "Sequence[Row]") -> bool:
-    """Whether no other method of the question answers as many cases as quickly and as exactly."""
+    """Whether no other method, `rows` being those of one question, answers as many cases as quickly and exactly."""
     if one.time is None or not one.cases:
         return False
-    mine = (one.refused, one.time, one.worst)
+    mine = (one.refused, one.time, quality(one, rows))
     for other in rows:
-        if other.question != one.question or other.time is None or not other.cases:
+        if other.time is None or not other.cases:
             continue
-        theirs = (other.refused, other.time, other.worst)
+        theirs = (other.refused, other.time, quality(other, rows))
         if theirs != mine and all(their <= own for their, own in zip(theirs, mine, strict=True)):
             return False
     return True

@@ -18,7 +18,7 @@ from dynamics_cli.accuracy.questions import Question
 GENERATORS = Path(__file__).resolve().parents[1] / "references"
 FILES = sorted(path.name for path in DATA.glob("*.json"))
 # those that are made again in seconds
-AGAIN = ("convert.json", "eigen.json", "uncertainty.json", "cam_motion.json", "gear_geometry.json")
+AGAIN = ("convert.json", "eigen.json", "cam_motion.json", "gear_geometry.json")
 QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
 
 
@@ -27,8 +27,15 @@ def rows() -> list[dict]:
     return answer("accuracy", "--untimed")["results"]["methods"]
 
 
-def value(row: dict, name: str) -> object:
+def value(row: dict, name: str) -> float:
     return row[name]["value"] if isinstance(row[name], dict) else row[name]
+
+
+def by_question(rows: list[dict]) -> dict[str, list[dict]]:
+    made: dict[str, list[dict]] = {}
+    for row in rows:
+        made.setdefault(row["question"], []).append(row)
+    return made
 
 
 class TestMeasuring:
@@ -64,29 +71,46 @@ class TestMeasuring:
 
 class TestReport:
     def test_the_programs_bounds_hold_on_every_case_that_ships(self, rows: list[dict]) -> None:
-        stated = [row for row in rows if "(chosen)" in row["method"] and row["bound"]]
-        assert stated
+        chosen = [row for row in rows if "(chosen)" in row["method"] and row["bound"]]
+        stated = [row for row in chosen if not row["bound"].startswith("estimate")]
+        assert len(stated) >= 35
         assert [row["question"] for row in stated if not row["bound"].endswith("held")] == []
 
     def test_no_chosen_method_refuses_a_reference(self, rows: list[dict]) -> None:
         assert [row["question"] for row in rows if "(chosen)" in row["method"] and value(row, "refused")] == []
 
     def test_the_chosen_method_is_more_exact_than_its_rivals(self, rows: list[dict]) -> None:
-        by_question: dict[str, list[dict]] = {}
-        for row in rows:
-            by_question.setdefault(row["question"], []).append(row)
-        several = {name: group for name, group in by_question.items() if len(group) > 1}
-        assert len(several) >= 5
+        several = {name: group for name, group in by_question(rows).items() if len(group) > 1}
+        assert len(several) >= 30
         for name, (chosen, *rivals) in several.items():
             assert "(chosen)" in chosen["method"]
+            if name.startswith("uncertainty"):
+                continue  # errors of estimates: see TestUncertainty
             for rival in rivals:
-                worse = value(rival, "worst") > value(chosen, "worst") or value(rival, "refused")
+                if "entities" in chosen:
+                    assert value(rival, "entities") > value(chosen, "entities"), (name, rival["method"])
+                    continue
+                # over the results that both give; formulas that are one and the same may tie
+                own = value(rival, "own_worst") if "own_worst" in rival else value(chosen, "worst")
+                worse = value(rival, "worst") >= own or value(rival, "refused")
                 assert worse, (name, rival["method"])
+
+    def test_most_rivals_are_worse_by_far(self, rows: list[dict]) -> None:
+        """A choice must show: in most questions the textbook loses half of the digits or has no answer."""
+        lost, asked = 0, 0
+        for name, (_, *rivals) in by_question(rows).items():
+            if rivals and not name.startswith("uncertainty") and "entities" not in rivals[0]:
+                asked += 1
+                lost += value(rivals[0], "worst") > 1e-8 or value(rivals[0], "refused") > 0
+        assert lost >= 0.6 * asked
 
     @pytest.mark.parametrize(
         "question",
-        ["cam law, by its peak", "cam extremes", "cam export, arcs", "cam export, cubics",
-         "inverse involute", "undercut junction", "gear ratio"],
+        ["convert", "coords, cartesian to cylindrical", "coords, cartesian to spherical", "skid speed", "skid avoid",
+         "principal moments", "cam law, by its peak", "cam extremes", "cam export, arcs", "cam export, cubics",
+         "cam export, pieces for 1 µm", "cam export, pieces for 1 nm", "inverse involute", "undercut junction",
+         "gear ratio", "gear pair", "gear bevel", "gear worm", "uncertainty, smooth", "uncertainty, bounded",
+         "uncertainty, kinked or folded"],
     )  # fmt: skip
     def test_a_choice_of_method_is_shown_beside_two_others(self, rows: list[dict], question: str) -> None:
         own = [row for row in rows if row["question"] == question]
@@ -107,6 +131,55 @@ class TestReport:
         assert rows[0]["time"]["unit"] == "us"
         assert rows[0]["array_time"]["value"] < rows[0]["time"]["value"]
 
+    def test_every_task_of_skid_has_a_textbook_beside_it(self, rows: list[dict]) -> None:
+        for name, group in by_question(rows).items():
+            if name.startswith("skid"):
+                assert len(group) >= 3, name
+
+    def test_the_machine_is_named_with_times_only(self, rows: list[dict]) -> None:
+        import numpy as np
+
+        machine = answer("accuracy", "skid", "yaw")["results"]["machine"]
+        assert machine["numpy"] == np.__version__
+        assert machine["processor"]
+        untimed = answer("accuracy", "skid", "yaw", "--untimed")["results"]
+        assert "machine" not in untimed
+        assert all("time" not in row and not row["front"] for row in untimed["methods"])
+
+    def test_errors_alone_are_the_same_bytes_every_time(self) -> None:
+        call = ("accuracy", "gear", "ratio", "--untimed")
+        assert run(*call).out == run(*call).out
+
+    def test_a_broken_bound_is_shown_and_is_the_status(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        question = next(one for one in catalogue.questions("skid", "yaw") if isinstance(one, Question))
+
+        def too_sure(**given: object) -> dict:
+            from dynamics_cli.numerics.tracked import Tracked
+            from dynamics_cli.skid.yaw import yaw
+
+            speed = yaw(**given).speed
+            return {"speed": Tracked(speed.value, 0.0, speed.slopes)}
+
+        own = question.methods[0]
+        monkeypatch.setattr(own, "call", lambda: too_sure)
+        outcome = run("accuracy", "skid", "yaw", "--untimed", "--json")
+        assert outcome.status == 1
+        (bounds, answered) = outcome.document["checks"]
+        assert bounds["passed"] is False
+        assert bounds["value"] >= 10
+        assert answered["passed"] is True
+        row = outcome.document["results"]["methods"][0]
+        assert row["broken"]["value"] == bounds["value"]
+        assert row["bound"].startswith("bound short")
+        table = run("accuracy", "skid", "yaw", "--untimed")
+        assert table.status == 1
+        assert "FAILED" in table.out
+        assert f"short {row['broken']['value']}/{row['stated']['value']}" in table.out
+
+    def test_estimates_that_fall_short_are_no_fault(self) -> None:
+        document = answer("accuracy", "uncertainty", "--untimed")
+        assert all(check["passed"] for check in document["checks"])
+
     def test_one_task_of_one_family(self) -> None:
         questions = {row["question"] for row in answer("accuracy", "skid", "vault", "--untimed")["results"]["methods"]}
         assert questions == {"skid vault, least speed over all angles", "skid vault, known take-off angle"}
@@ -116,6 +189,7 @@ class TestReport:
         assert outcome.status == 2
         assert "skid" in outcome.error["hint"]
         assert run("accuracy", "skid", "leap").status == 2
+        assert "there are for avoid, distance" in run("accuracy", "skid", "leap").err
 
     def test_peers_that_are_not_installed_are_named(self, monkeypatch: pytest.MonkeyPatch) -> None:
         from dynamics_cli.accuracy.questions import Method
@@ -126,11 +200,6 @@ class TestReport:
         document = answer("accuracy", "skid", "yaw", "--untimed", "--peers")
         assert document["warnings"][0]["code"] == "not-installed"
         assert "surely_no_such_library" in document["warnings"][0]["message"]
-
-    def test_the_diagram_is_drawn(self, tmp_path: Path) -> None:
-        file = tmp_path / "work.svg"
-        assert run("accuracy", "skid", "yaw", "--plot", str(file)).status == 0
-        assert file.stat().st_size > 5000
 
 
 class TestReferences:

@@ -17,6 +17,8 @@ from dynamics_cli.core.plot.pages import draw
 ROOT = Path(__file__).resolve().parents[2]
 START, END = "<!-- accuracy -->", "<!-- /accuracy -->"
 DIAGRAM = ROOT / "examples" / "accuracy.svg"
+# Larger errors of a method whose bounds held are those of ill-conditioned results, where the bound is as large.
+ILL = 1e-12
 HEAD = ("question", "the program's method", "worst error", "instead", "worst error", "time, ours = 1")
 
 
@@ -30,7 +32,9 @@ def questions(made: Accuracy) -> list[list[Row]]:
 
 def error(row: Row) -> str:
     """An error as it is compared, with what it is measured in, and how many cases were not answered."""
-    number = "none right" if row.worst >= 1.0 and row.measure == "relative" else f"{row.worst:.1e}"
+    number = "none right" if row.worst >= 0.95 and row.measure == "relative" else f"{row.worst:.1e}"
+    if row.bound == "bound held" and row.worst > ILL:
+        number += ", and says so"
     if row.entities is not None:
         number = f"{row.entities:,} pieces"
     left = f" ({row.refused} of {row.cases + row.refused} not answered)" if row.refused else ""
@@ -52,7 +56,7 @@ def rival(own: Row, others: list[Row]) -> Row:
 def line(own: Row, other: Row) -> str:
     """One question: the program's error over the results that the other method gives, the other's, and its time."""
     here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
-    measure = "" if own.measure == "relative" else f", in {own.measure}"
+    measure = "" if own.measure == "relative" or own.entities is not None else f", in {own.measure}"
     cells = (
         own.question + measure,
         own.method.removesuffix(CHOSEN),
@@ -73,10 +77,11 @@ def summary(made: Accuracy) -> list[str]:
     here: Any = made.machine
     return [
         "Errors are the worst over all cases, as shares of the reference unless said otherwise, of the results that "
-        "both methods give; `none right` is an error as large as the answer. The bounds that the program states held "
-        f"in {len(held)} of {len(own)} questions that have one, for every result of every case, and are in the median "
-        f"{made.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them hard. "
-        f"Measured on {here.processor}, {here.python}, numpy {here.numpy}.",
+        "both methods give; `none right` is an error as large as the answer, `and says so` that the bound stated with "
+        "the answer is as large: its inputs are next to those where it is zero. The bounds that the program states "
+        f"held in {len(held)} of {len(own)} questions that have one, for every result of every case, and are in the "
+        f"median {made.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them "
+        f"hard. Measured on {here.processor}, {here.python}, numpy {here.numpy}.",
         "",
         f"![Work–precision diagram](examples/{DIAGRAM.name})",
     ]

@@ -106,5 +106,5 @@ def _compared(name: str, tolerance: float, *, hard: bool, full: bool, timed: boo
             repeats = 3 if full else 1
             time = seconds(lambda: function(path, tolerance), repeats=repeats, least=pace.least)  # noqa: B023
         base = base or time
-        made.append(row(name, method, errors, time, base, measure="the tolerance", entities=entities))
+        made.append(row(name, method, errors, time, base, measure="shares of the tolerance", entities=entities))
     return made

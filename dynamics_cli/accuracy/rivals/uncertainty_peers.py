@@ -25,23 +25,28 @@ def _straight(mean: float, std: float) -> "Found":
     return mean - SCORE * std, mean + SCORE * std, mean, mean, std
 
 
+def _imported(name: str) -> "Any":
+    """A library that may not be there, and has no types."""
+    from importlib import import_module
+
+    return import_module(name)
+
+
 def by_uncertainties(inputs: "Sequence[Distribution]", correlation: "Correlation", formula: "Formula") -> "Found":
     """First order, by `uncertainties`."""
-    from uncertainties import correlated_values_norm, ufloat, umath  # type: ignore[import-not-found]
-
+    library, umath = _imported("uncertainties"), _imported("uncertainties.umath")
     if correlation:
         matrix = _matrix(len(inputs), correlation)
-        numbers = correlated_values_norm([(one.mean, one.std) for one in inputs], matrix)
+        numbers = library.correlated_values_norm([(one.mean, one.std) for one in inputs], matrix)
     else:
-        numbers = [ufloat(one.mean, one.std) for one in inputs]
+        numbers = [library.ufloat(one.mean, one.std) for one in inputs]
     made = formula(numbers, umath)
     return _straight(float(made.nominal_value), float(made.std_dev))
 
 
 def by_gtc(inputs: "Sequence[Distribution]", correlation: "Correlation", formula: "Formula") -> "Found":
     """First order, by `GTC`."""
-    import GTC  # type: ignore[import-not-found]
-
+    GTC = _imported("GTC")
     numbers = [GTC.ureal(one.mean, one.std, independent=not correlation) for one in inputs]
     for i, j, rho in correlation:
         GTC.set_correlation(rho, numbers[i], numbers[j])
@@ -56,17 +61,16 @@ def by_gtc(inputs: "Sequence[Distribution]", correlation: "Correlation", formula
 
 def by_mcerp(inputs: "Sequence[Distribution]", correlation: "Correlation", formula: "Formula") -> "Found":
     """A Latin hypercube of 10,000 points, by `mcerp`."""
-    import mcerp  # type: ignore[import-not-found]
     import numpy as np
-    from mcerp import umath
 
+    mcerp = _imported("mcerp")
     before = np.random.get_state()  # noqa: NPY002 -- mcerp draws from numpy's own state
     np.random.seed(SEED)  # noqa: NPY002
     try:
         numbers = [_of_mcerp(one) for one in inputs]
         if correlation:
             mcerp.correlate(numbers, _matrix(len(inputs), correlation))
-        made = formula(numbers, umath)
+        made = formula(numbers, mcerp.umath)
     finally:
         np.random.set_state(before)  # noqa: NPY002
     points = np.asarray(made._mcpts)
@@ -75,9 +79,7 @@ def by_mcerp(inputs: "Sequence[Distribution]", correlation: "Correlation", formu
 
 
 def _of_mcerp(one: "Distribution") -> "Any":
-    import mcerp
-    from scipy import stats  # type: ignore[import-untyped]
-
+    mcerp, stats = _imported("mcerp"), _imported("scipy.stats")
     given: dict[str, Any] = one.parameters()
     if one.name == "normal":
         return mcerp.N(given["mean"], given["std"])
@@ -89,7 +91,8 @@ def _of_mcerp(one: "Distribution") -> "Any":
         import math
 
         width = math.sqrt(math.log1p((given["std"] / given["mean"]) ** 2))
-        return mcerp.LogN(math.log(given["mean"]) - 0.5 * width * width, width)
+        # its own LogN takes the median where the mean of the logarithm is meant
+        return mcerp.uv(stats.lognorm(width, scale=given["mean"] * math.exp(-0.5 * width * width)))
     if one.name == "truncated":
         ends = [(given[key] - given["centre"]) / given["width"] for key in ("low", "high")]
         return mcerp.uv(stats.truncnorm(*ends, given["centre"], given["width"]))

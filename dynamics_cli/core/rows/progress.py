@@ -1,4 +1,4 @@
-"""A progress bar for streams, and other work in many steps, that take longer than about a second, on standard error when that is a terminal."""
+"""A progress bar for what takes longer than about a second, on standard error when that is a terminal."""
 
 from time import monotonic
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         @property
         def bytes_read(self) -> int:
             """What has been done."""
+
 
 PATIENCE = 1.0
 

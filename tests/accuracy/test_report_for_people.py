@@ -1,0 +1,271 @@
+"""The accuracy report as people meet it: the table, the diagram, the progress bar, libraries of others."""
+
+import io
+import os
+import re
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from harness import answer, run
+
+from dynamics_cli.accuracy import catalogue, layout, pictures
+from dynamics_cli.accuracy.machine import peer
+from dynamics_cli.accuracy.measure import Errors, errors_of
+from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.report import Accuracy, Done, accuracy
+from dynamics_cli.accuracy.rows import CHOSEN, Row, compared_worst, finished, row
+from dynamics_cli.core.rows import progress
+from dynamics_cli.core.terminal import Terminal
+from dynamics_cli.pictures import Bars, Curve, Mark
+
+
+@pytest.fixture(scope="module")
+def gears() -> dict:
+    return answer("accuracy", "gear")["results"]
+
+
+@pytest.fixture(scope="module")
+def measured() -> Accuracy:
+    return accuracy("gear")
+
+
+def made(question: str, method: str, time: float | None, error: float, refused: int = 0) -> Row:
+    errors = Errors()
+    errors.cases, errors.refused = 3, refused
+    errors.note("a case", error, None)
+    return row(question, method, errors, time, 1.0)
+
+
+class TestTable:
+    @pytest.mark.parametrize("width", [80, 100, 120, 140])
+    def test_lines_are_as_wide_as_the_terminal(self, gears: dict, width: int) -> None:
+        shown = layout.lines(gears, 3, width)
+        assert max(map(len, "\n".join(shown).splitlines())) <= width
+        assert len(shown) > 60
+
+    def test_nothing_in_a_pipe_depends_on_the_terminal(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        first = run("accuracy", "gear", "bevel", "--untimed").out
+        monkeypatch.setenv("COLUMNS", "80")
+        assert run("accuracy", "gear", "bevel", "--untimed").out == first
+
+    def test_the_width_is_that_of_standard_output(self) -> None:
+        pty = pytest.importorskip("pty")
+        ours, theirs = pty.openpty()
+        import fcntl
+        import struct
+        import termios
+
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 97, 0, 0))
+        with os.fdopen(theirs, "wb") as out:
+            assert Terminal(stdout=out).columns == 97
+        os.close(ours)
+        assert Terminal(stdout=io.BytesIO()).columns == 0
+
+    def test_every_method_stands_in_its_question_with_its_own_first(self, gears: dict) -> None:
+        shown = [line for line in layout.lines(gears, 3, 120) if not line.startswith("      ")]
+        marked = [line for line in shown if line.startswith("  ▸ ")]
+        assert len(marked) == gears["questions"]["value"]
+        for place, line in enumerate(shown):
+            if line.startswith("  ▸ "):
+                assert shown[place - 1].split()[-1] == "cases"  # the head of its block
+
+    def test_the_worst_case_is_named_and_its_result_is_not_cut_off(self, gears: dict) -> None:
+        shown = layout.lines(gears, 3, 80)
+        for one in gears["methods"]:
+            if one["worst"]["value"]:
+                assert any("worst at" in line and line.endswith(one["worst_case"][-20:]) for line in shown)
+
+    def test_the_figures_are_those_of_the_document(self, gears: dict) -> None:
+        text = "\n".join(layout.lines(gears, 3, 140))
+        for one in gears["methods"]:
+            assert f"{one['worst']['value']:.1e}" in text
+
+    def test_times_stand_under_the_unit_they_were_asked_in(self) -> None:
+        text = run("accuracy", "skid", "yaw", "--to", "methods.time=ms", "--to", "methods.array_time=ns").out
+        assert "time ms  arrays ns" in text
+
+    def test_columns_that_are_empty_are_left_out(self) -> None:
+        text = run("accuracy", "gear", "ratio", "--untimed").out
+        assert "ratio: time" not in text
+        assert "time us" not in text
+        assert "in ulp" not in text
+
+    def test_json_and_csv_keep_every_column(self, gears: dict) -> None:
+        names = {"family", "task", "question", "method", "cases", "refused", "time", "slower", "worst", "median",
+                 "worst_ulp", "median_ulp", "own_worst", "measure", "bound", "stated", "broken", "looseness",
+                 "worst_case", "array_time", "front"}  # fmt: skip
+        assert names <= set().union(*gears["methods"])
+        head = run("accuracy", "gear", "--format", "csv").out.splitlines()[0]
+        assert names <= {name.partition("[")[0] for name in head.split(",")}
+
+    def test_looseness_is_the_bound_over_the_error_but_over_half_a_last_bit_at_least(self) -> None:
+        errors = Errors()
+        errors.add("a", 1.0 + 2.0**-50, "1", 2.0**-48)
+        errors.add("b", 1.0, "1", 2.0**-51)
+        errors.add("c", 1.0, "1", 0.0)
+        assert errors.looseness == [4.0, 4.0]
+
+    def test_errors_too_large_for_a_double_have_an_end(self) -> None:
+        errors = Errors()
+        errors.add("a", 1e300, "1e-310", None)
+        assert errors.worst[1] == 1e300
+
+    def test_rivals_are_compared_over_their_own_results(self) -> None:
+        own, other = Errors(), Errors()
+        own.add("a", 1.0 + 2.0**-30, "1", None)
+        own.add("b", 1.0 + 2.0**-52, "1", None)
+        other.add("b", 1.0 + 2.0**-40, "1", None)
+        assert row("q", "rival", other, None, None, own=own).own_worst == pytest.approx(2.0**-52)
+        assert row("q", "rival", other, None, None).own_worst is None
+
+
+class TestFront:
+    def test_it_holds_what_no_other_beats(self) -> None:
+        rows = [made("q", "a", 1.0, 1e-16), made("q", "b", 0.1, 1e-3), made("q", "c", 2.0, 1e-3),
+                made("q", "d", 0.1, 1e-3, refused=2), made("q", "e", None, 0.0)]  # fmt: skip
+        assert [one.front for one in finished(rows, "f", "t")] == [True, True, False, False, False]
+
+    def test_equals_are_both_on_it(self) -> None:
+        rows = finished([made("q", "a", 1.0, 1e-3), made("q", "b", 1.0, 1e-3)], "f", "t")
+        assert [one.front for one in rows] == [True, True]
+        assert {(one.family, one.task) for one in rows} == {("f", "t")}
+
+    def test_our_own_method_stands_by_its_error_where_another_answers(self) -> None:
+        own, other = Errors(), Errors()
+        own.cases = other.cases = 2
+        own.add("hard", 1.5, "1", None)
+        own.add("easy", 1.0, "1", None)
+        other.add("easy", 1.25, "1", None)
+        rows = [row("q", "ours (chosen)", own, 1.0, 1.0), row("q", "theirs", other, 1.0, 1.0, own=own)]
+        assert rows[0].worst == 0.5
+        assert [compared_worst(one, rows) for one in rows] == [0.0, 0.25]
+        assert [one.front for one in finished(rows, "f", "t")] == [True, False]
+
+
+class TestDiagram:
+    def test_every_question_has_its_panel(self, measured: Accuracy) -> None:
+        picture = pictures.work_precision(measured)
+        titles = " ".join(panel.title for panel in picture.panels)
+        several = {one.question for one in measured.methods if not one.method.endswith(CHOSEN)}
+        assert len(several) >= 10
+        assert all(question in titles for question in several)
+        marks = [item for panel in picture.panels for item in panel.items if isinstance(item, Mark)]
+        assert len(marks) >= len([one for one in measured.methods if one.question in several])
+
+    def test_no_point_lies_beyond_the_front(self, measured: Accuracy) -> None:
+        for panel in pictures.work_precision(measured).panels:
+            fronts = [item for item in panel.items if isinstance(item, Curve) and item.style == "dashed"]
+            for item in panel.items:
+                if fronts and isinstance(item, Mark):
+                    reached = [y for x, y in zip(fronts[0].x, fronts[0].y, strict=True) if x <= item.x]
+                    assert item.y >= min(reached)
+
+    def test_words_stay_within_the_panel_and_off_one_another(self) -> None:
+        rows = [made("q", f"method number {k}", 1.0 + 0.01 * k, 1e-3) for k in range(6)]
+        panel = pictures.question_panel(rows)
+        marks = [item for item in panel.items if isinstance(item, Mark)]
+        assert len({mark.aside for mark in marks}) == 6
+
+    def test_errors_without_a_right_digit_stand_at_the_end(self) -> None:
+        panel = pictures.question_panel([made("q", "a (chosen)", 1.0, 0.0), made("q", "b", 1.0, 1e40)])
+        assert {item.x for item in panel.items if isinstance(item, Mark)} == {pictures.EXACT, pictures.WRONG}
+
+    @pytest.mark.parametrize("form", ["svg", "png", "pdf"])
+    def test_it_is_drawn_in_every_format(self, tmp_path: Path, form: str) -> None:
+        pytest.importorskip("matplotlib")
+        file = tmp_path / f"work.{form}"
+        assert run("accuracy", "skid", "yaw", "--plot", str(file)).status == 0
+        assert file.stat().st_size > 5000
+
+    def test_a_pdf_has_pages(self, measured: Accuracy) -> None:
+        pytest.importorskip("matplotlib")
+        from dynamics_cli.core.plot.pages import draw
+
+        picture = pictures.work_precision(measured)
+        data = draw(picture, "pdf", "si")
+        pages = -(-len(picture.panels) // picture.page)
+        assert pages > 1
+        assert len(re.findall(rb"/Type /Page\b(?!s)", data)) == pages
+        assert draw(picture, "pdf", "si") == data
+
+    def test_the_overview_has_a_panel_of_all_and_some_of_each_family(self, measured: Accuracy) -> None:
+        picture = pictures.chosen_overview(measured, 4)
+        assert len(picture.panels) == 5
+        assert picture.panels[0].title == "all questions with several methods"
+
+    def test_without_times_errors_are_drawn_alone(self) -> None:
+        untimed = accuracy("skid", "vault", untimed=True)
+        picture = pictures.work_precision(untimed)
+        assert len(picture.panels) == 2
+        drawn = [bars for panel in picture.panels for bars in panel.items if isinstance(bars, Bars)]
+        lengths = [error for bars in drawn for error in bars.high]
+        assert len(lengths) == len(untimed.methods)
+        for one, length in zip(untimed.methods, lengths, strict=True):
+            assert one.method.endswith(CHOSEN) or length == min(max(one.worst, pictures.EXACT), pictures.WRONG)
+
+
+class Screen(io.BytesIO):
+    def isatty(self) -> bool:
+        return True
+
+
+class TestProgress:
+    def test_a_long_run_shows_how_far_it_is(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(progress, "PATIENCE", 0.0)
+        screen, done = Screen(), Done(4)
+        with progress.Progress(done, Terminal(stderr=screen), "questions") as bar:
+            for _ in range(4):
+                done.bytes_read += 1
+                bar.advance(done.bytes_read)
+        assert b"questions" in screen.getvalue()
+
+    def test_a_short_one_and_one_into_a_pipe_show_nothing(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        screen = Screen()
+        with progress.Progress(Done(1), Terminal(stderr=screen), "questions") as bar:
+            bar.advance(1)
+        assert screen.getvalue() == b""
+        monkeypatch.setattr(progress, "PATIENCE", 0.0)
+        pipe = io.BytesIO()
+        with progress.Progress(Done(1), Terminal(stderr=pipe), "questions") as bar:
+            bar.advance(1)
+        assert pipe.getvalue() == b""
+
+
+class TestPeers:
+    def test_they_are_listed_with_their_versions(self) -> None:
+        import pint
+
+        document = answer("accuracy", "convert", "--untimed", "--peers")
+        assert document["results"]["peers"] == [{"name": "pint", "version": pint.__version__, "installed": True}]
+        assert "peers" not in answer("accuracy", "convert", "--untimed")["results"]
+
+    def test_one_that_cannot_be_imported_is_none(self, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+        (tmp_path / "broken_peer.py").write_text("raise AttributeError('np.float')")
+        monkeypatch.syspath_prepend(tmp_path)
+        assert peer("broken_peer").installed is False
+        assert "np.float" in peer("broken_peer").version
+        assert peer("surely_no_such_library").version == ""
+        monkeypatch.setitem(sys.modules, "homemade", ModuleType("homemade"))
+        assert (peer("homemade").installed, peer("homemade").version) == (True, "unknown")
+
+    def test_one_that_fails_in_its_own_way_has_no_answer(self) -> None:
+        question = next(one for one in catalogue.questions("coords", "") if isinstance(one, Question))
+        cases = [case for case in catalogue.load(question.file) if case.task == question.cases]
+
+        def fails(**_: Any) -> dict:
+            raise KeyError("whatever")
+
+        assert errors_of(fails, cases, {}, tracked=False, foreign=True).refused == len(cases)
+        with pytest.raises(KeyError):
+            errors_of(fails, cases, {}, tracked=False)
+
+    def test_a_method_of_a_library_that_was_not_asked_for_is_left_out(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        question = next(one for one in catalogue.questions("skid", "yaw") if isinstance(one, Question))
+        extra = Method("a peer", "dynamics_cli.accuracy.rivals.skid:yaw_by_bank_angle", needs="math")
+        monkeypatch.setattr(question, "methods", (*question.methods, extra))
+        with_peers = answer("accuracy", "skid", "yaw", "--untimed", "--peers")["results"]["methods"]
+        without = answer("accuracy", "skid", "yaw", "--untimed")["results"]["methods"]
+        assert len(with_peers) == len(without) + 1

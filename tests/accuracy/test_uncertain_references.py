@@ -1,0 +1,129 @@
+"""The uncertainty references: made again in part, agreed with by samples and by libraries, and the engine on them."""
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals import uncertainty
+from dynamics_cli.accuracy.rivals.uncertainty_models import FORMULAS, Arrays
+from dynamics_cli.accuracy.rivals.uncertainty_peers import PEERS
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "references"))
+
+from generate_uncertainty_references import agreed, line
+from mpmath import mp, mpf
+from uncertainty_cases import CASES as WANTED
+
+CASES = load("uncertainty.json")
+
+
+def quick(case: Case) -> bool:
+    """Whether its law is in closed form, so that it is made again in a moment."""
+    kinds = {spelled[0] for spelled in case.inputs["inputs"]}
+    one = len(case.inputs["inputs"]) == 1 and kinds != {"truncated"}
+    closed = case.task in ("squares", "difference", "apart") or kinds == {"lognormal"}
+    return (one or closed or kinds == {"uniform"}) and case.name != "nearly a step"
+
+
+QUICK = [(wanted, case) for wanted, case in zip(WANTED, CASES, strict=True) if quick(case)]
+
+
+def wrong(found: tuple[float, ...], case: Case) -> float:
+    std = float(case.results["std"])
+    names = ("low", "high", "median", "mean", "std")
+    return max(abs(value - float(case.results[name])) / std for value, name in zip(found, names, strict=True))
+
+
+class TestReferences:
+    def test_there_are_enough_hard_ones_each_with_its_reason(self) -> None:
+        hard = [case for case in CASES if case.hard]
+        assert len(hard) >= 40
+        assert all(case.why for case in hard)
+        assert len({case.name for case in CASES}) == len(CASES)
+
+    @pytest.mark.parametrize(("wanted", "case"), QUICK, ids=[case.name for _, case in QUICK])
+    def test_those_in_closed_form_are_made_again_to_the_byte(self, wanted: object, case: Case) -> None:
+        import json
+
+        made = json.loads(line(wanted))  # type: ignore[arg-type]
+        assert made["results"] == case.results
+        assert made["inputs"] == case.inputs
+
+    def test_many_are_made_again(self) -> None:
+        assert len(QUICK) >= 30
+
+    def test_only_digits_that_agree_are_written(self) -> None:
+        with mp.workdps(50):
+            third = mpf(1) / 3
+            assert agreed(third, third * (1 + mpf(10) ** -25)).startswith("0.33333333333333333333333")
+            assert len(agreed(third, third * (1 + mpf(10) ** -25))) <= 27
+            with pytest.raises(ArithmeticError):
+                agreed(third, third * (1 + mpf(10) ** -10))
+
+    @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
+    def test_a_sample_agrees_with_every_one(self, case: Case) -> None:
+        """Shares of a plain sample below the quantiles: the formula and the reference speak of the same thing."""
+        inputs, count = uncertainty.distributions(case), 100_000
+        matrix = np.eye(len(inputs))
+        for i, j, rho in uncertainty.correlations(case):
+            matrix[i, j] = matrix[j, i] = rho
+        scores = np.linalg.cholesky(matrix) @ np.random.default_rng(7).normal(size=(len(inputs), count))
+        x = [one.at(z) for one, z in zip(inputs, scores, strict=True)]
+        found = FORMULAS[case.task](x, Arrays())
+        for p, name in ((0.025, "low"), (0.5, "median"), (0.975, "high")):
+            quantile = float(case.results[name])
+            slack = 5.0 * math.sqrt(p * (1.0 - p) / count)
+            near = 1e-12 * abs(quantile)
+            assert (found < quantile - near).mean() - slack <= p <= (found <= quantile + near).mean() + slack, name
+
+
+class TestEngine:
+    @pytest.mark.parametrize("case", [case for case in CASES if uncertainty.kind_of(case) == "smooth"], ids=str)
+    def test_smooth_ones_are_answered_as_closely_as_asked(self, case: Case) -> None:
+        found, _ = uncertainty.own(case, {})
+        assert wrong(found, case) <= 1e-4, case.name
+
+    def test_kinds_hold_all_cases(self) -> None:
+        kinds = [uncertainty.kind_of(case) for case in CASES]
+        assert all(kinds.count(kind) >= 15 for kind in ("smooth", "bounded", "kinked"))
+
+    def test_every_formula_has_a_case(self) -> None:
+        assert {case.task for case in CASES} == set(FORMULAS)
+
+    def test_the_largest_is_the_largest(self) -> None:
+        x = np.random.default_rng(3).normal(size=(4, 50))
+        assert np.allclose(FORMULAS["largest"](list(x), Arrays()), x.max(axis=0))
+        assert np.allclose(FORMULAS["smallest"](list(x), Arrays()), x.min(axis=0))
+
+
+class TestPeers:
+    @pytest.mark.parametrize("name", ["uncertainties", "GTC"])
+    def test_first_order_is_exact_for_sums_of_normals(self, name: str) -> None:
+        pytest.importorskip(name)
+        case = next(case for case in CASES if case.name == "twenty inputs, correlated by 0.99")
+        found, estimate = uncertainty.of_peer(name, case)
+        assert estimate is None
+        assert wrong(found, case) < 1e-9
+
+    def test_first_order_libraries_agree_with_our_linear_method(self) -> None:
+        case = next(case for case in CASES if case.name == "an ordinary skid")
+        ours, _ = uncertainty.own(case, {"method": "linear"})
+        for name in ("uncertainties", "GTC"):
+            pytest.importorskip(name)
+            found, _ = uncertainty.of_peer(name, case)
+            assert found == pytest.approx(ours, rel=1e-9)
+
+    def test_mcerp_samples_every_kind_of_input(self) -> None:
+        pytest.importorskip("mcerp")
+        for kind in ("normal", "uniform", "triangular", "lognormal", "truncated", "readings"):
+            case = next(
+                case for case in CASES if {one[0] for one in case.inputs["inputs"]} == {kind} and case.task != "step"
+            )
+            found, _ = uncertainty.of_peer("mcerp", case)
+            assert all(map(math.isfinite, found))
+            assert abs(found[2] - float(case.results["median"])) < 0.05 * float(case.results["std"]), case.name
+        assert set(PEERS) == {"uncertainties", "GTC", "mcerp"}
