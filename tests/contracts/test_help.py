@@ -16,7 +16,9 @@ def test_help_fits_eighty_columns_and_its_examples_are_whole(task: Task, monkeyp
     monkeypatch.setenv("COLUMNS", "80")
     text = run(*task.path.split(), "--help").out
     # One option is never broken, however long its value.
-    assert [line for line in text.splitlines() if len(line) > 80 and not re.match(r' +--\S+ "[^"]*"( \\)?$', line)] == []
+    assert [
+        line for line in text.splitlines() if len(line) > 80 and not re.match(r' +--\S+ "[^"]*"( \\)?$', line)
+    ] == []
     joined = re.sub(r" \\\n +", " ", text)
     for example in task.examples:
         assert example in joined
