@@ -11,8 +11,11 @@ Needs `pip install 'dynamics-cli[dask]'`.
 import sys
 from pathlib import Path
 
-from dask import compute, delayed
-from dask.distributed import Client, LocalCluster
+try:
+    from dask import compute, delayed
+    from dask.distributed import Client, LocalCluster
+except ImportError:
+    sys.exit("this script needs Dask: pip install 'dynamics-cli[dask]'")
 
 from dynamics_cli import run_rows
 

@@ -228,3 +228,12 @@ def test_a_file_that_may_not_be_read_is_a_wrong_call(tmp_path: Path, monkeypatch
     monkeypatch.setattr("dynamics_cli.core.hashes.entry_of_file", refused)
     outcome = run("inertia", "mesh", str(mesh), "--length-unit", "mm", "--density", "1 kg/m^3", "--json")
     assert (outcome.status, outcome.error["code"]) == (2, "unreadable")
+
+
+def test_a_part_that_is_not_installed_is_a_wrong_call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = tmp_path / "a.obj"
+    mesh.write_text("v 0 0 0\n")
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    outcome = run("inertia", "mesh", str(mesh), "--length-unit", "mm", "--density", "1 kg/m^3", "--json")
+    assert (outcome.status, outcome.error["code"]) == (2, "not-installed")
+    assert "dynamics-cli[mesh]" in outcome.error["hint"]

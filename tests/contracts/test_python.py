@@ -68,4 +68,4 @@ def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path
                 for name, text in expected.items():
                     value = found[name]
                     # An empty cell is an empty text or, in a column of numbers, none.
-                    assert (value or "") == (float(text) if isinstance(value, int | float) else text)
+                    assert ("" if value is None else value) == (float(text) if isinstance(value, int | float) else text)
