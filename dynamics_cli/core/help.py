@@ -126,15 +126,36 @@ def command_help(task: Task) -> str:
         blocks.append("\b\n" + "\n".join(lines))
     if task.examples:
         # \b keeps the lines of a block as they stand.
-        blocks.append("\b\n" + "\n".join(["Examples:", *(f"  {example}" for example in task.examples)]))
+        blocks.append("\b\n" + "\n".join(["Examples:", *map(_example, task.examples)]))
     return "\n\n".join(blocks)
 
 
+def _width() -> int:
+    """How long the lines of a help text may be: what a terminal has, within what reads well."""
+    import shutil
+
+    return max(48, min(shutil.get_terminal_size((80, 24)).columns - 2, 78))
+
+
 def _wrapped(line: str) -> str:
-    """A line in several where it is long, for a terminal of 80 columns; examples stay whole, to be copied."""
+    """A line in several where it is long."""
     from textwrap import fill
 
-    return fill(line, 76, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return fill(line, _width() - 2, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+
+
+def _example(command: str) -> str:
+    """A command in several lines where it is long, broken before options as a shell takes it: it can be copied."""
+    made = "  "
+    lines = []
+    for nth, part in enumerate(command.split(" --")):
+        word = f" --{part}" if nth else part
+        if nth and len(made) + len(word) > _width() - 2:
+            lines.append(f"{made} \\")
+            made = f"    {word}"
+        else:
+            made += word
+    return "\n".join([*lines, made])
 
 
 def undescribed(task: Task) -> "list[str]":

@@ -5,8 +5,9 @@ The processes are forked, so that they have what the parent has read; where a sy
 
 import itertools
 import os
+import time
 
-from dynamics_cli.errors import UsageError
+from dynamics_cli.errors import FaultError, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 
 # Pieces under way for each process: enough to keep it busy, few enough for constant memory.
 AHEAD = 3
+# How often a process looks whether its parent is still there, in seconds.
+PARENT_SEEN = 1.0
 # What the forked processes carry out; set before they are made.
 _work: "Callable[[Any], Any] | None" = None
 
@@ -27,18 +30,34 @@ def spread(work: "Callable[[Any], Any]", pieces: "Iterable[Any]", jobs: int) -> 
     if len(first) < 2:
         yield from map(work, itertools.chain(first, pieces))
         return
-    with _pool(work, jobs) as pool:
-        under_way: list[Future[Any]] = []
-        try:
-            for piece in itertools.chain(first, pieces):
-                under_way.append(pool.submit(_carry_out, piece))
-                if len(under_way) >= AHEAD * jobs:
-                    yield under_way.pop(0).result()
-            while under_way:
+    from concurrent.futures.process import BrokenProcessPool
+    from multiprocessing import active_children
+
+    from dynamics_cli.core.writing import interrupt, on_termination
+
+    others = set(active_children())
+    before = on_termination(interrupt)
+    pool = _pool(work, jobs)
+    under_way: list[Future[Any]] = []
+    try:
+        for piece in itertools.chain(first, pieces):
+            under_way.append(pool.submit(_carry_out, piece))
+            if len(under_way) >= AHEAD * jobs:
                 yield under_way.pop(0).result()
-        finally:
-            for future in under_way:
-                future.cancel()
+        while under_way:
+            yield under_way.pop(0).result()
+        pool.shutdown()
+    except BrokenProcessPool:
+        hint = "the system may have been out of memory: fewer --jobs need less"
+        raise FaultError("one of the processes of --jobs was ended from outside", code="process", hint=hint) from None
+    finally:
+        # Whatever ended this early does not wait for the pieces that are under way: they may take minutes.
+        for child in set(active_children()) - others:
+            child.kill()
+        _let_go(pool)
+        pool.shutdown(cancel_futures=True)
+        if before is not None:
+            on_termination(before)
 
 
 def _pool(work: "Callable[[Any], Any]", jobs: int) -> "ProcessPoolExecutor":
@@ -47,14 +66,31 @@ def _pool(work: "Callable[[Any], Any]", jobs: int) -> "ProcessPoolExecutor":
 
     global _work
     _work = work
-    return ProcessPoolExecutor(jobs, get_context("fork"), _begin)
+    return ProcessPoolExecutor(jobs, get_context("fork"), _begin, (os.getpid(),))
 
 
-def _begin() -> None:
-    """Leave an interruption to the parent, which ends its processes."""
+def _let_go(pool: "ProcessPoolExecutor") -> None:
+    """Close our own end for reading pieces: Python 3.11 waits for ever while it writes to a pipe nobody reads."""
+    reader = getattr(getattr(pool, "_call_queue", None), "_reader", None)
+    if reader is not None:
+        reader.close()
+
+
+def _begin(parent: int) -> None:
+    """Leave an interruption to the parent, which ends its processes; end with it, should it be killed."""
     import signal
+    from threading import Thread
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # The parent's handler, which removes its unfinished file, came with the fork.
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    Thread(target=_end_with, args=(parent,), daemon=True).start()
+
+
+def _end_with(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(PARENT_SEEN)
+    os._exit(1)
 
 
 def _carry_out(piece: "Any") -> "Any":

@@ -187,11 +187,17 @@ def _file(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
 
     name = _text(kind, raw, address, reader).echo()
     path = name if os.path.isabs(name) else os.path.join(reader.folder, name)
-    if not os.path.isfile(path):
+    if not os.path.exists(path):
         raise UsageError(
             f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
         )
-    reader.files.append(entry_of_file(path))
+    if not os.path.isfile(path):
+        what = "is a directory" if os.path.isdir(path) else "is a pipe or a device, which cannot be read twice"
+        raise UsageError(f"{name!r} {what}", code="no-file", hint="give a file")
+    try:
+        reader.files.append(entry_of_file(path))
+    except OSError as error:
+        raise UsageError(f"cannot read {name!r}: {error.strerror or error}", code="unreadable") from None
     return Constant(path, name)
 
 

@@ -30,7 +30,7 @@ class WholeFile:
     def __enter__(self) -> "Self":
         if os.path.isdir(self.name):
             raise OutputError(f"cannot write {self.name!r}: it is a directory", parameter=self.parameter)
-        self._before = _on_termination(_interrupt)
+        self._before = on_termination(interrupt)
         try:
             self._file = open(self._part, "wb")
         except OSError as error:
@@ -62,7 +62,7 @@ class WholeFile:
             if os.path.exists(self._part):
                 os.unlink(self._part)
             if self._before is not None:
-                _on_termination(self._before)
+                on_termination(self._before)
 
     def _copy_into_special(self) -> None:
         """A device or a pipe must not be replaced by a file."""
@@ -74,7 +74,7 @@ class WholeFile:
         return OutputError(f"cannot write {self.name!r}: {error.strerror or error}", parameter=self.parameter)
 
 
-def _on_termination(handler: "Any") -> "Any":
+def on_termination(handler: "Any") -> "Any":
     """Say what a request to end the process does, so that no part of a file is left behind; what it did before."""
     import signal
 
@@ -84,7 +84,8 @@ def _on_termination(handler: "Any") -> "Any":
         return None
 
 
-def _interrupt(*_: object) -> None:
+def interrupt(*_: object) -> None:
+    """End the process as Ctrl-C does."""
     raise KeyboardInterrupt
 
 

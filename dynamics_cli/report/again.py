@@ -102,12 +102,20 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
     if told:
         asked["seed"] = str(told.get("seed", 1))
         asked["correlate"] = [f"{pair}={rho!r}" for pair, rho in told.get("correlations", {}).items()]
-        coverage = [node["coverage"] for node in document["results"].values() if "coverage" in node]
-        asked |= {"coverage": repr(coverage[0])} if coverage else {}
+        coverage = _coverage(document["results"])
+        asked |= {"coverage": repr(coverage)} if coverage is not None else {}
     limits = document.get("limits", ())
     if limits:
         asked["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
     return asked
+
+
+def _coverage(node: "Any") -> "float | None":
+    """The chance that stands behind the intervals, from the first that there is."""
+    if isinstance(node, dict) and "interval" in node:
+        return float(node["coverage"])
+    items = node.values() if isinstance(node, dict) else node if isinstance(node, list) else ()
+    return next((found for found in map(_coverage, items) if found is not None), None)
 
 
 def _written(node: "Document") -> str:

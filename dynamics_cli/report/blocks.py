@@ -1,6 +1,6 @@
 """A report as a list of blocks, and its two forms: Markdown, and HTML that needs no other file."""
 
-from html import escape
+from html import escape as escaped
 
 from dynamics_cli.records import record
 
@@ -70,6 +70,20 @@ STYLE = (
 )
 
 
+# Control characters would command the terminal that shows the report, and half characters cannot be written.
+_UNPRINTABLE = {**dict.fromkeys(range(0x20)), 0x09: " ", 0x0A: "\n", **dict.fromkeys(range(0x7F, 0xA0))}
+
+
+def clean(text: str) -> str:
+    """Text without what cannot be printed."""
+    return text.translate(_UNPRINTABLE).encode("utf-8", "backslashreplace").decode()
+
+
+def escape(text: str) -> str:
+    """Text as HTML shows it."""
+    return escaped(clean(text))
+
+
 def markdown(blocks: "Sequence[Block]", images: "Sequence[str]") -> str:
     """The report as Markdown; `images` names the pictures' files in order, none where they are left out."""
     names = iter(images)
@@ -87,8 +101,9 @@ def markdown(blocks: "Sequence[Block]", images: "Sequence[str]") -> str:
             lines = [_row(block.head), "|" + "---|" * len(block.head), *map(_row, block.rows)]
             parts += [f"*Table {tables}. {_plain(block.caption)}*", "\n".join(lines)]
         elif isinstance(block, Code):
-            fence = "`" * max(3, 1 + _longest_run(block.text, "`"))
-            parts.append(f"{fence}\n{block.text}\n{fence}")
+            text = clean(block.text)
+            fence = "`" * max(3, 1 + _longest_run(text, "`"))
+            parts.append(f"{fence}\n{text}\n{fence}")
         elif (name := next(names, "")) != "":
             figures += 1
             words = _plain(block.text)
@@ -101,6 +116,7 @@ def _row(cells: "Sequence[str]") -> str:
 
 
 def _plain(text: str) -> str:
+    text = clean(text)
     for mark in ("\\", "|", "*", "_", "<", "`", "["):
         text = text.replace(mark, f"\\{mark}")
     return " ".join(text.split())

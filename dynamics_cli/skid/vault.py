@@ -58,7 +58,7 @@ def vault_least_speed(
     rise : Length
         Height of the landing above the take-off, negative when lower [m].
     take_off : Angle
-        Not used by this model [rad].
+        Angle of the take-off above the horizontal; given, it decides the speed [rad].
     gravity : Gravity
         Acceleration of gravity [m/s^2].
 

@@ -3,6 +3,8 @@
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+# The log: 100,000 rows of three roads, with a negative distance, a word and a zero among them.
 awk 'BEGIN {
     print "road,speed[km/h],distance[m]"
     for (i = 0; i < 100000; i++) {
@@ -14,8 +16,12 @@ awk 'BEGIN {
         printf "%s,%g,%.4f\n", substr("ABC", i % 3 + 1, 1), speed, distance
     }
 }' | sed 's/0.0000$/0/' > "$work/log.csv"
+
+# A spoilt row costs only itself: its error stands in its row, and the exit status says that there were some.
 dynamics skid friction --rows "$work/log.csv" --jobs 2 > "$work/out.csv" 2> /dev/null || echo "exit status $?"
 wc -l < "$work/out.csv" | tr -d ' '
+
+# Each road in SQL, and how many rows were refused; then why they were, by jq.
 sqlite3 -csv -header :memory: ".import $work/out.csv log" \
     "SELECT road, count(*) AS skids, round(avg(\"friction\"), 3) AS mean, round(min(\"friction\"), 3) AS least, round(max(\"friction\"), 3) AS greatest FROM log WHERE error = '' GROUP BY road" \
     "SELECT count(*) AS refused FROM log WHERE error <> ''" | tr -d '\r'

@@ -8,12 +8,14 @@ single process gives.
 Needs `pip install 'dynamics-cli[dask]'`.
 """
 
-import io
 import sys
 from pathlib import Path
 
-from dask import compute, delayed
-from dask.distributed import Client, LocalCluster
+try:
+    from dask import compute, delayed
+    from dask.distributed import Client, LocalCluster
+except ImportError:
+    sys.exit("this script needs Dask: pip install 'dynamics-cli[dask]'")
 
 from dynamics_cli import run_rows
 
@@ -23,16 +25,20 @@ def answer(command: str, source: str, target: str) -> str:
     if not source.endswith(".parquet"):
         Path(target).write_bytes(run_rows(command, Path(source).read_bytes()))
         return target
-    import pandas
+    from pyarrow import BufferOutputStream, BufferReader, csv, parquet
 
     # The shortest text of a double reads back as that double, so going by CSV changes no number.
-    rows = pandas.read_parquet(source).to_csv(index=False).encode()
-    pandas.read_csv(io.BytesIO(run_rows(command, rows))).to_parquet(target)
+    rows = BufferOutputStream()
+    csv.write_csv(parquet.read_table(source), rows)
+    answers = run_rows(command, rows.getvalue().to_pybytes())
+    parquet.write_table(csv.read_csv(BufferReader(answers)), target)
     return target
 
 
 def main() -> None:
     """Answer every partition on a local cluster; on another one, give its address to `Client`."""
+    if len(sys.argv) < 4:
+        sys.exit('usage: python dask_rows.py "skid speed" OUTPUT_FOLDER FILE...')
     command, folder, *files = sys.argv[1:]
     Path(folder).mkdir(parents=True, exist_ok=True)
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster):

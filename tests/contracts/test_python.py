@@ -1,6 +1,8 @@
 """Use from Python: streams of cases as bytes, and partitions spread over a cluster, with the bits of single calls."""
 
+import csv
 import importlib.util
+import io
 import subprocess
 import sys
 from pathlib import Path
@@ -43,8 +45,6 @@ def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path
         if form == "csv":
             file.write_text(part)
         else:
-            import io
-
             import pandas
 
             pandas.read_csv(io.StringIO(part)).to_parquet(file)
@@ -60,9 +60,12 @@ def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path
         if form == "csv":
             assert made.read_bytes() == alone
         else:
-            import io
+            from pyarrow import parquet
 
-            import pandas
-
-            found, expected = pandas.read_parquet(made), pandas.read_csv(io.BytesIO(alone))
-            pandas.testing.assert_frame_equal(found, expected, check_exact=True)
+            for found, expected in zip(
+                parquet.read_table(made).to_pylist(), csv.DictReader(io.StringIO(alone.decode())), strict=True
+            ):
+                for name, text in expected.items():
+                    value = found[name]
+                    # An empty cell is an empty text or, in a column of numbers, none.
+                    assert ("" if value is None else value) == (float(text) if isinstance(value, int | float) else text)

@@ -17,6 +17,9 @@ CASES = [
     ("dynamics skid speed --format j", "json"),
     ("dynamics convert 60 mp", "mph"),
     ("dynamics schema skid pe", "pedestrian"),
+    ("dynamics cam rise --law cyc", "cycloidal"),
+    ("dynamics inertia shape cyl", "cylinder"),
+    ("dynamics report --ti", "--title"),
 ]
 
 
@@ -55,6 +58,16 @@ class TestShells:
         env = {**command, "HOME": str(tmp_path)}
         done = subprocess.run(["fish", "-c", code], capture_output=True, text=True, env=env, check=False)
         assert expected in [found.split("\t")[0] for found in done.stdout.splitlines()], done.stderr
+
+    def test_zsh(self, line: str, expected: str, command: dict[str, str], tmp_path: Path) -> None:
+        words = " ".join(f"'{word}'" for word in line.split(" "))
+        # Outside an interactive shell the widgets of completion are stood in for; the quoting and `eval` are zsh's own.
+        code = (
+            "compdef() { : }; _files() { : }; _arguments() { print -r -- ${(M)@:#*:*} }; "
+            f"words=({words}); CURRENT={line.count(' ') + 1}; source {printed('zsh', tmp_path)}; _dynamics_completion"
+        )
+        done = subprocess.run(["zsh", "-f", "-c", code], capture_output=True, text=True, env=command, check=False)
+        assert f'"{expected}"' in done.stdout, done.stderr
 
 
 def test_zsh_reads_its_script(tmp_path: Path) -> None:

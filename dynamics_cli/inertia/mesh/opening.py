@@ -2,7 +2,7 @@
 
 import os
 
-from dynamics_cli.errors import InadmissibleError, require
+from dynamics_cli.errors import InadmissibleError, UsageError, require
 from dynamics_cli.inertia.mesh.stl import Corners, open_stl
 
 TYPE_CHECKING = False
@@ -18,7 +18,9 @@ def open_mesh(name: str) -> "Source":
     Raises
     ------
     InadmissibleError
-        When the form is unknown, the file is damaged, or trimesh is needed and not installed.
+        When the form is unknown or the file is damaged.
+    UsageError
+        When trimesh is needed and not installed.
     """
     ending = os.path.splitext(name)[1].lower().lstrip(".")
     if ending in OTHERS:
@@ -39,7 +41,7 @@ def _by_trimesh(name: str, ending: str) -> "Source":
     try:
         import trimesh
     except ImportError:
-        raise InadmissibleError(
+        raise UsageError(
             f"files of the form {ending} are read by trimesh, which is not installed",
             code="not-installed",
             hint="pip install 'dynamics-cli[mesh]', or export the part as STL",

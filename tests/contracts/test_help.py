@@ -1,0 +1,28 @@
+"""Help fits a terminal, and what it shows can be copied and run."""
+
+import re
+
+import pytest
+from harness import run
+
+from dynamics_cli import cli
+from dynamics_cli.core.task import Task
+
+TASKS = [task for name in cli.FAMILIES for task in cli.family(name).tasks.values()]
+
+
+@pytest.mark.parametrize("task", TASKS, ids=lambda task: task.path)
+def test_help_fits_eighty_columns_and_its_examples_are_whole(task: Task, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    text = run(*task.path.split(), "--help").out
+    # One option is never broken, however long its value.
+    assert [
+        line for line in text.splitlines() if len(line) > 80 and not re.match(r' +--\S+ "[^"]*"( \\)?$', line)
+    ] == []
+    joined = re.sub(r" \\\n +", " ", text)
+    for example in task.examples:
+        assert example in joined
+
+
+def test_no_option_is_said_to_be_unused() -> None:
+    assert [task.path for task in TASKS if "Not used" in run(*task.path.split(), "--help").out] == []
