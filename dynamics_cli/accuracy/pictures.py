@@ -112,14 +112,14 @@ def overview(several: "list[list[Row]]") -> Panel:
     ]
     curves.append(Curve(own, [1.0] * len(own), "our own methods", "points", OWN))
     axis = _ratios([ratio for _, ups in points.values() for ratio in ups])
-    return Panel(Axis(ERROR, None, True, ENDS), axis, tuple(curves), "all questions with several methods")
+    return Panel(Axis(ERROR, None, True, ends=ENDS), axis, tuple(curves), "all questions with several methods")
 
 
 def question_panel(rows: "list[Row]") -> Panel:
     """One question: its methods by name, and the front."""
     base = rows[0].time or 1.0
     pieces = rows[0].entities is not None
-    x = Axis("pieces needed", None, True, PIECES) if pieces else _errors_in(rows[0].measure)
+    x = Axis("pieces needed", None, True, ends=PIECES) if pieces else _errors_in(rows[0].measure)
     points = [
         (float(row.entities or PIECES[1]) if pieces else _error(row, rows), (row.time or 0.0) / base, _words(row))
         for row in rows
@@ -133,12 +133,12 @@ def _alone(family: str, rows: "list[Row]") -> Panel:
     points = [(_error(row, [row]), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
     times = [time for _, time, _ in points]
     ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
-    x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends)
+    x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends=ends)
     return Panel(x, y, tuple(_marks(points, x, y)), f"{family}: one method each")
 
 
 def _errors_in(measure: str) -> Axis:
-    return Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ENDS)
+    return Axis(ERROR if measure == "relative" else f"worst error in {measure}", None, True, ends=ENDS)
 
 
 def _error(row: "Row", rows: "list[Row]") -> float:
@@ -168,7 +168,7 @@ def _ratios(ratios: "list[float]") -> Axis:
     """The axis of times over the chosen method's: whole decades about one, two at least."""
     low, high = min(*ratios, 1.0), max(*ratios, 1.0)
     ends = (10.0 ** min(floor(log10(low) - 0.2), -1), 10.0 ** max(ceil(log10(high) + 0.2), 1))
-    return Axis("time, own method = 1", None, True, ends)
+    return Axis("time, own method = 1", None, True, ends=ends)
 
 
 def _front(points: "list[Point]", x: Axis, y: Axis) -> Curve:

@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.path import Path, _OnPiece
+    from dynamics_cli.cam.path import Path, OnPiece
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
 # (1 − x²)²(x² − a²) is least at its worst for this a
@@ -64,7 +64,7 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
     return made
 
 
-def _spread(path: "_OnPiece", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
+def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
     """The fewest places found that keep the tolerance on one smooth piece."""
     order = ORDER[form]
     count = max(1, int(np.ceil((end - start) / TURN - 1e-9)))
@@ -110,7 +110,7 @@ def _equal(places: "Any", load: "Any", count: int) -> "Any":
     return new
 
 
-def _shaped(path: "_OnPiece", form: str, places: "Any") -> "tuple[Any, Any]":
+def _shaped(path: "OnPiece", form: str, places: "Any") -> "tuple[Any, Any]":
     if form == "cubics":
         return _cubics(path, places)
     if form == "lines":
@@ -127,7 +127,7 @@ def _finished(form: str, places: "Any", shape: "Any") -> "tuple[Any, Any]":
     return all_places, bulges.reshape(-1)
 
 
-def _pairs(path: "_OnPiece", places: "Any") -> "tuple[Any, Any]":
+def _pairs(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
     """Pairs of arcs that meet on the curve: tangent to it at their outer ends and to each other."""
     x, y, tx, ty, _ = path.at(places)
     x0, y0, x1, y1 = x[:-1], y[:-1], x[1:], y[1:]
@@ -178,7 +178,7 @@ def circle_distance(x0: "Any", y0: "Any", x1: "Any", y1: "Any", bulge: "Any", x:
     return 2.0 * g / (1.0 + root), gx * ux - gy * uy, gx * uy + gy * ux, kappa
 
 
-def _arc_errors(path: "_OnPiece", places: "Any", bulges: "Any") -> "Any":
+def _arc_errors(path: "OnPiece", places: "Any", bulges: "Any") -> "Any":
     x, y = path.at(places)[:2]
     theta = places[:-1, None] + np.diff(places)[:, None] * SAMPLES
     px, py = path.at(theta)[:2]
@@ -194,7 +194,7 @@ def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, 
     return value, 3.0 * (d0 * u * u + 2.0 * d1 * u * t + d2 * t * t), 6.0 * ((d1 - d0) * u + (d2 - d1) * t)
 
 
-def controls(path: "_OnPiece", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
+def controls(path: "OnPiece", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
     """Control points of the chosen cubics, (n, 4) for each coordinate."""
     x, y, tx, ty, _ = path.at(places)
     a, b = handles[chosen, 0], handles[chosen, 1]
@@ -205,7 +205,7 @@ def controls(path: "_OnPiece", places: "Any", handles: "Any", chosen: "Any" = sl
     return made[0], made[1]
 
 
-def _cubics(path: "_OnPiece", places: "Any") -> "tuple[Any, Any]":
+def _cubics(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
     """Handles of cubics tangent at their ends that pass through two more points of the curve (Newton)."""
     x, y, tx, ty, g = path.at(places)
     width = np.diff(places)
@@ -239,7 +239,7 @@ def _cubics(path: "_OnPiece", places: "Any") -> "tuple[Any, Any]":
     return np.where(better[:, None], found, first), np.where(better, errors, plain)
 
 
-def _cubic_errors(path: "_OnPiece", places: "Any", handles: "Any") -> "Any":
+def _cubic_errors(path: "OnPiece", places: "Any", handles: "Any") -> "Any":
     theta = places[:-1, None] + np.diff(places)[:, None] * SAMPLES
     px, py = path.at(theta)[:2]
     cx, cy = controls(path, places, handles)

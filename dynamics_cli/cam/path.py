@@ -51,9 +51,9 @@ class Path:
         turn = self.geometry.turn
         return px, py, turn * my, -turn * mx, g
 
-    def on(self, piece: int) -> "_OnPiece":
+    def on(self, piece: int) -> "OnPiece":
         """The curve seen from within one piece of the motion."""
-        return _OnPiece(self, piece)
+        return OnPiece(self, piece)
 
     def require_regular(self) -> None:
         """Refuse a curve that stops or runs backwards: it cuts itself and no machine can follow it."""
@@ -133,7 +133,7 @@ class Path:
         )  # fmt: skip
 
 
-class _OnPiece:
+class OnPiece:
     """A curve on one piece of its motion: what is fitted to it needs no more."""
 
     def __init__(self, path: Path, piece: int) -> None:

@@ -59,7 +59,7 @@ def equal_angles(path: "Path", tolerance: float) -> "Pieces":
 
 def deviation(path: "Path", form: str, pieces: "Pieces") -> float:
     """The largest distance of points of the exact curve from their pieces."""
-    return max(measured(path, form, places, shape) for places, shape in pieces)
+    return max(measured(path.on(piece), form, places, shape) for piece, (places, shape) in enumerate(pieces))
 
 
 METHODS: "tuple[tuple[str, str, Method], ...]" = (

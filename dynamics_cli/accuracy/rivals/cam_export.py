@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.path import Path, _OnPiece
+    from dynamics_cli.cam.path import Path, OnPiece
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]
@@ -53,7 +53,7 @@ def paths(*, hard: bool) -> "list[tuple[str, Path, float]]":
     return found
 
 
-def measured(path: "_OnPiece", form: str, places: "Any", shape: "Any") -> float:
+def measured(path: "OnPiece", form: str, places: "Any", shape: "Any") -> float:
     """The largest distance of points of the exact curve from their pieces."""
     import numpy as np
 
