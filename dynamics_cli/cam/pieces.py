@@ -45,8 +45,10 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
 
     The function is called with discs (`numerics.discs`): arithmetic, roots, sines, arc tangents, `numpy.stack` and the
     like work on them as on arrays. Comparisons and branches on values do not: such a function is called with arrays,
-    and what its proxies leave out is estimated (`Proxies.proved` is false).
+    and what its proxies leave out is estimated (`Proxies.proved` is false); so it is for a motion without `parts_of`.
     """
+    if not hasattr(motion, "parts_of"):
+        return _estimated(motion, function, derivatives)
     parts, owner, rows = _rows(motion)
     starts, ends, which, far, first, width = rows
 
@@ -61,8 +63,16 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
     try:
         made = proved_proxies(sampled, starts, ends)
     except TypeError:
-        made = proxies(lambda place, piece: function(*within(motion, place, owner[piece], derivatives)), starts, ends)
+        return _estimated(motion, function, derivatives)
     return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved)
+
+
+def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
+    """Proxies by arrays, their remainders estimated from the last coefficients."""
+    count = len(motion.zones)
+    return proxies(
+        lambda place, piece: function(*within(motion, place, piece, derivatives)), np.zeros(count), np.ones(count)
+    )
 
 
 def _rows(motion: "Motion") -> "tuple[Any, ...]":
