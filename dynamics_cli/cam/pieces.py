@@ -6,7 +6,7 @@ from math import ceil, pi
 import numpy as np
 
 from dynamics_cli.cam.enclosures import discs
-from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes
+from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
 from dynamics_cli.numerics.discs import Disc
 from dynamics_cli.numerics.remainders import proved_proxies
 
@@ -44,8 +44,11 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
     """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece.
 
     The function is called with discs (`numerics.discs`): arithmetic, roots, sines, arc tangents, `numpy.stack` and the
-    like work on them as on arrays. Comparisons and branches on values do not.
+    like work on them as on arrays. Comparisons and branches on values do not: such a function is called with arrays,
+    and what its proxies leave out is estimated (`Proxies.proved` is false); so it is for a motion without `parts_of`.
     """
+    if not hasattr(motion, "parts_of"):
+        return _estimated(motion, function, derivatives)
     parts, owner, rows = _rows(motion)
     starts, ends, which, far, first, width = rows
 
@@ -57,8 +60,19 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
         radius = radius * (width[piece] * span)[:, None]
         return function(*discs(parts, which[piece], t, radius, derivatives))
 
-    made = proved_proxies(sampled, starts, ends)
-    return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error)
+    try:
+        made = proved_proxies(sampled, starts, ends)
+    except TypeError:
+        return _estimated(motion, function, derivatives)
+    return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved)
+
+
+def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
+    """Proxies by arrays, their remainders estimated from the last coefficients."""
+    count = len(motion.zones)
+    return proxies(
+        lambda place, piece: function(*within(motion, place, piece, derivatives)), np.zeros(count), np.ones(count)
+    )
 
 
 def _rows(motion: "Motion") -> "tuple[Any, ...]":

@@ -43,7 +43,9 @@ class Proxies:
     coefficients : array (q, m, COUNT)
         Coefficients on each piece.
     error : array (q, m)
-        What the coefficients left out may come to: proved with all roundings, or estimated, as whoever made them says.
+        What the coefficients left out may come to.
+    proved : bool
+        Whether `error` is a proof, with all roundings, or an estimate.
     """
 
     owner: "Any"
@@ -51,6 +53,7 @@ class Proxies:
     ends: "Any"
     coefficients: "Any"
     error: "Any"
+    proved: bool = False
 
 
 @record

@@ -102,7 +102,7 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     made = away @ matrix
     made[:, :, 0] += middle
     error = left_out + LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
-    return Proxies(origin, low, high, made, np.where(np.isfinite(error), error * UP, np.inf))
+    return Proxies(origin, low, high, made, np.where(np.isfinite(error), error * UP, np.inf), True)
 
 
 def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
