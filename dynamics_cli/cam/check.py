@@ -252,7 +252,7 @@ def check(
         "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),
         "face width": face_width is None or face is None or face <= face_width,
         "velocity jump": jumps[0] == 0,
-        "jump speed": jump is None or speed is None or jump[0] is None or jump[0] >= safety * speed,
+        "jump speed": jump is None or speed is None or jump[0] is None or jump[0] >= safety * abs(speed),
     }
     wrong = [name for name, good in kept.items() if not good]
     return CamCheck(
