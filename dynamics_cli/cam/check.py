@@ -300,7 +300,7 @@ def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
     arm = geometry.oscillating
     mend = "raise the base radius, take a smaller roller, or give the motion a larger angle"
     if isinf(loss.lift):
-        message = "the cam is undercut: nothing of it is left around its axis"
+        message = "the cam is undercut: nothing of it is left for the follower to rest on"
         return Advice("undercut", message, "serious", mend, "swing_lost" if arm else "lift_lost")
     amount = f"{loss.lift / DEGREE:.6g} deg of swing" if arm else f"{1e3 * loss.lift:.6g} mm of lift"
     message = f"the cam is undercut: {amount} are lost"

@@ -26,6 +26,7 @@ COVERED = 1e-12
 # How far a corner may be from its place, of the cam's size: found, and where points are too near to tell.
 FOUND = 4e-15
 BLURRED = 1e-12
+SLIPPING = 2049
 # Where no corner is found between ends this close, of the cam's size, the undercut is less than its rounding.
 NOTHING = 1e-11
 
@@ -37,7 +38,7 @@ class Loss:
     Parameters
     ----------
     lift : float
-        Greatest lift lost [m, or rad for an arm]; infinite where nothing of the cam is left around its axis.
+        Greatest lift lost [m, or rad for an arm]; infinite where nothing is left for the follower to rest on.
     at : float
         Cam angle there [rad].
     error : float
@@ -299,12 +300,38 @@ def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, 
         return (drives * s - seat(geometry, theta, point.real, point.imag))[None]
 
     count = len(parts)
-    found = extremes(proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count)))
+    try:
+        made = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
+    except ValueError:
+        return _slipping(curve, parts, np.array([corner.point for corner in loop]))
+    found = extremes(made)
     index = int(np.argmax(found.values))
     piece = found.owner[index : index + 1]
     own, share = int(piece[0]), found.places[index : index + 1]
     place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[0]))
     return max(float(lost(share[:, None], piece)[0, 0, 0]), 0.0), place, found.error
+
+
+def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: "Any") -> "tuple[float, float, float]":
+    """The loss where the follower slips past a corner and rests on the next, from samples, with their spacing as bound.
+
+    Infinite where it finds nothing to rest on: far beyond any cam that works.
+    """
+    motion, geometry = curve.motion, curve.geometry
+    drives = geometry.way * geometry.side
+    worst = 0.0, 0.0, 0.0
+    for number, low, span in parts:
+        share = low + span * np.linspace(0.0, 1.0, SLIPPING)
+        zone = motion.zones[number]
+        theta = zone.start + (zone.end - zone.start) * share
+        rests = seat(geometry, theta[:, None], points.real, points.imag).max(axis=1)
+        lost = drives * motion.in_zone(number, share, 0)[0] - rests
+        index = int(np.argmax(lost))
+        if lost[index] == inf:
+            return inf, float(theta[index]), 0.0
+        near = lost[max(index - 1, 0) : index + 2]
+        worst = max(worst, (float(lost[index]), float(theta[index]), float(np.ptp(near))))
+    return worst
 
 
 def _gone(curve: Envelope, loop: "list[Corner]") -> "tuple[list[tuple[int, float, float]], Any]":
