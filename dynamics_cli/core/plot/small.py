@@ -125,6 +125,8 @@ class _Canvas:
 def _bars(panel: "Panel", item: Bars, system: str, width: int) -> str:
     x = Scale(panel.x, system)
     low, high = x(item.low), x(item.high)
+    if x.logarithmic:
+        low, high = [_log(end) for end in low], [_log(end) for end in high]
     least, most = min(low), max(high)
     per = (width - 1) / ((most - least) or 1.0)
     names = max(len(name) for name in item.names)
@@ -132,6 +134,6 @@ def _bars(panel: "Panel", item: Bars, system: str, width: int) -> str:
     for name, start, end in zip(item.names, low, high, strict=True):
         before = round((start - least) * per)
         lines.append(f"{name:>{names}} {' ' * before}{'█' * max(1, round((end - start) * per))}")
-    ends = number(least, 4), number(most, 4)
+    ends = _back(least, x.logarithmic), _back(most, x.logarithmic)
     lines.append(f"{'':{names + 1}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}")
     return "\n".join(lines)
