@@ -207,6 +207,14 @@ class TestDiagram:
             assert one.method.endswith(CHOSEN) or length == min(max(one.worst, pictures.EXACT), pictures.WRONG)
 
 
+    def test_bars_in_the_terminal_know_powers_of_ten(self) -> None:
+        from dynamics_cli.core.plot.small import sketch
+
+        text = sketch(pictures.work_precision(accuracy("skid", "yaw", untimed=True)), "si", 80, 24)
+        own, book, single = (line.count("█") for line in text.splitlines() if "█" in line)
+        assert 0 < own < 0.25 * book < 0.25 * single
+
+
 class Screen(io.BytesIO):
     def isatty(self) -> bool:
         return True

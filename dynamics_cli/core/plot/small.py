@@ -206,6 +206,8 @@ def _bars(panel: "Panel", item: Bars, system: str, columns: int) -> str:
     """Bars in blocks, their names cut to less than half of the columns."""
     x = Scale(panel.x, system)
     low, high = x(item.low), x(item.high)
+    if x.logarithmic:
+        low, high = [_log(end) for end in low], [_log(end) for end in high]
     least, most = min(low), max(high)
     names = [name if len(name) <= columns // 2 else f"{name[: columns // 2 - 1]}…" for name in item.names]
     margin = max(map(len, names)) + 1
@@ -221,6 +223,6 @@ def _bars(panel: "Panel", item: Bars, system: str, columns: int) -> str:
     for name, start, end in zip(names, low, high, strict=True):
         before = round((start - least) * per)
         lines.append(f"{name:>{margin - 1}} {' ' * before}{'█' * round((end - start) * per) or '▏'}")
-    ends = number(least, 4), number(most, 4)
+    ends = _back(least, x.logarithmic), _back(most, x.logarithmic)
     lines.append(f"{'':{margin}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}")
     return "\n".join(lines)
