@@ -54,7 +54,7 @@ def seize(made: "Any", *, body: "Any", **_: "Any") -> Picture:
     panels = []
     for i, j in VIEWS:
         zero, ends = [0.0, 0.0], [-reach, reach]
-        items = (
+        items: tuple[Any, ...] = (
             Curve(ends, zero, style="thin", role=6),
             Curve(zero, ends, style="thin", role=6),
             *(

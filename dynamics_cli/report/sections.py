@@ -176,7 +176,7 @@ def _counting(entry: "Document") -> "list[Document]":
 
 
 def _share(one: "Document") -> str:
-    return f"{100.0 * one.get('total', one['share']):.1f} %"
+    return f"{100.0 * (one['total'] if 'total' in one else one['share']):.1f} %"
 
 
 def _span(ends: "Any", entry: "Document", digits: int) -> str:
