@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.path import Path, OnPiece
+    from dynamics_cli.cam.path import OnPiece, Path
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
 # (1 − x²)²(x² − a²) is least at its worst for this a

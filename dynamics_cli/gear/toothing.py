@@ -9,7 +9,9 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from functools import cached_property as once
+    from functools import cached_property
+
+    once = cached_property
 else:
     # functools would cost a shell user more than it saves; a tracked number costs a thousand times a float.
     class once:  # noqa: N801

@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.worm_data import WormData
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, sin, sqrt, tan
 from dynamics_cli.quantities import (
     Angle,
     Friction,
@@ -169,7 +169,7 @@ def worm(
         pressure_angle,
         code="pressure-angle",
     )
-    module, gamma, diameter = _worm(size, worm, threads)
+    module, gamma, slope, diameter = _worm(size, worm, threads)
     wheel = teeth * module
     add, ded = addendum_factor * module, dedendum_factor * module
     root = diameter - 2.0 * ded
@@ -188,7 +188,8 @@ def worm(
         code="no-wheel-root",
         hint="give it more teeth, or a larger profile shift",
     )
-    rho = atan(friction / cos(pressure_angle))
+    drag = friction / cos(pressure_angle)
+    rho = atan(drag)
     require(
         gamma + rho < 0.5 * pi,
         "lead angle and angle of friction sum to {0:.6g} degrees: the worm cannot drive either",
@@ -196,12 +197,14 @@ def worm(
         code="locked",
         hint="a smaller lead angle or less friction",
     )
-    forward = tan(gamma) / tan(gamma + rho)
-    backward = tan(gamma - rho) / tan(gamma)
+    # tan(γ ± ρ) of the tangents: angles would round away what is left of their difference
+    forward = slope * multiply_add(-slope, drag, 1.0) / (slope + drag)
+    left = (slope - drag) / (1.0 + slope * drag)
+    backward = left / slope
     load = _load(torque, power, speed)
     forces = _forces(load, diameter, gamma, rho, pressure_angle, friction)
     wheel_torque = None if load is None else 0.5 * wheel * forces[1]  # type: ignore[operator]
-    locking = rho - gamma
+    locking = -atan(left)
     return WormData(
         ratio=teeth / threads,
         lead_angle=gamma,
@@ -234,7 +237,7 @@ def worm(
         worm_tangential_force=forces[0],
         worm_axial_force=forces[1],
         radial_force=forces[2],
-        release_torque=None if load is None else 0.5 * diameter * forces[1] * tan(rho - gamma),  # type: ignore[operator]
+        release_torque=None if load is None else 0.5 * diameter * forces[1] * -left,  # type: ignore[operator]
         checks=_checks(forward, gamma, pressure_angle, friction),
         advice=_advice(gamma, rho),
     )
@@ -242,8 +245,8 @@ def worm(
 
 def _worm(
     size: AxialModule | WormNormalModule, worm: WormDiameter | DiameterFactor | LeadAngle, threads: int
-) -> tuple[float, float, float]:
-    """Axial module, lead angle and reference diameter."""
+) -> tuple[float, float, float, float]:
+    """Axial module, lead angle and its tangent, reference diameter."""
     if isinstance(worm, LeadAngle):
         gamma = worm.lead_angle
         require(
@@ -253,15 +256,16 @@ def _worm(
             code="lead-angle",
         )
         module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
-        return module, gamma, threads * module / tan(gamma)
+        return module, gamma, tan(gamma), threads * module / tan(gamma)
     if isinstance(worm, DiameterFactor):
         gamma = atan2(threads, worm.diameter_factor)
         module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
-        return module, gamma, worm.diameter_factor * module
+        return module, gamma, threads / worm.diameter_factor, worm.diameter_factor * module
     diameter = worm.worm_diameter
     require(diameter > 0.0, "a worm of {0:.6g} m diameter is none", diameter, code="worm-diameter")
     if isinstance(size, AxialModule):
-        return size.module, atan2(threads * size.module, diameter), diameter
+        rise = threads * size.module
+        return size.module, atan2(rise, diameter), rise / diameter, diameter
     # sin γ = m_n z₁/d₁
     rise = threads * size.normal_module
     require(
@@ -274,8 +278,9 @@ def _worm(
         code="worm-diameter",
         hint="give the worm a larger diameter",
     )
-    gamma = atan2(rise, sqrt((diameter - rise) * (diameter + rise)))
-    return size.normal_module / cos(gamma), gamma, diameter
+    run = sqrt((diameter - rise) * (diameter + rise))
+    gamma = atan2(rise, run)
+    return size.normal_module / cos(gamma), gamma, rise / run, diameter
 
 
 def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:

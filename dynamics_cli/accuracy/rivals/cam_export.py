@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.path import Path, OnPiece
+    from dynamics_cli.cam.path import OnPiece, Path
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]
