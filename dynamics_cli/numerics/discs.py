@@ -109,7 +109,7 @@ class Disc:
         return self.__mul__(Disc(1.0 / other, EPS * abs(1.0 / other)))
 
     def __rtruediv__(self, other: "Any") -> "Disc":
-        return self.inverse() * other
+        return self.inverse().__mul__(other)
 
     def inverse(self) -> "Disc":
         """The reciprocals; nothing is known where zero is among the numbers."""
