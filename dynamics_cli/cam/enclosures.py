@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.cam.laws import Piece
     from dynamics_cli.cam.motion import Motion
     from dynamics_cli.numerics.discs import Disc
 
@@ -211,20 +210,38 @@ def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivati
     return slopes, slack, rest
 
 
-def _slips(piece: "Piece | None") -> "tuple[float, ...]":
-    """Bounds of what roundings of the computation and of the place do to f and four derivatives on a piece."""
-    if piece is None:
-        return (0.0,) * 5
-    if not piece.slips:
-        shape, reach = piece.shape, reach_of(piece.shape, piece.ends)
-        place = U * max(3.0, 5.0 * max(piece.ends))
-        piece.slips = tuple(
-            rounding(shape, order, reach) + place * bound(shape, order + 1, reach) for order in range(5)
-        )
-    return piece.slips
+def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int) -> "list[Any]":
+    """Bounds of what roundings of the computation and of the place do to f and derivatives, by rows (arrays)."""
+    import numpy as np
+
+    coefficients, waves, _, _ = shape.parts
+    beta = isinstance(shape, Beta)
+    sizes, rounded = [], []
+    for order in range(derivatives + 2):
+        size = 0.0 * reach
+        for i in range(len(coefficients) - 1, order - 1, -1):
+            size = size * reach + abs(coefficients[i]) * perm(i, order)
+        sizes.append(np.minimum(size, shape.largest(order)) if beta and 0 < order < 5 else size)
+        if beta:
+            rounded.append(20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order)))
+        else:
+            rounded.append(64.0 * size)
+    for amplitude, w, start in waves:
+        u = w * reach
+        # below one u − sin u is a series, beyond it a difference; the others keep their digits
+        small = (np.where(u < 1.0, u * u * u / 6.0, 1.0 + u), np.minimum(2.0, 0.5 * u * u), np.minimum(1.0, u))
+        for order in range(derivatives + 2):
+            which, factor = start + order, abs(amplitude) * w**order
+            size, steep = (small[k] if k < 3 else 1.0 for k in (which, which + 1))
+            sizes[order] = sizes[order] + factor * size
+            rounded[order] = rounded[order] + factor * (80.0 * size + 12.0 * u * steep)
+    place = U * (5.0 * t + offset)
+    return [U * rounded[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
 
 
-def discs(parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int) -> "tuple[Disc, ...]":
+def discs(
+    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False
+) -> "tuple[Disc, ...]":
     """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
 
     Parameters
@@ -239,6 +256,8 @@ def discs(parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivat
         How far about the places, as cam angles [rad]; k may differ from n where one of them is 1.
     derivatives : int
         How many derivatives, 0 to 4.
+    shares : bool
+        Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
 
     Returns
     -------
@@ -291,13 +310,18 @@ def discs(parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivat
         values = law.shape(t[rows], derivatives)
         wide = [0.0] * 5 if only else spreads(law.shape, t[rows], radius[rows] / span * UP, derivatives)
         scales = np.array([part.scales for part in parts])[own]
-        slips = np.array([_slips(part.law_piece) for part in parts])[own]
+        own_t = t[rows] if t.ndim == 1 else np.abs(t[rows]).max(axis=1)
+        # the place itself is off by a few roundings: bounds hold a hair beyond it
+        reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
+        inner = [not shares or (part.law_piece is not None and min(part.law_piece.ends) > 0.0) for part in parts]
+        offset = np.where(np.array(inner)[own], 3.0, 0.0)
+        slips = _slips(law.shape, reach if t.ndim == 1 else reach.max(axis=1), np.abs(own_t), offset, derivatives)
         for order in range(derivatives + 1):
             scale = scales[:, order].reshape(column)
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
             size = 2.0**-52 * np.abs(base) if order == 0 else 0.0
-            radii[order, rows] = (np.abs(scale) * (wide[order] + slips[:, order].reshape(column)) + size) * UP
+            radii[order, rows] = (np.abs(scale) * (wide[order] + slips[order].reshape(column)) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
 
 

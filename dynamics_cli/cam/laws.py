@@ -74,7 +74,7 @@ class LawName(Choice):
 class Piece:
     """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x. `ends` are those of the shape's own coordinate."""
 
-    __slots__ = ("ends", "far", "high", "low", "shape", "slips")
+    __slots__ = ("ends", "far", "high", "low", "shape")
 
     def __init__(
         self,
@@ -89,8 +89,6 @@ class Piece:
         self.far = far
         self.shape = shape
         self.ends = ends or ((1.0 - high, 1.0 - low) if far else (low, high))
-        # bounds of roundings, kept by `cam.enclosures` once they are asked for
-        self.slips: tuple[float, ...] = ()
 
 
 class Law:

@@ -58,7 +58,7 @@ def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: i
         span = np.array([parts[index].span for index in which[piece].tolist()])
         radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
         radius = radius * (width[piece] * span)[:, None]
-        return function(*discs(parts, which[piece], t, radius, derivatives))
+        return function(*discs(parts, which[piece], t, radius, derivatives, shares=True))
 
     try:
         made = proved_proxies(sampled, starts, ends)

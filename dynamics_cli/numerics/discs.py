@@ -196,7 +196,7 @@ def _wave(centre: "Any", slope: "Any", radius: "Any") -> Disc:
     half = np.sinh(0.5 * radius)
     # cosh r − 1 = 2 sinh²(r/2), sinh r = 2 sinh(r/2) cosh(r/2)
     wide = 2.0 * half * ((np.abs(slope) + LIBRARY) * np.sqrt(1.0 + half * half) + (np.abs(centre) + LIBRARY) * half)
-    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + LIBRARY) * UP)
+    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + LIBRARY * np.abs(centre)) * UP + TINY)
 
 
 def _disc(value: "Any") -> Disc:
