@@ -63,11 +63,7 @@ class Round:
         half = (NODES - 1) // 2
         self.shares = 0.5 + 0.5 * np.sin(0.5 * np.pi * (np.arange(NODES) / half - 1.0))
         count = len(motion.zones)
-        self.nodes = self._state(np.tile(self.shares, (count, 1)), np.arange(count))
-
-    def _state(self, share: "Any", zone: "Any") -> "tuple[Any, Any, Any]":
-        s, s1, s2 = within(self.motion, share, zone)
-        return s, self.turn * s1, s2
+        self.nodes = within(motion, np.tile(self.shares, (count, 1)), np.arange(count))
 
     def bend(self, e: float, d: float) -> float:
         """The greatest curvature that counts, certified, at height d; negative where the curve nowhere bends so."""
@@ -116,7 +112,7 @@ class Round:
         start = at_nodes[zone, node] + self.nodes[0][zone, node]
 
         def heights(share: "Any", piece: "Any") -> "Any":
-            s, s1, s2 = self._state(share, zone[piece])
+            s, s1, s2 = within(self.motion, share, zone[piece])
             return (self._newton(s, s1, s2, e, start[piece][:, None]) - s)[None]
 
         try:
@@ -151,7 +147,27 @@ class Round:
             if now != room:
                 slope = min(max((now - room) / (new - d), 0.01 / self.wanted), 1e4 / self.wanted)
             d, room = new, now
-        return d
+        return d if abs(room) <= 1e-13 else self._bisected(e, max(d, self.fine(e)))
+
+    def _bisected(self, e: float, start: float) -> float:
+        """The height by bisection, after steps that double; where peaks are too narrow for the nodes."""
+        low = high = start
+        step = 0.01 * self.wanted
+        while not self.kept(e, high):
+            low, high, step = high, high + step, 2.0 * step
+        while low == high and step > 1e-9 * self.wanted:
+            # kept where it begins: back to where it is not
+            if self.kept(e, high - step):
+                high = low = high - step
+            else:
+                low = high - step
+            step *= 0.5
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+            low, high = (low, middle) if self.kept(e, middle) else (middle, high)
+        return high
 
 
 def best_offset(rough: "Callable[[float], float]", fine: "Callable[[float], float]", reach: float) -> float:

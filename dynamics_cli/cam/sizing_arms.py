@@ -70,13 +70,14 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     def part(s1: "Any", limit: float) -> "Any":
         return arm * (1.0 + turn * s1) * cos(limit) / pivot
 
-    fastest = extremes_of(motion, lambda s, s1, s2: turn * s1)[0].largest()[0]
-    for limit in (up, down):
+    (speed,) = extremes_of(motion, lambda s, s1, s2: turn * s1)
+    # the quickest way up strains one limit, a way down faster than the cam turns the other
+    for limit, strain in ((up, speed.largest()[0]), (down, -2.0 - speed.smallest()[0])):
         require(
-            part(turn * fastest, limit) < 1.0,
+            part(turn * strain, limit) < 1.0,
             "no base circle keeps the limit of {0:.6g} deg: with an arm of {1:.6g} m, {2:.6g} m from the cam, the "
             "pressure angle reaches {3:.6g} deg at best",
-            limit / DEGREE, arm, pivot, _best_angle(arm * (1.0 + fastest) / pivot) / DEGREE,
+            limit / DEGREE, arm, pivot, _best_angle(arm * (1.0 + strain) / pivot) / DEGREE,
             code="limit-binds", hint="shorten the arm, move the pivot outwards, or give the motion a larger angle",
         )  # fmt: skip
     high, low, over, lift = extremes_of(

@@ -242,3 +242,31 @@ def test_an_edge_where_the_velocity_jumps_is_told() -> None:
     made = size.size(NOTHING, program=line, follower=size.Roller(0.006))
     assert made.advice[-1].code == "velocity-jump"
     assert not size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006)).advice
+
+
+@pytest.mark.parametrize("least", [0.005, 0.05, 0.3])
+def test_the_size_under_a_curvature_has_its_mirror_images(least: float) -> None:
+    line = "rise 19.4 mm in 129 deg modified-sine; dwell 20 deg; return in 10 deg 3-4-5; dwell"
+    backwards = "rise 19.4 mm in 10 deg 3-4-5; dwell 20 deg; return in 129 deg modified-sine; dwell"
+
+    def sized(program: str, rise: float, back: float, rotation: str) -> size.CamSize:
+        return size.size(NOTHING, program=program, follower=size.Roller(0.004), least_radius=least, rise_limit=rise,
+                         return_limit=back, rotation=followers.Rotation(rotation))  # fmt: skip
+
+    one = sized(line, 1.35, 0.47, "ccw")
+    for other, side in (
+        (sized(line, 1.35, 0.47, "cw"), -1.0),
+        (sized(backwards, 0.47, 1.35, "ccw"), -1.0),
+        (sized(backwards, 0.47, 1.35, "cw"), 1.0),
+    ):
+        assert other.base_radius == pytest.approx(one.base_radius, rel=1e-12)
+        assert other.offset == pytest.approx(side * one.offset, rel=1e-7)
+        assert all(check.passed for check in other.checks)
+
+
+def test_an_arm_that_returns_faster_than_the_cam_turns_is_refused_where_it_must() -> None:
+    line = "rise 20 deg in 132 deg 5-6-7-8-9; dwell 10 deg; return in 3 deg cubic; dwell"
+    with pytest.raises(InadmissibleError) as error:
+        size.size(NOTHING, program=line, follower=size.OscillatingRoller(0.002, 0.065, 0.057), rise_limit=1.27,
+                  return_limit=1.46)  # fmt: skip
+    assert error.value.code in ("limit-binds", "limits-clash")
