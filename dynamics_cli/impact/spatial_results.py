@@ -291,6 +291,8 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
     reach = sqrt(dot(body.lever, body.lever))
     scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
+    # the spin's own rounding, which a slender body turns about its long axes with
+    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * sqrt(dot(after.spin, after.spin))
     apart = subtract(held, left)
     return balance(f"angular momentum of the {name} about the contact", sqrt(dot(apart, apart)), 0.0, scale)
 
