@@ -219,6 +219,11 @@ def _after(
         gain = size / mass
         middle = along + 0.5 * gain
         after = multiply_add(way[0], gain, before[0]), multiply_add(way[1], gain, before[1])
+        # where the impulse takes nearly all, what is left is put together from its parts
+        left, aside = sense * final, cross(way, before)
+        parts = multiply_add(way[0], left, -(way[1] * aside)), multiply_add(way[1], left, way[0] * aside)
+        taken = absolute(gain) > 4.0 * (absolute(left) + absolute(aside))
+        after = where(taken, parts[0], after[0]), where(taken, parts[1], after[1])
     return AfterOblique(
         velocity=after,
         speed=hypot(after[0], after[1]),

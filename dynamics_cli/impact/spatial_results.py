@@ -254,6 +254,11 @@ def certificate(
     moved = max(k[0][0], k[1][1], k[2][2]) * size
     checks += _contact(states, end, frame, before, moved)
     work = end.work + end.heat + moved * size + abs(answer.first.energy_change) + abs(answer.second.energy_change)
+    for body, after in states:
+        # the work of the impulse on a body is that on its mass centre and that on its spin, which may cancel
+        reach = sqrt(dot(body.lever, body.lever))
+        turning = sqrt(dot(body.spin, body.spin)) + sqrt(dot(after.spin, after.spin))
+        work += size * (sqrt(dot(body.velocity, body.velocity)) + after.speed + reach * turning)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
     if restitution <= 1.0:
@@ -291,6 +296,8 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
     reach = sqrt(dot(body.lever, body.lever))
     scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
+    # the spin's own rounding, which a slender body turns about its long axes with
+    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * sqrt(dot(after.spin, after.spin))
     apart = subtract(held, left)
     return balance(f"angular momentum of the {name} about the contact", sqrt(dot(apart, apart)), 0.0, scale)
 

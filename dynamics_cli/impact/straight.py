@@ -6,14 +6,18 @@ Everything is then linear in the normal impulse, and the end of compression and 
 
 from math import inf, sqrt
 
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import multiply_add
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     Vector = tuple[float, float, float]
     Matrix = tuple[Vector, Vector, Vector]
     Pair = tuple[float, float]
 
-# Slip that will turn by less than its own rounding any more keeps its direction.
-SETTLED = 4e-16
+# Slip whose turning is no more than rounding leaves of it keeps its direction, when that is as near as this.
+SETTLED = 2e-16
+NEAR = 1e-9
 # u_t, u_n, p_n, p_t, normal work, heat of friction
 X, Y, V, P, FX, FY, W, H = range(8)
 
@@ -38,11 +42,17 @@ class Slip:
         self.restoring = True
 
 
+def _difference(a: float, b: float, c: float, d: float) -> float:
+    """a·b − c·d to about one rounding, however much cancels (Kahan)."""
+    product = c * d
+    return multiply_add(a, b, -product) - multiply_add(c, d, -product)
+
+
 def stick_ratio(k: "Matrix") -> "tuple[float, float]":
     """Friction per normal impulse that keeps the contact from slipping, −K_tt⁻¹ k_tn."""
     (k11, k12, k13), (_, k22, k23), _ = k
-    det = k11 * k22 - k12 * k12
-    return (k12 * k23 - k22 * k13) / det, (k12 * k13 - k11 * k23) / det
+    det = _difference(k11, k22, k12, k12)
+    return _difference(k12, k23, k22, k13) / det, _difference(k12, k13, k11, k23) / det
 
 
 def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
@@ -54,8 +64,8 @@ def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
 
     def direction(growth: float) -> "tuple[float, float]":
         a, b, d = growth + friction * k11, friction * k12, growth + friction * k22
-        det = a * d - b * b
-        return (d * k13 - b * k23) / det, (a * k23 - b * k13) / det
+        det = _difference(a, d, b, b)
+        return _difference(d, k13, b, k23) / det, _difference(a, k23, b, k13) / det
 
     low, high = 0.0, sqrt(k13 * k13 + k23 * k23)
     for _ in range(200):
@@ -77,31 +87,40 @@ def settled(k: "Matrix", friction: float, slip: Slip) -> "Pair | None":
 
     With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt n̂.
     """
-    (k11, k12, k13), (_, k22, k23), (_, _, k33) = k
+    (k11, k12, k13), (_, k22, k23), _ = k
     x, y = slip.state[X], slip.state[Y]
     size = sqrt(x * x + y * y)
     c, d = x / size, y / size
-    if slip.restoring and k33 <= friction * (k13 * c + k23 * d):
-        # the normal velocity would fall again: no end in closed form
-        return None
     a, b = k13 - friction * (k11 * c + k12 * d), k23 - friction * (k12 * c + k22 * d)
     slope = -(a * c + b * d) - friction * (k11 * d * d - 2.0 * k12 * c * d + k22 * c * c)
     if not slope < 0.0:
         return None
-    aside = (a * d - b * c) / slope
-    return (c - aside * d, d + aside * c) if abs(aside) <= SETTLED else None
+    across = a * d - b * c
+    rounding = abs(k13) + abs(k23) + friction * (k11 + k22)
+    if abs(across) > SETTLED * rounding or abs(across) > NEAR * -slope:
+        return None
+    aside = across / slope
+    return c - aside * d, d + aside * c
 
 
 def restitution_of(slip: Slip, speed: float, slope: float, approach: float, restitution: float, law: str) -> "Pair":
-    """Impulse still to come in restitution, and the normal velocity at its end."""
+    """Impulse still to come in restitution, infinite where it never ends so, and the normal velocity at its end.
+
+    A contact that jams while it slips may press the bodies together again: then `slope` or `speed` is negative.
+    """
     if law == "newton":
         after = -restitution * approach
-        return (after - speed) / slope, after
+        return ((after - speed) / slope, after) if slope > 0.0 else (inf, after)
     if law == "poisson":
         rest = (1.0 + restitution) * slip.compression - slip.state[P]  # type: ignore[operator]
         return rest, speed + slope * rest
     left = max(restitution * restitution * slip.work - (slip.state[W] + slip.work), 0.0)
-    after = sqrt(speed * speed + 2.0 * slope * left)
+    square = speed * speed + 2.0 * slope * left
+    if square < 0.0:
+        return inf, 0.0
+    after = sqrt(square)
+    if speed < 0.0:
+        return ((after - speed) / slope, after) if slope > 0.0 else (inf, after)
     return (2.0 * left / (speed + after) if after > 0.0 else 0.0), after
 
 
@@ -212,6 +231,12 @@ def from_rest(
         ratio = -friction * out[0], -friction * out[1]
         growth = tuple(row[0] * ratio[0] + row[1] * ratio[1] + row[2] for row in k[:2])  # type: ignore[assignment]
     slope = k33 + k13 * ratio[0] + k23 * ratio[1]
+    require(
+        slope > 0.0,
+        "at the contact the bodies give way in one direction alone, as far as doubles tell: no impulse follows",
+        code="singular",
+        hint="check levers and inertias: the lever is very long beside the radius of gyration",
+    )
     begin, work = state[P], state[W]
     words = ("slip from rest", "stick") if at_rest else ("slip, slip anew", "slip, stick")
     more, speed = 0.0, state[V]

@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
@@ -293,6 +293,8 @@ def test_newtons_cradle_by_both_laws() -> None:
     assert row(*two, law="sequential") == [0.0, 0.0, 1.0, 1.0]
 
 
+# many collisions take long on a busy machine; how long is not what is tested
+@settings(deadline=None)
 @given(st.lists(st.tuples(MASS, SPEED), min_size=2, max_size=6), RATIO)
 def test_chains_keep_momentum_lose_energy_and_end_apart(parts: list[tuple[float, float]], e: float) -> None:
     bodies = tuple(Body(*part) for part in parts)

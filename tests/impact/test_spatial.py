@@ -11,8 +11,9 @@ from harness import answer, run
 from mpmath import mp, mpf
 from references import impact_keller
 from references.comparison import cases
-from references.generate_impact_spatial_references import answered, impacts, reported, scenes
+from references.generate_impact_spatial_references import answered, box, impacts, reported, scenes
 
+from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact import path
 from dynamics_cli.impact.conventions import ByMass, Fixed, Restituted
 from dynamics_cli.impact.hodograph import travel
@@ -184,6 +185,43 @@ def test_slip_that_keeps_its_direction_is_followed_in_closed_form() -> None:
     assert settled(k, 0.4, slip) == (-1.0, 0.0)
     turned = Slip([-0.5, 1e-9, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
     assert settled(k, 0.4, turned) is None
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_certificates_hold_for_slender_bodies_on_long_levers(law: str) -> None:
+    r = random.Random(f"slender {law}")
+
+    def three(reach: float) -> tuple[float, ...]:
+        return tuple(r.uniform(-reach, reach) for _ in range(3))
+
+    def body() -> BodyInSpace:
+        mass = 10.0 ** r.uniform(-6.0, 6.0)
+        sides = [10.0 ** r.uniform(-4.0, 1.0) for _ in range(3)]
+        tensor = box(mass, *sides, *three(3.0))
+        return BodyInSpace(
+            ByMass(mass), tensor, LeverInSpace(three(10.0 ** r.uniform(-2.0, 1.5))), three(30.0), three(50.0)
+        )
+
+    answered = 0
+    for _ in range(150):
+        one, two = body(), body()
+        target = TargetInSpace(two.bulk, two.inertia, two.arm, two.velocity, two.spin)
+        try:
+            found = spatial(first=one, second=target, normal=three(1.0), friction=r.uniform(0.0, 1.5),
+                            contact=Restituted(r.uniform(0.0, 1.0)), law=SpatialLaw(law))  # fmt: skip
+        except InadmissibleError as error:
+            if error.code not in ("no-impact", "energy-gained", "singular"):
+                raise
+            continue
+        answered += 1
+        assert all(check.passed for check in found.checks), [check for check in found.checks if not check.passed]
+    assert answered >= 50
+
+
+def test_a_contact_that_gives_way_in_one_direction_alone_is_refused() -> None:
+    k = ((1.0, 0.0, -2.0), (0.0, 1.0, 0.0), (-2.0, 0.0, 4.0))
+    with pytest.raises(InadmissibleError, match="one direction alone"):
+        travel(k, (0.0, 0.0, -1.0), 3.0, 0.5, "stronge")
 
 
 def test_the_way_out_keeps_its_direction_and_grows() -> None:

@@ -177,6 +177,11 @@ def centrals(generator: random.Random) -> Iterator[Case]:
     yield "hard", "speeds near the other end, squares are tiny", pair(1e3, 1e-38, 2e3, -1e-39)
     wall = {"first": {"bulk": mass(2.0), "velocity": 3.0}, "second": {"bulk": FIXED, "velocity": -40.0}, **base}
     yield "hard", "a wall that comes to meet the body and does work on it", wall
+    creeping = {"first": {"bulk": mass(2.0), "velocity": 11.0}, "second": {"bulk": FIXED, "velocity": -1.6e-7}, **base}
+    why = "found by search: a wall that hardly moves, at which the body is left with the wall's velocity"
+    yield "hard", why, {**creeping, "contact": restituted(0.0)}
+    why = "found by search: a grain that is left with what little the heavy body's velocity becomes"
+    yield "hard", why, pair(5.3e-5, 20.0, 3.0, 0.0, contact=restituted(8.2e-6))
     energetic = {"record": "Energetic", "energetic_contact": 1.7}
     yield "hard", "a contact that gives energy: the loss is negative", pair(3.0, 4.0, 2.0, -1.0, contact=energetic)
 
@@ -337,6 +342,10 @@ def obliques(generator: random.Random) -> Iterator[Case]:
         yield "hard", why, pair(ratio, [20.0, 4.0], 1.0, [-3.0, 2.0], line)
     line = {"record": "Centres", "first_centre": [1e8, 1e8], "second_centre": [100000000.25, 100000000.125]}
     yield "hard", "centres far from the origin", pair(2.0, [5.0, 5.0], 1.0, [0.0, 0.0], line)
+    line = {"record": "Normal", "normal": 0.0444}
+    own = pair(5.3e-5, [20.0, 0.0], 3.0, [0.0, 0.0], line)
+    why = "found by search: a grain whose velocity along the line becomes that of the heavy sphere"
+    yield "hard", why, {**own, "contact": restituted(8.2e-6)}
     line = {"record": "Normal", "normal": 0.3}
     yield "hard", "closing a millionth at 300 m/s", pair(2.0, [300.0, 40.0], 1.0, [299.999999, 40.0], line)
 

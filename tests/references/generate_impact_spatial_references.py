@@ -189,6 +189,19 @@ def impacts() -> list[tuple[str, str, str, dict[str, Any]]]:
     hard("stub on its end", "friction drives the bodies together: the normal velocity falls at first",
          body(1.0, box(1.0, 0.02, 0.02, 1.0, 0.0, 0.55), [0.26, 0.0, -0.43], [-9.0, 0.3, -1.0], [0.0, 0.0, 0.0]), floor,
          down, 1.6, 0.5, "stronge")  # fmt: skip
+    flail = body(
+        0.0006146917769218427,
+        [[0.0004871405047799685, 6.948168893414773e-05, -0.00028885748958798387],
+         [6.948168893414773e-05, 0.00064171187606327, 0.00011077893362746648],
+         [-0.00028885748958798387, 0.00011077893362746648, 0.00020787623438409036]],
+        [-12.371950112854822, -30.460399541267037, 14.138157440101448],
+        [-0.07856712535423602, 0.12411379690576496, -0.13836921826005932],
+        [-0.5339199115171047, -0.1369507134723652, 0.09441821570737452],
+    )  # fmt: skip
+    for law in ("stronge", "poisson"):
+        hard("flail", "found by search: on a lever of thirty gyration radii it jams in restitution and presses again",
+             flail, fixed([-0.8886385730275457, 0.4035479035734726, 0.5524870147256022]), [0.0, 1.0, 0.0],
+             1.2958933420630503, 1.0, law)  # fmt: skip
     return found
 
 
