@@ -167,7 +167,7 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
         made.append(f"  {mark}{first:<{room}}{figures}".rstrip())
         made += [f"      {part}" for part in rest]
         if row["worst_case"] and row["worst"]["value"]:
-            made.append(_clipped(f"      worst at {row['worst_case']}", width))
+            made.append(_clipped(f"      worst: {row['worst_case']}", width))
     return made
 
 

@@ -76,7 +76,7 @@ class TestTable:
         shown = layout.lines(gears, 3, 80)
         for one in gears["methods"]:
             if one["worst"]["value"]:
-                assert any("worst at" in line and line.endswith(one["worst_case"][-20:]) for line in shown)
+                assert any("      worst: " in line and line.endswith(one["worst_case"][-20:]) for line in shown)
 
     def test_the_figures_are_those_of_the_document(self, gears: dict) -> None:
         text = "\n".join(layout.lines(gears, 3, 140))
