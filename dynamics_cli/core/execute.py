@@ -101,6 +101,11 @@ def answered_case(
         from dynamics_cli.core.hashes import once
 
         document["files"] = once(gathered.reader.files)
+    if settings.method and not reader.uncertain:
+        from dynamics_cli.core.uncertain.document import read_method
+
+        # Nothing is propagated, but a name that is none is still a wrong call.
+        read_method(settings.method)
     if settings.explain:
         from dynamics_cli.core.explain import explanation
 

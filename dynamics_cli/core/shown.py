@@ -104,6 +104,7 @@ class Display:
         self.system = system
         self.to = dict(to)
         self.used: set[str] = set()
+        self._refused: dict[str, UsageError] = {}
         self._made: dict[tuple[str, int], Shown] = {}
 
     def of(self, address: str, kind: Kind) -> Shown:
@@ -116,12 +117,17 @@ class Display:
     def _make(self, address: str, kind: Kind) -> Shown:
         for name in (address, address.rpartition(".")[2], *self._indexed(address)):
             if name in self.to:
-                self.used.add(name)
                 try:
-                    return Shown(kind, self.to[name])
+                    shown = Shown(kind, self.to[name])
                 except UsageError as error:
                     error.parameter = "to"
-                    raise
+                    # A last name alone may mean several results: those that the unit fits.
+                    if name == address or "[" in name:
+                        raise
+                    self._refused[name] = error
+                    continue
+                self.used.add(name)
+                return shown
         return Shown(kind, kind.shown_in(self.system))
 
     def of_measured(self, address: str, measured: Measured) -> Measured:
@@ -147,6 +153,8 @@ class Display:
         """Refuse a `--to` that names no result."""
         for name in self.to:
             if name not in self.used:
+                if name in self._refused:
+                    raise self._refused[name]
                 raise UsageError(
                     f"there is no result {name!r}",
                     parameter="to",

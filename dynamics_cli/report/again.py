@@ -47,7 +47,12 @@ def calculate(task: "Task", document: "Document", folder: str, terminal: "Termin
         if swept is not None:
             made, picture = _sweep(task, document, swept, gathered)
         else:
-            made, _, picture = answered_case(task, gathered, Settings(_settings(task, document), {}))
+            asked = _settings(task, document)
+            made, _, picture = answered_case(task, gathered, Settings(asked, {}))
+            shown = _units(made["results"])
+            to = [f"{name}={unit}" for name, unit in _units(document["results"]).items() if shown.get(name) != unit]
+            if to:
+                made, _, picture = answered_case(task, gathered, Settings({**asked, "to": to}, {}))
     except DynamicsError as error:
         return Again(f"not calculated again: {'; '.join(one.message for one in error.all())}")
     words, same = _compared(document, made)
@@ -88,12 +93,7 @@ def _asked_for(task: "Task", document: "Document") -> str:
 
 def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
     """The options of the call that its document shows."""
-    to = [f"{name}={unit}" for name, _, unit in flatten(document["results"]) if unit and "[" not in name]
-    for name, table in document["results"].items():
-        if is_table(table) and isinstance(table, list):
-            units = {f"{name}.{key}": cell.get("unit") for key, cell in table[0].items() if isinstance(cell, dict)}
-            to += [f"{address}={unit}" for address, unit in units.items() if unit]
-    asked: dict[str, Any] = {"explain": True, "to": to}
+    asked: dict[str, Any] = {"explain": True}
     if document["model"].get("why") == "asked for":
         asked["model"] = _asked_for(task, document)
     told = document["numerics"].get("uncertainty", {})
@@ -108,6 +108,17 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
     if limits:
         asked["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
     return asked
+
+
+def _units(results: "Document") -> "dict[str, str]":
+    """The unit of every result that has one, of those in tables as well."""
+    made = {name: unit for name, _, unit in flatten(results) if unit and "[" not in name}
+    for name, table in results.items():
+        if is_table(table):
+            cells = table[0] if isinstance(table, list) else table
+            units = {key: cell.get("unit") for key, cell in cells.items() if isinstance(cell, dict)}
+            made |= {f"{name}.{key}": unit for key, unit in units.items() if unit}
+    return made
 
 
 def _coverage(node: "Any") -> "float | None":

@@ -26,3 +26,10 @@ def test_help_fits_eighty_columns_and_its_examples_are_whole(task: Task, monkeyp
 
 def test_no_option_is_said_to_be_unused() -> None:
     assert [task.path for task in TASKS if "Not used" in run(*task.path.split(), "--help").out] == []
+
+
+@pytest.mark.parametrize("friction", ["0.7", "0.7 ± 0.05"])
+def test_a_method_that_is_none_is_refused_whether_or_not_it_is_needed(friction: str) -> None:
+    call = ("skid", "speed", "--distance", "60 ft", "--friction", friction, "--json")
+    assert run(*call, "--method", "linaer").error["code"] == "unknown-choice"
+    assert run(*call, "--method", "linear").status == 0

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from harness import run
+from shell import ROOT
 
 SPEED = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.7 ± 0.05", "--limit", "35 mph", "--units", "us")
 SAME = "every result is the same to the last digit"
@@ -59,6 +60,11 @@ class Page(HTMLParser):
         ("skid", "stop", "--speed", "50 km/h", "--friction", "0.75", "--reaction-time", "1 s", "--units", "us"),
         ("skid", "speed", "--segment", "distance=60 ft, friction=0.7", "--segment", "distance=9 m, friction=0.3"),
         ("convert", "60", "mph", "ft/s", "km/h"),
+        ("convert", "1.8796 m", "ft;in"),
+        # its results hold `mass` and, as a pure number, `cancellation.mass`
+        ("inertia", "body", str(ROOT / "examples" / "flywheel.toml"), "--to", "mass=lb"),
+        ("cam", "motion", "--program", "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell",
+         "--singularity", "--units", "us"),
         ("coords", "3", "1", "4", "--from", "cartesian", "--into", "spherical"),
     ],
 )  # fmt: skip

@@ -93,7 +93,7 @@ def spread_of(
         distributions,
         {**come, **asked},
         coverage=read_coverage(settings.coverage),
-        method=_method(settings.method),
+        method=read_method(settings.method),
         accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
         samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
         seed=settings.seed or DEFAULT_SEED,
@@ -116,7 +116,8 @@ def read_coverage(text: str) -> float:
         raise
 
 
-def _method(text: str) -> str:
+def read_method(text: str) -> str:
+    """The name of a method of propagation as `--method` takes it."""
     name = text.lower().replace("_", "-") or "auto"
     if name not in METHODS:
         raise UsageError(
