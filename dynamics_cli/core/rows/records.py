@@ -84,7 +84,8 @@ class _Joiner:
 
 def _whole(lines: "list[bytes]") -> bool | None:
     """Whether lines are one record; None where its last cell is still open."""
-    text = b"\n".join(lines)
+    # a return within a line is a character like others, but the csv module takes it for an end
+    text = b"\n".join(lines).replace(b"\r", b" ")
     if b'"' not in text:
         return True
     import csv
