@@ -133,12 +133,12 @@ def check(
     least_radius: Size = 0.0,
     face_width: Size | None = None,
     mass: Mass | None = None,
-    stiffness: Stiffness | None = None,
+    spring_rate: Stiffness | None = None,
     preload: Force | None = None,
     inertia: Inertia | None = None,
     torsion_rate: TorsionStiffness | None = None,
     preload_torque: Torque | None = None,
-    speed: ShaftSpeed | None = None,
+    shaft_speed: ShaftSpeed | None = None,
     safety: Positive = 1.0,
 ) -> CamCheck:
     """Certified verdicts about a cam: what is undercut and the lift it costs, pressure angle, curvature, face, jump.
@@ -171,7 +171,7 @@ def check(
         Length of the flat face there is [m].
     mass : Mass
         Mass that a sliding follower moves, for the jump [kg].
-    stiffness : Stiffness
+    spring_rate : Stiffness
         Stiffness of its spring [N/m].
     preload : Force
         Force of the spring at zero lift [N].
@@ -181,7 +181,7 @@ def check(
         Rate of an arm's spring about the pivot [N*m/rad].
     preload_torque : Torque
         Torque of that spring at zero swing [N*m].
-    speed : ShaftSpeed
+    shaft_speed : ShaftSpeed
         Speed of the cam that is asked about [rad/s].
     safety : Positive
         Factor by which the jump speed is to exceed the speed.
@@ -242,8 +242,8 @@ def check(
     lost = None if loss is None or isinf(loss.lift) else loss.lift
     face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
     jumps = joint_jumps(motion)
-    slide, arm = (mass, stiffness, preload), (inertia, torsion_rate, preload_torque)
-    jump = asked_jump(motion, slide, arm, asked=speed is not None)
+    slide, arm = (mass, spring_rate, preload), (inertia, torsion_rate, preload_torque)
+    jump = asked_jump(motion, slide, arm, asked=shaft_speed is not None)
     tightest = min((radius for radius in (round_, hollow) if radius is not None), default=None)
     kept = {
         "undercut": loss is None,
@@ -252,7 +252,7 @@ def check(
         "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),
         "face width": face_width is None or face is None or face <= face_width,
         "velocity jump": jumps[0] == 0,
-        "jump speed": jump is None or speed is None or jump[0] is None or jump[0] >= safety * abs(speed),
+        "jump speed": jump is None or shaft_speed is None or jump[0] is None or jump[0] >= safety * abs(shaft_speed),
     }
     wrong = [name for name, good in kept.items() if not good]
     return CamCheck(
@@ -280,7 +280,7 @@ def check(
         acceleration_jumps=jumps[1],
         jump_speed=None if jump is None else jump[0],
         jump_at=None if jump is None else jump[1],
-        jump_kept=None if jump is None or speed is None else kept["jump speed"],
+        jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
         advice=_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every turning place certified",

@@ -92,7 +92,7 @@ def asked_jump(
         code="spring",
         hint='--inertia "0.002 kg*m^2" --torsion-rate "10 N*m/rad" --preload-torque "2 N*m"'
         if motion.swing
-        else '--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N"',
+        else '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N"',
     )
     train = ArmOnTorsionSpring if motion.swing else Slide
     load = load_of(train(*own), motion)  # type: ignore[arg-type]

@@ -67,6 +67,9 @@ def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
     from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
     along = turned(second, axes)
+    # where discs overlap, which eigenvalue is in which is not told: all of a group may be off by its largest
+    alike = [[k == j for j in range(3)] for k in range(3)]
+    errors = []
     off = [[abs(plain(x)) + getattr(x, "error", 0.0) for x in row] for row in along]
     found = []
     for k in range(3):
@@ -75,13 +78,17 @@ def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
         radius = 0.0
         for j in range(3):
             gap = abs(values[k] - values[j]) - getattr(mine, "error", 0.0) - getattr(along[j][j], "error", 0.0)
+            alike[k][j] = alike[k][j] or gap <= 0.0 or abs(values[k] - values[j]) <= 2.0 * off[k][j]
             if j != k and off[k][j] > 0.0:
                 radius += off[k][j] * min(1.0, 2.0 * off[k][j] / gap if gap > 0.0 else 1.0)
         error = getattr(mine, "error", 0.0) + abs(plain(mine) - values[k]) + radius
         if any(x not in (0.0, 1.0, -1.0) for row in axes for x in row):
             error += 8.0 * UNIT_ROUNDOFF * abs(values[k])
-        found.append(Tracked(values[k], error, slopes if slopes is not None else _no_slopes(second)))
-    return found[0], found[1], found[2]  # type: ignore[return-value]
+        errors.append(error)
+        found.append(slopes if slopes is not None else _no_slopes(second))
+    widest = [max(error for error, near in zip(errors, group, strict=True) if near) for group in alike]
+    made = [Tracked(*parts) for parts in zip(values, widest, found, strict=True)]
+    return made[0], made[1], made[2]  # type: ignore[return-value]
 
 
 def _no_slopes(second: "Matrix") -> "tuple[float, ...]":

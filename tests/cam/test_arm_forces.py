@@ -140,14 +140,14 @@ def test_a_velocity_that_drops_lets_go_at_any_speed() -> None:
 
 def test_the_jump_verdict_of_an_arm_is_that_of_its_forces() -> None:
     found = check(Program(), program=SWING, follower=ARM, rise_limit=pi / 3, return_limit=pi / 3,
-                  inertia=0.002, torsion_rate=10.0, preload_torque=2.0, speed=50.0)  # fmt: skip
+                  inertia=0.002, torsion_rate=10.0, preload_torque=2.0, shaft_speed=50.0)  # fmt: skip
     assert found.jump_speed == at().jump_speed
     assert found.jump_at == at().jump_at
     assert found.jump_kept
     assert "jump speed" not in found.binding
     for speed in (100.0, -100.0):
         fast = check(Program(), program=SWING, follower=ARM, inertia=0.002, torsion_rate=10.0, preload_torque=2.0,
-                     speed=speed)  # fmt: skip
+                     shaft_speed=speed)  # fmt: skip
         assert fast.jump_kept is False
         assert "jump speed" in fast.binding
 
@@ -155,7 +155,7 @@ def test_the_jump_verdict_of_an_arm_is_that_of_its_forces() -> None:
 @pytest.mark.parametrize(
     ("given_", "code"),
     [
-        ({"mass": 0.2, "stiffness": 2e4, "preload": 100.0}, "spring"),
+        ({"mass": 0.2, "spring_rate": 2e4, "preload": 100.0}, "spring"),
         ({"inertia": 0.002, "torsion_rate": 10.0}, "spring"),
         ({"speed": 50.0}, "spring"),
         ({"inertia": 0.002, "torsion_rate": 10.0, "preload_torque": 0.0}, "slack"),

@@ -108,7 +108,7 @@ def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
             NOTHING, program=CYCLE, follower=followers.KnifeEdge(0.03), flank=followers.Flank("outer"))),
         ("spring", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), mass=0.2)),
         ("slack", lambda: check(
-            NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), mass=0.2, stiffness=2e4, preload=0.0)),
+            NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), mass=0.2, spring_rate=2e4, preload=0.0)),
         ("plate", lambda: profile(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), thickness=0.01)),
         ("arm-angle", lambda: check(
             NOTHING, program=SWING, follower=followers.ConjugateOscillatingRoller(0.03, 0.008, 0.08, 0.1, 0.1))),
@@ -122,7 +122,13 @@ def test_refusals(code: str, call) -> None:
 
 def test_the_jump_speed_is_where_the_spring_lets_go() -> None:
     found = check(
-        NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), mass=0.2, stiffness=2e4, preload=100.0, speed=150.0
+        NOTHING,
+        program=CYCLE,
+        follower=followers.FlatFace(0.05),
+        mass=0.2,
+        spring_rate=2e4,
+        preload=100.0,
+        shaft_speed=150.0,
     )
     motion = motion_of(NOTHING, CYCLE)
     s, _, s2 = motion.at(found.jump_at, 2)

@@ -81,7 +81,7 @@ CHECK = Task(
         '--least-radius "10 mm"',
         f'dynamics cam check --program "{STEEP}" --follower roller --base-radius "15 mm" --roller-radius "15 mm"',
         f'dynamics cam check --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --face-width "25 mm" '
-        '--mass "0.2 kg" --stiffness "20 N/mm" --preload "100 N" --speed "1500 rpm"',
+        '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N" --shaft-speed "1500 rpm"',
     ),
     arrays=False,
     tracked=False,
