@@ -27,6 +27,8 @@ SPLIT = 8
 END = 1e-4
 NOISE = 1.5e-15
 CALM = 1e-15
+# values this close to the best are as good: the first is named
+ALIKE = 1e-14
 ROUNDING = 2.0**-45
 
 
@@ -82,14 +84,14 @@ class Extremes:
     error: float
 
     def largest(self) -> tuple[float, float]:
-        """The largest value and its place."""
-        index = int(np.argmax(self.values))
-        return float(self.values[index]), float(self.places[index])
+        """The largest value, and the first of the places whose values rounding cannot tell from it."""
+        top = float(self.values.max())
+        return top, float(self.places[int(np.argmax(self.values >= top - min(self.error, ALIKE * abs(top))))])
 
     def smallest(self) -> tuple[float, float]:
-        """The smallest value and its place."""
-        index = int(np.argmin(self.values))
-        return float(self.values[index]), float(self.places[index])
+        """The smallest value, and the first of the places whose values rounding cannot tell from it."""
+        least = float(self.values.min())
+        return least, float(self.places[int(np.argmax(self.values <= least + min(self.error, ALIKE * abs(least))))])
 
 
 @lru_cache(maxsize=4)

@@ -94,7 +94,7 @@ EXPORT = Task(
         "fewest pieces within a proved tolerance",
         HERE + "export:export",
         source="pairing of curve and pieces on cells, enclosed by interval arithmetic on the exact envelope",
-        formula="|f| ≤ |f(m)| + |f′(m)|·h + ½·h²·max|f″| on every cell",
+        formula="|e| ≤ max(|e₀|, |e₁|) + w²/8·(max|z″| + max|b″|·(Δt/w)²) on every cell",
         assumptions=(RADIAL, "pieces end at every joint of the laws"),
         method="biarcs or cubics, equal errors; deviation proved by interval arithmetic",
     ),
