@@ -157,7 +157,7 @@ def test_the_jump_verdict_of_an_arm_is_that_of_its_forces() -> None:
     [
         ({"mass": 0.2, "spring_rate": 2e4, "preload": 100.0}, "spring"),
         ({"inertia": 0.002, "torsion_rate": 10.0}, "spring"),
-        ({"speed": 50.0}, "spring"),
+        ({"shaft_speed": 50.0}, "spring"),
         ({"inertia": 0.002, "torsion_rate": 10.0, "preload_torque": 0.0}, "slack"),
         ({"inertia": 0.0, "torsion_rate": 10.0, "preload_torque": 2.0}, "mass"),
     ],
