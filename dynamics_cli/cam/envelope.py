@@ -159,7 +159,9 @@ class Envelope:
             every = extremes(made, every=True)
             for zone, part in enumerate(self.zone_part):
                 own = np.flatnonzero(every.owner == zone)
-                found += self._backward(part, zone, every.places[own], every.values[own])
+                # a dwell on the axis stands, as far as can be told: it is a point, and loses nothing
+                if np.abs(every.values[own]).max() > every.error:
+                    found += self._backward(part, zone, every.places[own], every.values[own])
         for number, one in enumerate(self.parts):
             if isinstance(one, Bridge) and one.run < 0.0:
                 found.append((float(number), number + 1.0))

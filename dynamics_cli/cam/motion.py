@@ -122,7 +122,8 @@ class _Piece:
     def negated(self) -> "_Piece":
         """The same piece of the motion upside down."""
         made = _Piece.__new__(_Piece)
-        made.__dict__.update(self.__dict__)
+        for name in self.__slots__:
+            setattr(made, name, getattr(self, name))
         made.base, made.scales = -self.base, [-scale for scale in self.scales]
         return made
 

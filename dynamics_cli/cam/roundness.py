@@ -36,6 +36,10 @@ class Falling:
         self.zones, self.swing = motion.zones, motion.swing
         self.stroke = tuple(-level for level in motion.stroke[::-1])
 
+    def parts_of(self, index: int) -> "list[Any]":
+        """The parts of a zone, for proved bounds."""
+        return [part.negated() for part in self.motion.parts_of(index)]
+
     def in_zone(self, index: int, t: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
         """Lift and derivatives at shares of a zone."""
         return tuple(-value for value in self.motion.in_zone(index, t, derivatives))
