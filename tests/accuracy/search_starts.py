@@ -14,10 +14,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from references import impact_particles_comparison, impact_rigid_tasks, inertia_bodies_tasks, skid_tasks
-from references.comparison import DATA, HERE, build, leaves
+from references import impact_particles_tasks, skid_tasks
+from references.comparison import DATA, build, leaves
 
 from dynamics_cli import cli
+from dynamics_cli.accuracy import catalogue
+from dynamics_cli.accuracy.rivals import inertia_bodies
 from dynamics_cli.core.answer import call_model, choose
 from dynamics_cli.core.bound import Fields
 from dynamics_cli.core.call import Settings
@@ -30,9 +32,7 @@ from dynamics_cli.errors import DynamicsError
 from dynamics_cli.gear import bevel, crossed, gear, measure, pair_data, single, trochoid, worm
 from dynamics_cli.gear import pair as pairs
 from dynamics_cli.gear.split import Tips
-from dynamics_cli.inertia.assembly import Assembly, body
-from dynamics_cli.inertia.shape import shape
-from dynamics_cli.inertia.tensor import Whole, tensor
+from dynamics_cli.impact.planar import planar
 from dynamics_cli.inertia.torque import torque
 from dynamics_cli.quantities import Kind
 
@@ -141,7 +141,7 @@ def of_call(task: str, label: str, function: Callable[..., Any], arguments: dict
     """The start that a function's arguments give."""
     numbers = list(doubles_of(arguments))
     kinds: list[Kind | None] = [None] * len(numbers)
-    if "return" in function.__annotations__:
+    if function.__module__ != inertia_bodies.__name__ and "return" in function.__annotations__:
         nodes = {field.name: field.node for field in specification(function).fields}
         kinds = [kind for name, part in arguments.items() for kind in kinds_of(nodes[name], part)]
     return Start(task, label, numbers, kinds, lambda own: function(**with_numbers(arguments, iter(own))))
@@ -149,8 +149,7 @@ def of_call(task: str, label: str, function: Callable[..., Any], arguments: dict
 
 def hard(file: str) -> Iterator[dict[str, Any]]:
     """The hard cases of a file of references."""
-    path = DATA / file if (DATA / file).exists() else HERE / file
-    for case in json.loads(path.read_text(encoding="utf-8"))["cases"]:
+    for case in json.loads((DATA / file).read_text(encoding="utf-8"))["cases"]:
         if case["kind"] == "hard":
             yield case
 
@@ -166,6 +165,16 @@ GEAR = {
     "bevel": bevel.bevel,
     "worm": worm.worm,
     "crossed": crossed.crossed,
+}
+
+
+IMPACT = impact_particles_tasks.TASKS | {"planar": planar}
+INERTIA = {
+    "shape": inertia_bodies.shape,
+    "body": inertia_bodies.body,
+    "compare": inertia_bodies.both,
+    "tensor": inertia_bodies.tensor,
+    "torque": torque,
 }
 
 
@@ -200,47 +209,22 @@ def _of_root(label: str, cutter: trochoid.Cutter) -> Start:
 
 
 def _impact_cases() -> Iterator[Start]:
-    made = impact_particles_comparison
-    for case in hard("impact_particles.json"):
-        task = case["task"]
-        if task not in made.UNTRACKED:
-            arguments = made.build(task, case["inputs"], made.leaves(case["inputs"]))
-            path = "impact " + task.replace("_and_energy", "").replace("_", "-")
-            yield of_call(path, case["name"], impact_rigid_tasks_of(task), arguments)
-    for case in hard("impact_rigid.json"):
-        arguments = made.build("planar", case["inputs"], made.leaves(case["inputs"]))
-        yield of_call("impact planar", case["name"], impact_rigid_tasks.TASKS["planar"], arguments)
-
-
-def impact_rigid_tasks_of(task: str) -> Callable[..., Any]:
-    """A particle task's function."""
-    from references.impact_particles_tasks import TASKS
-
-    return TASKS[task]
+    for file in ("impact_particles.json", "impact_rigid.json"):
+        for case in hard(file):
+            task = case["task"]
+            if task in IMPACT and task not in impact_particles_tasks.UNTRACKED:
+                path = "impact " + task.replace("_and_energy", "").replace("_", "-")
+                yield of_call(path, case["name"], IMPACT[task], _arguments("impact", case["inputs"]))
 
 
 def _inertia_cases() -> Iterator[Start]:
-    own = inertia_bodies_tasks
     for case in hard("inertia_bodies.json"):
-        inputs, path = case["inputs"], f"inertia {case['task']}"
-        if case["task"] == "shape":
-            arguments = {"shape": own.shape_of(inputs), "amount": own.amount_of(inputs)}
-            yield _of_parts(path, case["name"], arguments, lambda made: shape(made["shape"], amount=made["amount"]))
-        elif case["task"] == "tensor":
-            arguments = {"inertia": Whole(own.plain(inputs["tensor"]))}
-            yield _of_parts(path, case["name"], arguments, lambda made: tensor(**made))
-        elif case["task"] == "torque":
-            arguments = {name: own.plain(value) for name, value in inputs.items()}
-            yield of_call(path, case["name"], torque, arguments)
-        else:
-            arguments = {"parts": tuple(own.part_of(item) for item in inputs["parts"])}
-            yield _of_parts(path, case["name"], arguments, lambda made: body(Assembly(**made)))
+        task = case["task"]
+        yield of_call(f"inertia {task}", case["name"], INERTIA[task], _arguments("inertia", case["inputs"]))
 
 
-def _of_parts(task: str, label: str, arguments: dict[str, Any], function: Callable[[dict[str, Any]], Any]) -> Start:
-    numbers = list(doubles_of(arguments))
-    kinds = [kind for part in arguments.values() for kind in kinds_of(None, part)]
-    return Start(task, label, numbers, kinds, lambda own: function(with_numbers(arguments, iter(own))))
+def _arguments(family: str, tree: Any) -> dict[str, Any]:
+    return build(tree, leaves(tree), catalogue.groups(family))
 
 
 def _skid_cases() -> Iterator[Start]:
