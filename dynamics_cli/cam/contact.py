@@ -5,6 +5,8 @@ the cam's curve is p − R_r n. A flat face touches where the instant centre say
 arrays; a cam that turns clockwise is one that turns anticlockwise with the motion run backwards.
 """
 
+from math import pi
+
 import numpy as np
 
 from dynamics_cli.cam.followers import (
@@ -212,6 +214,18 @@ def curve(geometry: Geometry, motion: "Any", theta: "Any") -> "Pair":
             geometry.point(*motion.at(part, 1)), part, geometry.turn, 0.0
         )
     return out[0], out[1]
+
+
+def turned_back(count: int, start_angle: float, turn: float) -> "tuple[Any, Any]":
+    """Cosines and sines that turn equal steps of one turn back into the cam, exact at quarters of the turn."""
+    step = np.arange(count)
+    quarter = (8 * step + count) // (2 * count)
+    rest = (4 * step - quarter * count) * (0.5 * pi / count)
+    on = round(start_angle / (0.5 * pi))
+    angle = turn * rest - (start_angle - on * (0.5 * pi))
+    cos, sin = np.cos(angle), np.sin(angle)
+    quarter = (int(turn) * quarter - on) % 4
+    return np.choose(quarter, (cos, -sin, -cos, sin)) + 0.0, np.choose(quarter, (sin, cos, -sin, -cos)) + 0.0
 
 
 def check_speed(geometry: Geometry, s1: "Any") -> None:

@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 
 from dynamics_cli.cam.approximation import controls, fit
-from dynamics_cli.cam.contact import Geometry, check_speed
+from dynamics_cli.cam.contact import Geometry, check_speed, turned_back
 from dynamics_cli.cam.export import LiftPoint, PolarPoint, SwingPoint
 from dynamics_cli.cam.path import Path
 from dynamics_cli.cam.pieces import sample
@@ -152,8 +152,9 @@ def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, c
     check_speed(geometry, s1)
     touch = geometry.touch(s, s1, s2)
     (x, y), (nx, ny) = touch.point, touch.normal
-    x, y = geometry.turned((x + away * nx, y + away * ny), theta, start_angle)
-    x, y = x[:-1], y[:-1]
+    x, y = (x + away * nx)[:-1], (y + away * ny)[:-1]
+    cos, sin = turned_back(count, start_angle, geometry.turn)
+    x, y = x * cos + y * sin + 0.0, y * cos - x * sin + 0.0
     angle = np.arctan2(y, x)
     polar = Columns(
         PolarPoint, cam_angle=theta[:-1], polar_angle=np.where(angle < 0.0, angle + 2.0 * pi, angle),

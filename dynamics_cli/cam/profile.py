@@ -287,6 +287,8 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
     """The columns of a profile at some cam angles."""
     import numpy as np
 
+    from dynamics_cli.cam.contact import turned_back
+
     # a point and what lies along the normal are turned by the same sine and cosine
     cos, sin = turned_back(theta.size, start_angle, geometry.turn)
     (cx, cy), (nx, ny) = touch.point, touch.normal
@@ -312,20 +314,6 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
         contact_x=np.broadcast_to(cx, theta.shape),
         contact_y=np.broadcast_to(cy, theta.shape),
     )
-
-
-def turned_back(count: int, start_angle: float, turn: float) -> "tuple[Any, Any]":
-    """Cosines and sines that turn equal steps of one turn back into the cam, exact at quarters of the turn."""
-    import numpy as np
-
-    step = np.arange(count)
-    quarter = (8 * step + count) // (2 * count)
-    rest = (4 * step - quarter * count) * (0.5 * pi / count)
-    on = round(start_angle / (0.5 * pi))
-    angle = turn * rest - (start_angle - on * (0.5 * pi))
-    cos, sin = np.cos(angle), np.sin(angle)
-    quarter = (int(turn) * quarter - on) % 4
-    return np.choose(quarter, (cos, -sin, -cos, sin)) + 0.0, np.choose(quarter, (sin, cos, -sin, -cos)) + 0.0
 
 
 def _settled(value: float, size: float) -> float:

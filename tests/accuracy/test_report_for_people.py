@@ -206,7 +206,6 @@ class TestDiagram:
         for one, length in zip(untimed.methods, lengths, strict=True):
             assert one.method.endswith(CHOSEN) or length == min(max(one.worst, pictures.EXACT), pictures.WRONG)
 
-
     def test_bars_in_the_terminal_know_powers_of_ten(self) -> None:
         from dynamics_cli.core.plot.small import sketch
 

@@ -9,7 +9,8 @@ from geometry_cases import CYCLE, NOTHING, SWING, random_program
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.check import check
-from dynamics_cli.cam.profile import profile, turned_back
+from dynamics_cli.cam.contact import turned_back
+from dynamics_cli.cam.profile import profile
 from dynamics_cli.cam.program import motion_of
 from dynamics_cli.errors import InadmissibleError
 
