@@ -21,7 +21,7 @@ SHIFTS = 8
 # Student's 97.5 % quantile with seven degrees of freedom, nearly tripled: five numbers must hold at once, replicates
 # are few and not quite normal, and a kink common to all of them biases all alike.
 REPLICATE_FACTOR = 2.8 * 2.365
-FLOOR = 3e-14
+FLOOR = 1e-13
 
 
 class Goal:

@@ -52,6 +52,9 @@ class Scan:
         shift = np.zeros(lines.weights.size) if offsets is None else offsets * self.step
         self.s = grid + shift[:, None]
         self.values = lines.values(self.s)
+        # moments are taken about a value in the midst of the others
+        sound = self.values[~np.isnan(self.values)]
+        self.centre = float(sound[sound.size // 2]) if sound.size else 0.0
         self.pieces = self._split()
         self.measures = measure(self.pieces.a, self.pieces.b)
         self.low = np.minimum(self.pieces.fa, self.pieces.fb)
@@ -234,13 +237,13 @@ class Scan:
         place = np.searchsorted(ranked, p * ranked[-1])
         return flat[sound][order][np.minimum(place, ranked.size - 1)].copy()  # type: ignore[no-any-return]
 
-    def moments(self, every: int = 1) -> "tuple[Array, Array]":
-        """First and second moment on every line (of admissible parts), (lines,), about zero.
+    def moments(self, every: int = 1, start: int = 0) -> "tuple[Array, Array]":
+        """First and second moment on every line (of admissible parts), (lines,), about the centre.
 
         The trapezoid rule on the scan is exact to rounding where a line is smooth and all admissible; elsewhere every
         piece is integrated by Gauss's three-point rule. With `every` = 2 only every second point is used: a test.
         """
-        values, s = self.values[:, ::every], self.s[:, ::every]
+        values, s = self.values[:, start::every] - self.centre, self.s[:, start::every]
         mass = density(s) * (self.step * every)
         with np.errstate(invalid="ignore"):
             first, second = (values * mass).sum(axis=1), (values * values * mass).sum(axis=1)
@@ -249,6 +252,20 @@ class Scan:
             first[rough], second[rough] = self._piecewise(rough)
         return first, second
 
+    def beyond(self) -> "tuple[Array, Array]":
+        """About what lies of both moments beyond the scan's ends, (lines,): what decays there goes on as it did last."""
+        mass = density(self.s) * self.step
+        made = []
+        values = self.values - self.centre
+        for part in (np.abs(values) * mass, values * values * mass):
+            total = np.zeros(len(part))
+            for last, before in ((part[:, 0], part[:, 1]), (part[:, -1], part[:, -2])):
+                with np.errstate(all="ignore"):
+                    share = last / before
+                    total += np.where(last > 0.0, last * share / np.maximum(1.0 - share, self.step), 0.0)
+            made.append(np.where(np.isfinite(total), total, 0.0))
+        return made[0], made[1]
+
     def _piecewise(self, rough: "Index") -> "tuple[Array, Array]":
         count = self.lines.weights.size
         chosen = np.isin(self.pieces.line, rough)
@@ -256,7 +273,7 @@ class Scan:
         first, second = np.zeros(count), np.zeros(count)
         for node, weight in zip(*_GAUSS, strict=True):
             s = a + node * (b - a)
-            value = self.lines.at(line, s)
+            value = self.lines.at(line, s) - self.centre
             mass = np.where(np.isnan(value), 0.0, weight * (b - a) * density(s))
             value = np.where(np.isnan(value), 0.0, value)
             first += np.bincount(line, mass * value, minlength=count)
