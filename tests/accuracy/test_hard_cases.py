@@ -8,13 +8,10 @@ import pytest
 
 from dynamics_cli.accuracy.cases import DATA
 
-HERE = Path(__file__).resolve().parents[1] / "references"
 FILES = sorted(DATA.glob("*.json"))
 # Files whose name does not begin with their family's.
 FAMILY = {"coords": "convert", "eigen": "inertia"}
 LEAST = 40
-# References that only tests read.
-UNSHIPPED = ("impact_particles.json", "inertia_bodies.json", "inertia_mesh.json")
 
 
 def hard(path: Path) -> list[dict]:
@@ -42,7 +39,7 @@ def test_reasons_are_of_the_case(path: Path) -> None:
 
 def test_every_family_has_enough() -> None:
     counts: Counter[str] = Counter()
-    for path in [*FILES, *(HERE / name for name in UNSHIPPED if (HERE / name).exists())]:
+    for path in FILES:
         counts[FAMILY.get(path.stem, path.stem.split("_")[0])] += len(hard(path))
     for family in ("convert", "skid", "impact", "inertia", "cam", "gear"):
         assert counts[family] >= LEAST, family

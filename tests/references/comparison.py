@@ -30,8 +30,7 @@ UNDERFLOW = mpf(10) ** -150
 @cache
 def cases(file: str, task: str) -> list[dict[str, Any]]:
     """The cases of one task in a reference file."""
-    path = DATA / file if (DATA / file).exists() else HERE / file
-    data = json.loads(path.read_text(encoding="utf-8"))
+    data = json.loads((DATA / file).read_text(encoding="utf-8"))
     return [case for case in data["cases"] if case["task"] == task]
 
 
