@@ -11,7 +11,7 @@ import pytest
 from harness import answer, run
 from references.inertia_solids import SOLIDS, ball, prism, write_stl
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import DynamicsError, ExitStatus, InadmissibleError, UsageError
 from dynamics_cli.inertia.amount import OfArealDensity, OfDensity, OfLinearDensity, OfMass
 from dynamics_cli.inertia.mesh import measured as reading
 from dynamics_cli.inertia.mesh.closure import vertex_hashes
@@ -37,8 +37,8 @@ def solid(name: str, **more: Any) -> MassProperties:
     return mesh(name, **inputs)
 
 
-def refused(name: str, **more: Any) -> InadmissibleError:
-    with pytest.raises(InadmissibleError) as caught:
+def refused(name: str, kind: type[DynamicsError] = InadmissibleError, **more: Any) -> DynamicsError:
+    with pytest.raises(kind) as caught:
         solid(name, **more)
     return caught.value
 
@@ -172,8 +172,9 @@ class TestFiles:
     def test_trimesh_is_asked_for_by_name(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setitem(__import__("sys").modules, "trimesh", None)
         (tmp_path / "part.obj").write_text("v 0 0 0\n")
-        error = refused(str(tmp_path / "part.obj"))
+        error = refused(str(tmp_path / "part.obj"), UsageError)
         assert error.code == "not-installed"
+        assert error.status == ExitStatus.USAGE
         assert "dynamics-cli[mesh]" in str(error.hint)
 
     def test_a_file_that_changes_is_read_again(self, tmp_path: Path) -> None:
