@@ -144,7 +144,7 @@ def chaining(rng: random.Random) -> Iterator[Compared]:
     answer = chain(bodies=tuple(Body(**body) for body in bodies), restitution=restitution, law=ChainLaw(law))
     with mp.workdps(120):
         given = {"bodies": bodies, "restitution": restitution}
-        wanted = particles.chain({**particles.exact(given), "law": {"name": law}})
+        wanted = particles.chain({**particles.exact(given), "law": {"word": law}})
         for index, row in enumerate(answer.bodies):
             for name in ("velocity", "delta_v", "impulse_to_next"):
                 value = getattr(row, name)
