@@ -253,7 +253,7 @@ class Scan:
         return first, second
 
     def beyond(self) -> "tuple[Array, Array]":
-        """About what lies of both moments beyond the scan's ends, (lines,): what decays there goes on as it did last."""
+        """About what lies of both moments beyond the ends, (lines,): what decays there goes on as it did last."""
         mass = density(self.s) * self.step
         made = []
         values = self.values - self.centre
