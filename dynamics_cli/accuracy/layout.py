@@ -21,8 +21,8 @@ LEGEND = {
     "ratio": "ratio: time over that of the program's own method (▸), which gives every result; others may give fewer",
     "arrays": "arrays: time for each case of one call on arrays",
     "worst": "worst, median: errors, as shares of the reference unless said otherwise",
-    "truly": "truly: the true value, in SI units, where few digits are right: a small error is a large share of a result "
-    "that all but vanishes, as a difference that cancels does",
+    "truly": "truly: the true value, in SI units, where few digits are right: a small error is a large share of a "
+    "result that all but vanishes, as a difference that cancels does",
     "in": "in ulp: in units of a double's last place",
     "ours": "ours: the worst error of our own method over the very results that this one gave",
     "bound": "held ×n: the stated bound was never below the true error, and n times it in the median (~: an estimate)",

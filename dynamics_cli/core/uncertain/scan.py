@@ -234,13 +234,13 @@ class Scan:
         place = np.searchsorted(ranked, p * ranked[-1])
         return flat[sound][order][np.minimum(place, ranked.size - 1)].copy()  # type: ignore[no-any-return]
 
-    def moments(self, every: int = 1) -> "tuple[Array, Array]":
+    def moments(self, every: int = 1, start: int = 0) -> "tuple[Array, Array]":
         """First and second moment on every line (of admissible parts), (lines,), about zero.
 
         The trapezoid rule on the scan is exact to rounding where a line is smooth and all admissible; elsewhere every
-        piece is integrated by Gauss's three-point rule. With `every` = 2 only every second point is used: a test.
+        piece is integrated by Gauss's three-point rule. With `every` = 2 only every second point is used, from `start` on: a test.
         """
-        values, s = self.values[:, ::every], self.s[:, ::every]
+        values, s = self.values[:, start::every], self.s[:, start::every]
         mass = density(s) * (self.step * every)
         with np.errstate(invalid="ignore"):
             first, second = (values * mass).sum(axis=1), (values * values * mass).sum(axis=1)
@@ -248,6 +248,18 @@ class Scan:
         if rough.size:
             first[rough], second[rough] = self._piecewise(rough)
         return first, second
+
+    def beyond(self, mean: float) -> float:
+        """About how much of the second moment about `mean` lies outside the scan: its ends, going on as they fall."""
+        unit = max(round(1.0 / self.step), 1)
+        apart = np.nan_to_num(self.values) - np.where(np.isnan(self.values), 0.0, mean)
+        parts = self.lines.weights @ (apart * apart * density(self.s) * self.step)
+        left = 0.0
+        for end in (parts, parts[::-1]):
+            last, before = float(end[:unit].sum()), float(end[unit : 2 * unit].sum())
+            # a fall that is not quick is no basis to go on from
+            left += last * last / (before - last) if before > 2.0 * last else last
+        return left
 
     def _piecewise(self, rough: "Index") -> "tuple[Array, Array]":
         count = self.lines.weights.size

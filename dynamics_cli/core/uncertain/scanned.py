@@ -152,10 +152,20 @@ def _with_moments(made: Outcome, scan: Scan) -> Outcome:
 
 
 def _coarser(scan: Scan, made: Outcome) -> float:
-    """How far mean and deviation move without every second point of the scan: nothing, where lines are smooth."""
-    first, second = (float(scan.lines.weights @ part) / scan.admissible for part in scan.moments(2))
-    std = np.sqrt(max(second - first * first, 0.0))
-    return max(0.3 * max(abs(first - made.mean), abs(float(std) - made.std)) / made.std, FLOOR)
+    """What every second or fourth point of the scan says otherwise of mean and deviation, and what is beyond its ends.
+
+    The trapezoid rule errs by (1/2 − t)·h of a jump and by (1/6 − t(1 − t))·h²/2 of a bend, t their place within the
+    step h: 0.35 of the most by which the four scans of four times the step differ is never less than either. Smooth
+    lines show no difference.
+    """
+    every, factor = (2, 0.3) if scan.s.shape[1] < FINE_SCAN else (4, 0.35)
+    apart = 0.0
+    for start in range(every):
+        first, second = (float(scan.lines.weights @ part) / scan.admissible for part in scan.moments(every, start))
+        std = np.sqrt(max(second - first * first, 0.0))
+        apart = max(apart, abs(first - made.mean), abs(float(std) - made.std))
+    left = 0.5 * scan.beyond(made.mean) / scan.admissible / made.std
+    return max((factor * apart + left) / made.std, FLOOR)
 
 
 def _scan_estimate(scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", width: float) -> float:
