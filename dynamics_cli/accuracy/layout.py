@@ -14,11 +14,15 @@ if TYPE_CHECKING:
 WIDTH = 118
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
+# Worse than this, a result's true value is shown beside it.
+FEW_DIGITS = 1e-10
 # What columns, by their first words, and marks mean; said of those that are there.
 LEGEND = {
-    "ratio": "ratio: time over that of the program's own method (▸)",
+    "ratio": "ratio: time over that of the program's own method (▸), which gives every result; others may give fewer",
     "arrays": "arrays: time for each case of one call on arrays",
     "worst": "worst, median: errors, as shares of the reference unless said otherwise",
+    "truly": "truly: the true value, in SI units, where few digits are right: a small error is a large share of a "
+    "result that all but vanishes, as a difference that cancels does",
     "in": "in ulp: in units of a double's last place",
     "ours": "ours: the worst error of our own method over the very results that this one gave",
     "bound": "held ×n: the stated bound was never below the true error, and n times it in the median (~: an estimate)",
@@ -54,6 +58,8 @@ def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int
     there = {column.title.split()[0] for column, _ in columns} | ({"*"} if any(row["front"] for row in rows) else set())
     if not any(row["refused"]["value"] for row in rows):
         there.discard("cases")
+    if any(_truly(row) for row in rows):
+        there.add("truly")
     text = "; ".join(words for key, words in LEGEND.items() if key in there)
     return [f"  {line}" for line in _wrapped(text, width - 2)]
 
@@ -167,8 +173,15 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
         made.append(f"  {mark}{first:<{room}}{figures}".rstrip())
         made += [f"      {part}" for part in rest]
         if row["worst_case"] and row["worst"]["value"]:
-            made.append(_clipped(f"      worst: {row['worst_case']}", width))
+            truly = _truly(row)
+            made.append(_clipped(f"      worst: {row['worst_case']}", width - len(truly)) + truly)
     return made
+
+
+def _truly(row: "Entry") -> str:
+    """The true value of the worst result, where a reader must see whether its error is one or the result is none."""
+    few = row["measure"] == "relative" and row["worst"]["value"] > FEW_DIGITS
+    return f", truly {row['worst_reference']}" if few and row["worst_reference"] else ""
 
 
 def _wrapped(text: str, room: int) -> "list[str]":

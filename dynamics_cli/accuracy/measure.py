@@ -37,11 +37,13 @@ class Errors:
         self.broken = 0
         self.bounded = 0
         self.worst = ("", -1.0)
+        # the true value of that result: a share of one that all but vanishes says little
+        self.worst_reference: float | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
         self.found: dict[str, float] = {}
 
-    def add(self, where: str, value: float, text: str, bound: "float | None") -> None:
-        """Count one result of one case."""
+    def add(self, where: str, value: float, text: str, bound: "float | None", key: str = "") -> None:
+        """Count one result of one case; `key` tells it from that of another case of the same name."""
         reference = Decimal(text)
         error = DIGITS.subtract(Decimal(value), reference).copy_abs()
         slack = DIGITS.multiply(reference.copy_abs(), REFERENCE)
@@ -51,13 +53,13 @@ class Errors:
         share = DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else true
         relative = float(min(share, MOST))
         self.relative.append(relative)
-        self.found[where] = max(relative, self.found.get(where, 0.0))
+        self.found[key or where] = max(relative, self.found.get(key or where, 0.0))
         if near or not true:
             # beside zero there is no last place: what is left there is held against the bound
             ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
             self.ulps.append(ulps)
             if ulps > self.worst[1]:
-                self.worst = (where, ulps)
+                self.worst, self.worst_reference = (where, ulps), near
         if bound is not None:
             self.bounded += 1
             self.broken += Decimal(bound) < true
@@ -72,7 +74,7 @@ class Errors:
         error = float(error)
         self.relative.append(error)
         if error > self.worst[1]:
-            self.worst = (where, error)
+            self.worst, self.worst_reference = (where, error), None
         if estimate is not None:
             self.bounded += 1
             estimate = float(estimate)
@@ -88,7 +90,7 @@ def errors_of(
     """The errors of a method over its cases; a `foreign` one, of another library, may fail in any way it likes."""
     refusals = Exception if foreign else (DynamicsError, ArithmeticError, ValueError)
     made = Errors()
-    for case in cases:
+    for index, case in enumerate(cases):
         numbers: list[Any] = list(leaves(case.inputs))
         if tracked:
             from dynamics_cli.numerics.tracked import Tracked
@@ -111,7 +113,7 @@ def errors_of(
             bound = getattr(results[name], "error", 0.0 if tracked else None)
             if name in stated:
                 bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
-            made.add(f"{case.name}: {name}", value, case.results[name], bound)
+            made.add(f"{case.name}: {name}", value, case.results[name], bound, f"{index} {name}")
     return made
 
 

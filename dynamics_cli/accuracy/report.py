@@ -11,6 +11,7 @@ from dynamics_cli.accuracy.rows import CHOSEN, Row, finished, row
 from dynamics_cli.core.rows.progress import Progress
 from dynamics_cli.core.task import load as imported
 from dynamics_cli.core.terminal import Terminal
+from dynamics_cli.core.words import nearest_words
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Count, Ratio, Text
 from dynamics_cli.records import Advice, Check, record
@@ -127,7 +128,7 @@ def accuracy(
         tasks = sorted({question.task for question in catalogue.questions(family, "")} - {""})
         known = tasks or sorted({question.family for question in catalogue.questions("", "")})
         message = f"there are no references for {f'{family} {task}'.strip()!r}"
-        raise UsageError(message, parameter="task" if tasks else "family", hint=f"there are for {', '.join(known)}")
+        raise UsageError(message, parameter="task" if tasks else "family", hint=_hint(task if tasks else family, known))
     found = {name: peer(name) for name in _names(asked)} if peers else {}
     wanted = Asked(hard=hard, full=full, timed=not untimed, found=found)
     rows: list[Row] = []
@@ -147,6 +148,12 @@ def accuracy(
         _checks(rows),
         tuple(_missing(one) for one in found.values() if not one.installed),
     )
+
+
+def _hint(word: str, known: "Sequence[str]") -> str:
+    """What was meant, if it can be guessed, or what there is."""
+    near = nearest_words(word, known)
+    return f"did you mean {' or '.join(near)}?" if near else f"there are for {', '.join(known)}"
 
 
 def _names(asked: "Sequence[Question | Comparison]") -> "list[str]":

@@ -67,6 +67,8 @@ class Row:
         Pieces needed, where a question asks for as few as keep a tolerance.
     front : bool
         Whether no other method of the question is as quick and as exact.
+    worst_reference : Text
+        The true value of the worst result, in SI units: where it all but vanishes, a share of it says little.
     """
 
     family: Text
@@ -91,6 +93,7 @@ class Row:
     array_time: EvaluationTime | None
     entities: Count | None = None
     front: bool = False
+    worst_reference: Text = ""
 
     @property
     def is_proved(self) -> bool:
@@ -137,6 +140,7 @@ def row(
         errors.worst[0],
         array_time,
         entities,
+        worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
     )
 
 

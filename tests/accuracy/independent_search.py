@@ -5,7 +5,8 @@
 Each question draws inputs of its own kind of hardness, calls the task's function, and compares its results and the
 bounds it states with the functions that made the shipped references (tests/references): exact rationals of the legal
 definitions of units, arc cosines at up to 1,400 digits, laws of motion integrated from their acceleration, every set of
-acting contacts tried, products of tooth numbers, eigenvalues by QR at 60 digits. What is exact there is exact here.
+acting contacts tried, products of tooth numbers, eigenvalues by QR at 60 digits, sums of exact triangles. What is exact
+there is exact here.
 """
 
 import random
@@ -24,8 +25,10 @@ import generate_cam_motion_references as cam_laws
 import generate_convert_references as units
 import generate_coords_references as points
 import generate_impact_particles_references as particles
+import generate_inertia_sections_references as sections
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.cases import flat
 from dynamics_cli.cam.laws import LawName
 from dynamics_cli.cam.rises import rise
 from dynamics_cli.convert.conversion import convert
@@ -35,6 +38,8 @@ from dynamics_cli.gear.ratio import ratio
 from dynamics_cli.gear.train import train
 from dynamics_cli.gear.train_scene import Planetary, Stages
 from dynamics_cli.impact.chain import Body, ChainLaw, chain
+from dynamics_cli.inertia.section.contours import Hole, Piece
+from dynamics_cli.inertia.section.task import section
 from dynamics_cli.inertia.tensor import Whole, tensor
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import ExactQuantity
@@ -214,13 +219,41 @@ def turning(rng: random.Random) -> Iterator[Compared]:
             yield f"principal_moments[{index}]", own.value, bound, exact
 
 
+def sectioning(rng: random.Random) -> Iterator[Compared]:
+    """A polygon, slender or far off, or a pipe or box of thin wall, beside sums of exact triangles."""
+    far, slender = 10.0 ** rng.uniform(-1.0, 7.0), 10.0 ** rng.uniform(0.0, 9.0)
+    at = rng.choice(((0.0, 0.0), (far, -0.7 * far), (rng.uniform(-3.0, 3.0), far)))
+    wall = 10.0 ** rng.uniform(-13.0, -1.0)
+    way = rng.randrange(4)
+    if way == 0:
+        inputs: dict[str, Any] = {"polygon": sections.star(rng, rng.choice((1.0, slender)), at, rng.randrange(3))}
+    elif way == 1:
+        inputs = {"polygon": sections.strip(1.0, 1.0 / slender, rng.randrange(3), at)}
+    elif way == 2:
+        inputs = {"pieces": [{"diameter": 1.0, "x": at[0]}], "holes": [{"diameter": 1.0 - wall, "x": at[0]}]}
+    else:
+        hole = {"width": 1.0 - wall, "height": 0.5 - wall}
+        inputs = {"pieces": [{"width": 1.0, "height": 0.5}], "holes": [hole]}
+    answer = section(
+        polygon=tuple(inputs.get("polygon", ())),
+        pieces=tuple(Piece(**one) for one in inputs.get("pieces", ())),
+        holes=tuple(Hole(**one) for one in inputs.get("holes", ())),
+    )
+    with mp.workdps(90):
+        exact, values = sections.results(inputs), flat(answer)
+        for name, (bound, relative) in stated(answer).items():
+            if name in exact:
+                yield name, values[name], bound * (abs(values[name]) if relative else 1.0), exact[name]
+
+
 # Each question, and how many evaluations the suite can afford: trying all sets of contacts takes 20 ms, a search 1 ms.
 QUESTIONS: dict[str, tuple[Callable[[random.Random], Iterator[Compared]], int]] = {
     "convert": (converting, 10_000),
     "coords": (locating, 10_000),
     "cam rise": (rising, 10_000),
     "impact chain": (chaining, 200),
-    "inertia tensor": (turning, 3_000),
+    "inertia tensor": (turning, 10_000),
+    "inertia section": (sectioning, 10_000),
     "gear train": (gearing, 10_000),
     "gear ratio": (choosing, 500),
 }

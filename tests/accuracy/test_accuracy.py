@@ -225,3 +225,13 @@ class TestReferences:
         for file in FILES:
             data = json.loads((DATA / file).read_text(encoding="utf-8"))
             assert "generate_" in data["about"]
+
+
+def test_sums_in_one_pass_answer_skids_that_are_equal() -> None:
+    from types import SimpleNamespace
+
+    from dynamics_cli.accuracy.rivals.skid import friction_by_sums
+
+    one = SimpleNamespace(speed=10.0, distance=8.0, grade=0.0, braking=1.0)
+    found = friction_by_sums(skids=(one, one), gravity=9.80665)
+    assert found["standard_deviation"] == found["standard_error"] == 0.0

@@ -76,7 +76,14 @@ class TestTable:
         shown = layout.lines(gears, 3, 80)
         for one in gears["methods"]:
             if one["worst"]["value"]:
-                assert any("      worst: " in line and line.endswith(one["worst_case"][-20:]) for line in shown)
+                named = [line.partition(", truly ")[0] for line in shown if "      worst: " in line]
+                assert any(line.endswith(one["worst_case"][-20:]) for line in named)
+
+    def test_the_true_value_stands_beside_a_result_with_few_right_digits(self) -> None:
+        shown = run("accuracy", "impact", "central", "--untimed").out
+        assert "      worst: central 24: first.velocity, truly 2.22e-16\n" in shown
+        assert "truly: the true value, in SI units" in shown
+        assert "truly" not in run("accuracy", "convert", "--untimed").out
 
     def test_the_figures_are_those_of_the_document(self, gears: dict) -> None:
         text = "\n".join(layout.lines(gears, 3, 140))
@@ -96,7 +103,7 @@ class TestTable:
     def test_json_and_csv_keep_every_column(self, gears: dict) -> None:
         names = {"family", "task", "question", "method", "cases", "refused", "time", "slower", "worst", "median",
                  "worst_ulp", "median_ulp", "own_worst", "measure", "bound", "stated", "broken", "looseness",
-                 "worst_case", "array_time", "front"}  # fmt: skip
+                 "worst_case", "array_time", "front", "worst_reference"}  # fmt: skip
         assert names <= set().union(*gears["methods"])
         head = run("accuracy", "gear", "--format", "csv").out.splitlines()[0]
         assert names <= {name.partition("[")[0] for name in head.split(",")}
@@ -112,6 +119,13 @@ class TestTable:
         errors = Errors()
         errors.add("a", 1e300, "1e-310", None)
         assert errors.worst[1] == 1e300
+
+    def test_results_of_cases_of_one_name_are_kept_apart(self) -> None:
+        errors = Errors()
+        errors.add("a: x", 1.5, "1", None, "0 x")
+        errors.add("a: x", 1.0, "1", None, "1 x")
+        assert errors.found == {"0 x": 0.5, "1 x": 0.0}
+        assert (errors.worst[0], errors.worst_reference) == ("a: x", 1.0)
 
     def test_rivals_are_compared_over_their_own_results(self) -> None:
         own, other = Errors(), Errors()
@@ -276,3 +290,18 @@ class TestPeers:
         with_peers = answer("accuracy", "skid", "yaw", "--untimed", "--peers")["results"]["methods"]
         without = answer("accuracy", "skid", "yaw", "--untimed")["results"]["methods"]
         assert len(with_peers) == len(without) + 1
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (("geer",), "did you mean gear?"),
+        (("SKID",), "did you mean skid?"),
+        (("gear", "pear"), "did you mean pair?"),
+        (("nosuch",), "there are for cam, convert, coords, gear, impact, inertia, skid, uncertainty"),
+    ],
+)
+def test_what_was_meant_is_guessed(words: tuple[str, ...], hint: str) -> None:
+    failed = run("accuracy", *words)
+    assert failed.status == 2
+    assert hint in failed.err

@@ -127,3 +127,17 @@ class TestPeers:
             assert all(map(math.isfinite, found))
             assert abs(found[2] - float(case.results["median"])) < 0.05 * float(case.results["std"]), case.name
         assert set(PEERS) == {"uncertainties", "GTC", "mcerp"}
+
+
+# What a mean and a deviation lose that are far apart, and an input cut far out in its tail: 1e-10 of a deviation.
+ROUNDING = 1e-10
+
+
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if len(case.inputs["inputs"]) == 1], ids=lambda case: str(case.name)
+)
+def test_of_one_input_the_estimate_is_not_below_the_error(case: Case) -> None:
+    """Kinks between the points of the scan, and tails beyond its ends."""
+    found, estimate = uncertainty.own(case, {})
+    assert estimate is not None
+    assert wrong(found, case) <= estimate + ROUNDING

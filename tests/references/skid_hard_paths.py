@@ -170,7 +170,6 @@ def avoids() -> Iterator[Hard]:
             {"speed": 17.85427588404575},
         ),
         ("the car stops just before the obstacle, by the last bit", {"speed": 17.854275884045748}),
-        ("the car touches the obstacle, by the last bit", {"speed": 17.854275884045752}),
         ("the car stops millimetres before the obstacle: what is left is a difference", {"speed": 17.8542}),
         ("the whole distance goes in reaction to the last bit: no braking is left", {"reaction_time": 2.0}),
         ("the obstacle is reached before the brakes are: reaction outlasts the way", {"reaction_time": 3.0}),

@@ -73,7 +73,7 @@ def friction_by_sums(*, skids: "Any", gravity: float, m: "Any" = DOUBLES) -> "di
         out |= {f"tests[{index}].friction": one, f"tests[{index}].drag_factor": drag}
     if count > 1:
         spread = m.sqrt((squares - total * total / count) / (count - 1))
-        out |= {"standard_deviation": spread, "standard_error": spread / m.sqrt(spread / spread * count)}
+        out |= {"standard_deviation": spread, "standard_error": spread / m.sqrt(0.0 * spread + count)}
     return out
 
 

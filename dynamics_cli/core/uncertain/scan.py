@@ -241,7 +241,8 @@ class Scan:
         """First and second moment on every line (of admissible parts), (lines,), about the centre.
 
         The trapezoid rule on the scan is exact to rounding where a line is smooth and all admissible; elsewhere every
-        piece is integrated by Gauss's three-point rule. With `every` = 2 only every second point is used: a test.
+        piece is integrated by Gauss's three-point rule. With `every` = 2 only every second point is used, from `start`
+        on: a test.
         """
         values, s = self.values[:, start::every] - self.centre, self.s[:, start::every]
         mass = density(s) * (self.step * every)
