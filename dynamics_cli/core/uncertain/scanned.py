@@ -157,9 +157,9 @@ def _with_moments(made: Outcome, scan: Scan) -> Outcome:
 def _coarser(scan: Scan, made: Outcome) -> float:
     """How far mean and deviation move with parts of the scan's points, and what may lie beyond its ends.
 
-    On smooth lines every part gives the same. The trapezoid rule errs by (½ − t) h of a jump and by (1/6 − t(1 − t)) h²/2
-    of a bend, t their place within the step h: of four parts, each of every fourth point, some differ by six times
-    either at the least, wherever it is.
+    On smooth lines every part gives the same. The trapezoid rule errs by (½ − t) h of a jump and by
+    (1/6 − t(1 − t)) h²/2 of a bend, t their place within the step h: of four parts, each of every fourth point, some
+    differ by six times either at the least, wherever it is.
     """
     every, share = (4, 1.0 / 6.0) if scan.step < FINE_STEP else (2, 0.3)
     weights = scan.lines.weights
