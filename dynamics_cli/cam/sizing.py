@@ -162,7 +162,7 @@ class Wedge:
 
 def signs(rotation: str, flank: str) -> tuple[float, float]:
     """-1 for a clockwise cam, and -1 for an outer flank."""
-    return -1.0 if rotation == "clockwise" else 1.0, -1.0 if flank == "outer" else 1.0
+    return -1.0 if followers.Rotation(rotation) == "clockwise" else 1.0, -1.0 if flank == "outer" else 1.0
 
 
 def undercut(least: "float | None") -> tuple[Advice, ...]:

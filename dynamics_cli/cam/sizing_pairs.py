@@ -130,7 +130,9 @@ def _both(
             kept(f"least pressure angle of the {name} cam keeps its limit", -low - limits[1], 1.0),
         ]
         if least_radius is not None and least is not None:
-            checks.append(kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, 1.0))
+            checks.append(
+                kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, start_radius)
+            )
     (high, low, least), mate = seen
     roller = first.roller
     return size.CamSize(
