@@ -303,7 +303,9 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
         pivot_distance,
         prime,
         code="no-triangle",
-        hint=f"a base circle of {max(difference - roller_radius, 0.0):.6g} m to {both - roller_radius:.6g} m fits",
+        hint=f"a base circle of {max(difference - roller_radius, 0.0):.6g} m to {both - roller_radius:.6g} m fits"
+        if roller_radius < both
+        else "take a smaller roller, or a longer arm farther from the cam",
     )
     short, long = min(arm, pivot_distance), max(arm, pivot_distance)
     inside = fsum((base_radius, roller_radius, short, -long)) * fsum((base_radius, roller_radius, long, -short))

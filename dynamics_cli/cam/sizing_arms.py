@@ -134,7 +134,7 @@ def size_arm(
             kept("largest pressure angle keeps its limit", high - limits[0], 1.0),
             kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
         ),
-        advice=undercut(round_ if side > 0.0 else hollow),
+        advice=undercut(round_ if side > 0.0 else hollow, radius),
         numerics=Numerics(method, (ErrorBound("base_radius", share(4.0 * pivot * found.error, base)),)),
     )  # fmt: skip
 

@@ -5,7 +5,7 @@ from math import cos, hypot, inf, pi, radians, sin
 
 import numpy as np
 import pytest
-from geometry_cases import CYCLE, NOTHING, SWING, random_program
+from geometry_cases import CYCLE, NOTHING, STEEP, SWING, random_program
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.contact import Geometry
@@ -291,6 +291,22 @@ def test_no_size_rests_on_proxies_that_are_only_estimated(program: str, wanted, 
     found = size.size(NOTHING, program=program, follower=wanted, rise_limit=0.8, return_limit=0.8)
     assert found.numerics is not None
     assert all(bound.bound < 1e-11 for bound in found.numerics.bounds)
+
+
+@pytest.mark.parametrize("rotation", ["ccw", "cw"])
+def test_a_cam_left_with_a_point_is_not_called_undercut(rotation: str) -> None:
+    for program, wanted, least in (
+        (STEEP, size.Roller(0.015), 0.0),
+        (SWING, size.OscillatingRoller(0.03, 0.08, 0.1), 0.0),
+        (CYCLE, size.ConjugateRoller(0.03), 0.0),
+        ("dwell", size.Roller(0.006), None),
+    ):
+        found = size.size(NOTHING, program=program, follower=wanted, rise_limit=1.2, return_limit=1.2, least_radius=least,
+                          rotation=followers.Rotation(rotation))  # fmt: skip
+        radii = [found.least_convex_radius, *([found.second.least_convex_radius] if found.second else [])]
+        codes = [one.code for one in found.advice]
+        assert "undercut" not in codes
+        assert ("sharp" in codes) == (min(radii) < 1e-12)
 
 
 def test_the_checks_of_a_pair_do_not_depend_on_its_size() -> None:
