@@ -78,15 +78,32 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
         with np.errstate(all="ignore"):
             made = over_pieces(motion, functions)
     except ValueError:
-        require(
-            False,
-            "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
-            code="through-axis",
-            hint="take a base radius above zero, of the size of the lift",
-        )
+        refuse_size()
         raise
     found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+
+
+def refuse_size() -> None:
+    """Refuse a cam whose proxies are not finite."""
+    require(
+        False,
+        "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
+        code="through-axis",
+        hint="take a base radius above zero, of the size of the lift",
+    )
+
+
+def runs_forward(geometry: Geometry, found: Analysis) -> bool:
+    """Whether the cam's curve is proved to stand nowhere and to run backwards nowhere within the zones of the motion.
+
+    1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
+    """
+    bend = found.curvature
+    if geometry.flat:
+        return bend.smallest()[0] > bend.error
+    tightest = bend.largest()[0] if geometry.side > 0.0 else -bend.smallest()[0]
+    return geometry.roller * (tightest + bend.error) < 1.0 - 2.0**-50
 
 
 def start_slip(geometry: Geometry) -> float:
@@ -95,9 +112,8 @@ def start_slip(geometry: Geometry) -> float:
     return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
 
 
-def pressure_bounds(geometry: Geometry, motion: "Any", found: Analysis) -> tuple[ErrorBound, ...]:
+def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
-    del geometry, motion
     return tuple(
         ErrorBound(name, found.pressure.error / abs(value))
         for name, (value, _) in (

@@ -2,7 +2,7 @@
 
 from math import isinf, pi
 
-from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
+from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift, require_limits
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
@@ -201,10 +201,11 @@ def check(
     -----
     Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their errors
     proved on discs of the complex plane, with bounds on derivatives that leave no turning place out. A cusp counts as
-    undercut. Corners of an undercut cam are crossings of its envelope, found by halving and Newton's method however
-    small the undercut and however many run into each other; the edge between them is followed from corner to corner,
-    so that a lobe whose neck is cut through is seen to fall off. The lift lost is the certified largest gap on them,
-    to 4e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
+    undercut; where rounding leaves open whether there is one, an advice says so. Corners of an undercut cam are
+    crossings of its envelope, found by halving and Newton's method however small the undercut and however many run into
+    each other; the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is
+    seen to fall off. The lift lost is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to
+    4e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
 
     References
     ----------
@@ -218,7 +219,7 @@ def check(
     >>> found.fits, found.undercut
     (True, False)
     """
-    from dynamics_cli.cam.analysis import analyse, pressure_bounds
+    from dynamics_cli.cam.analysis import analyse, pressure_bounds, runs_forward
     from dynamics_cli.cam.contact import Geometry
     from dynamics_cli.cam.jump import asked_jump
     from dynamics_cli.cam.pieces import joint_jumps
@@ -228,6 +229,7 @@ def check(
     geometry = Geometry(follower, rotation, flank)
     motion = motion_of(scene, program)
     require_lift(motion, geometry.oscillating)
+    require_limits(rise_limit, return_limit)
     require(
         geometry.flat or face_width is None,
         "only a flat face has a width",
@@ -238,7 +240,8 @@ def check(
     (high, high_at), (low, low_at) = found.pressure.largest(), found.pressure.smallest()
     round_, round_at = convex(geometry, found)
     hollow, hollow_at = concave(geometry, found)
-    loss = lift_lost(geometry, motion)
+    forward = runs_forward(geometry, found)
+    loss = lift_lost(geometry, motion, forward=forward)
     lost = None if loss is None or isinf(loss.lift) else loss.lift
     face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
     jumps = joint_jumps(motion)
@@ -281,10 +284,10 @@ def check(
         jump_speed=None if jump is None else jump[0],
         jump_at=None if jump is None else jump[1],
         jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
-        advice=_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump),
+        advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every turning place certified",
-            (*pressure_bounds(geometry, motion, found), *_lost_bound(geometry, loss)),
+            (*pressure_bounds(found), *_lost_bound(geometry, loss), *_jump_bound(jump)),
         ),
     )
 
@@ -293,6 +296,20 @@ def _lost_bound(geometry: "Geometry", loss: "Any") -> tuple[ErrorBound, ...]:
     if loss is None or isinf(loss.lift):
         return ()
     return (ErrorBound("swing_lost" if geometry.oscillating else "lift_lost", loss.error, relative=False),)
+
+
+def _jump_bound(jump: "tuple[float | None, float | None, float] | None") -> tuple[ErrorBound, ...]:
+    if jump is None or not jump[0]:
+        return ()
+    return (ErrorBound("jump_speed", jump[2] / jump[0]),)
+
+
+def _cusp(loss: "Any", forward: bool) -> tuple[Advice, ...]:
+    """What to say of a curve that is not undercut as computed, but nearer to it than can be told."""
+    if loss is not None or forward:
+        return ()
+    message = "the curve of the cam stands still at a point, as near as can be told: a cusp, or nearly"
+    return (Advice("cusp", message, "caution", "raise the base radius a little"),)
 
 
 def _undercut(geometry: "Geometry", loss: "Any") -> Advice:

@@ -149,13 +149,28 @@ class Envelope:
         (x, y), (nx, ny) = touch.point, touch.normal
         return (x + 1j * y) * back, (nx + 1j * ny) * back, touch.run
 
-    def backward(self) -> "list[tuple[float, float]]":
-        """Places between which the curve runs backwards or stands, certified: every turning place of its speed."""
+    def backward(self, *, forward: bool = False) -> "list[tuple[float, float]]":
+        """Places between which the curve runs backwards or stands, from every turning place of its speed.
+
+        Parameters
+        ----------
+        forward : bool
+            Whether it is known to run forwards within every zone: only bridges may run backwards then.
+
+        Returns
+        -------
+        list of pairs
+            The stretches in order.
+
+        Notes
+        -----
+        Speeds that the proofs cannot tell from zero go by their sign as computed.
+        """
         if not self.geometry.flat and self.geometry.roller == 0.0:
             return []
         found: list[tuple[float, float]] = []
-        made = over_pieces(self.motion, lambda s, s1, s2: self.geometry.touch(s, s1, s2).run[None])
-        if extremes(made).smallest()[0] <= 0.0:
+        made = None if forward else self._speed()
+        if made is not None and extremes(made).smallest()[0] <= 0.0:
             every = extremes(made, every=True)
             for zone, part in enumerate(self.zone_part):
                 own = np.flatnonzero(every.owner == zone)
@@ -166,6 +181,9 @@ class Envelope:
             if isinstance(one, Bridge) and one.run < 0.0:
                 found.append((float(number), number + 1.0))
         return _joined(sorted((float(low), float(high)) for low, high in found if high > low))
+
+    def _speed(self) -> "Any":
+        return over_pieces(self.motion, lambda s, s1, s2: self.geometry.touch(s, s1, s2).run[None])
 
     def _backward(self, part: int, zone: int, places: "Any", values: "Any") -> "list[tuple[float, float]]":
         """Backward stretches of one zone, the speed being monotone from each of the places to the next."""

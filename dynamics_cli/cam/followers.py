@@ -175,7 +175,6 @@ Follower = (
     KnifeEdge | Roller | FlatFace | OscillatingRoller | OscillatingFlat | ConjugateRoller | ConjugateOscillatingRoller
 )
 
-OSCILLATING = (OscillatingRoller, OscillatingFlat, ConjugateOscillatingRoller)
 FLAT = (FlatFace, OscillatingFlat)
 MATES = (ConjugateRoller, ConjugateOscillatingRoller)
 
@@ -190,6 +189,19 @@ def require_lift(motion: "Any", oscillating: bool) -> None:
         code="lift-kind",
         hint='write "rise 15 deg in 90 deg …" for an arm, "rise 20 mm in 90 deg …" for a slide',
     )
+
+
+def require_limits(rise_limit: float, return_limit: float) -> None:
+    """Refuse limits of pressure angle that are no angles between 0 and 90 degrees."""
+    for name, limit in (("rise", rise_limit), ("return", return_limit)):
+        require(
+            0.0 < limit < 0.5 * pi,
+            "the {0} limit of {1:.6g} deg is not between 0 and 90 deg",
+            name,
+            limit * 180.0 / pi,
+            code="limit",
+            hint="30 deg is usual for a translating follower, 45 deg for an arm",
+        )
 
 
 def roller_radius(follower: Follower) -> float:
@@ -291,7 +303,9 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
         pivot_distance,
         prime,
         code="no-triangle",
-        hint=f"a base circle of {max(difference - roller_radius, 0.0):.6g} m to {both - roller_radius:.6g} m fits",
+        hint=f"a base circle of {max(difference - roller_radius, 0.0):.6g} m to {both - roller_radius:.6g} m fits"
+        if roller_radius < both
+        else "take a smaller roller, or a longer arm farther from the cam",
     )
     short, long = min(arm, pivot_distance), max(arm, pivot_distance)
     inside = fsum((base_radius, roller_radius, short, -long)) * fsum((base_radius, roller_radius, long, -short))

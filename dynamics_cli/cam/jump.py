@@ -56,7 +56,7 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
 
 def asked_jump(
     motion: "Motion", slide: "Optional", arm: "Optional", *, asked: bool
-) -> "tuple[float | None, float | None] | None":
+) -> "tuple[float | None, float | None, float] | None":
     """Give the jump of a follower of which mass (or inertia), spring rate and preload are known, for a verdict.
 
     Parameters
@@ -72,8 +72,9 @@ def asked_jump(
 
     Returns
     -------
-    (float | None, float | None) | None
-        Speed and place, None each where nothing makes it jump; None alone where nothing was asked.
+    (float | None, float | None, float) | None
+        Speed, place and the bound of the speed's error, None and None where nothing makes it jump; None alone where
+        nothing was asked.
 
     Raises
     ------
@@ -105,7 +106,7 @@ def asked_jump(
         hint="raise the preload",
     )
     found = jump(motion, load)
-    return (None, None) if found is None else (found.value, found.at)
+    return (None, None, 0.0) if found is None else (found.value, found.at, found.error)
 
 
 def dropping(motion: "Motion") -> float | None:

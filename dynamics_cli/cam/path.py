@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.cam.analysis import start_slip
+from dynamics_cli.cam.analysis import refuse_size, start_slip
 from dynamics_cli.cam.contact import Geometry, rotated
 from dynamics_cli.cam.enclosures import about_angles
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
@@ -62,7 +62,12 @@ class Path:
             touch = self.geometry.touch(s.widened(self.slip), s1, s2)
             return (touch.run + self.away * touch.spin)[None]
 
-        found = turning_places(self.motion, over_pieces(self.motion, speed))
+        try:
+            with np.errstate(all="ignore"):
+                found = turning_places(self.motion, over_pieces(self.motion, speed))
+        except ValueError:
+            refuse_size()
+            raise
         slowest, place = found.smallest()
         require(
             slowest > found.error,

@@ -278,7 +278,7 @@ def profile(
         advice=_advice(geometry, found, joint_jumps(motion)[0]),
         numerics=Numerics(
             "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes",
-            (ErrorBound("area", 1e-14), ErrorBound("perimeter", 1e-14), *pressure_bounds(geometry, motion, found)),
+            (ErrorBound("area", 1e-14), ErrorBound("perimeter", 1e-14), *pressure_bounds(found)),
         ),
     )
 

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from dynamics_cli.cam.followers import Flank, Rotation, require_lift
+from dynamics_cli.cam.followers import Flank, Rotation, require_lift, require_limits
 from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Size, Text
@@ -299,15 +299,7 @@ def size(
     >>> found.offset
     0.0
     """
-    for name, limit in (("rise", rise_limit), ("return", return_limit)):
-        require(
-            0.0 < limit < 0.5 * pi,
-            "the {0} limit of {1:.6g} deg is not between 0 and 90 deg",
-            name,
-            limit / DEGREE,
-            code="limit",
-            hint="30 deg is usual for a translating follower, 45 deg for an arm",
-        )
+    require_limits(rise_limit, return_limit)
     from dynamics_cli.cam.pieces import joint_jumps
 
     motion = motion_of(scene, program)

@@ -123,7 +123,7 @@ def size_slide(
         largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least if side > 0.0 else None,
         least_concave_radius=hollow,
         in_line_base_radius=in_line if in_line > 0.0 and not curved else None, face_width=None,
-        checks=tuple(checks), advice=undercut(counts),
+        checks=tuple(checks), advice=undercut(counts, radius),
         numerics=Numerics(method, (ErrorBound("base_radius", share(wedge.error + loose, base)),)),
     )  # fmt: skip
 
@@ -162,13 +162,15 @@ class Wedge:
 
 def signs(rotation: str, flank: str) -> tuple[float, float]:
     """-1 for a clockwise cam, and -1 for an outer flank."""
-    return -1.0 if rotation == "clockwise" else 1.0, -1.0 if flank == "outer" else 1.0
+    return -1.0 if followers.Rotation(rotation) == "clockwise" else 1.0, -1.0 if flank == "outer" else 1.0
 
 
-def undercut(least: "float | None") -> tuple[Advice, ...]:
-    """What to say of a size that leaves the cam undercut."""
-    if least is None or least > 0.0:
+def undercut(least: "float | None", scale: float) -> tuple[Advice, ...]:
+    """What to say of a size that leaves the cam undercut, or with a point where no radius can be told from zero."""
+    if least is None or least > ROOM * scale:
         return ()
+    if least >= -ROOM * scale:
+        return (Advice("sharp", "at this size the cam comes to a point", "caution", "give --least-radius above zero"),)
     message = f"at this size the cam is undercut: its least radius of curvature comes to {1e3 * least:.6g} mm"
     return (Advice("undercut", message, "serious", "give --least-radius above zero"),)
 

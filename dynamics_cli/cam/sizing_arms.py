@@ -134,7 +134,7 @@ def size_arm(
             kept("largest pressure angle keeps its limit", high - limits[0], 1.0),
             kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
         ),
-        advice=undercut(round_ if side > 0.0 else hollow),
+        advice=undercut(round_ if side > 0.0 else hollow, radius),
         numerics=Numerics(method, (ErrorBound("base_radius", share(4.0 * pivot * found.error, base)),)),
     )  # fmt: skip
 
@@ -245,9 +245,9 @@ def size_rocker(
     def parts(s1: "Any", s2: "Any") -> "tuple[Any, Any]":
         speed = 1.0 + turn * s1
         a = (1.0 + 2.0 * turn * s1) * speed
-        beta = np.arctan2(s2, a)
         needs = (least_radius + back) / pivot * speed * speed * speed / np.hypot(a, s2)
-        return needs, np.where(beta < -0.5 * pi, beta + 2.0 * pi, beta)
+        # β from −90 to 270 degrees, without a branch: its proxies are proved
+        return needs, 0.5 * pi + np.arctan2(-a, s2)
 
     (needed,) = extremes_of(motion, lambda s, s1, s2: parts(s1, s2)[0])
     require(

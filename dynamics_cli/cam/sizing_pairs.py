@@ -130,7 +130,9 @@ def _both(
             kept(f"least pressure angle of the {name} cam keeps its limit", -low - limits[1], 1.0),
         ]
         if least_radius is not None and least is not None:
-            checks.append(kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, 1.0))
+            checks.append(
+                kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, start_radius)
+            )
     (high, low, least), mate = seen
     roller = first.roller
     return size.CamSize(
@@ -138,7 +140,7 @@ def _both(
         binding=binding, largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
         least_concave_radius=None, in_line_base_radius=None, face_width=None, roller_distance=roller_distance,
         arm_angle=arm_angle, second=size.SecondCam(second_start, *mate), checks=tuple(checks),
-        advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None)),
+        advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None), start_radius),
         numerics=Numerics(
             ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
             (ErrorBound("base_radius", share(error + 1e-15 * roller, base_radius)),),

@@ -68,7 +68,7 @@ class Corner:
     point: complex
 
 
-def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
+def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "Loss | None":
     """The greatest lift that an undercut costs, or None where there is no undercut.
 
     Parameters
@@ -77,6 +77,8 @@ def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
         The follower in place, on either flank.
     motion : Motion
         The program.
+    forward : bool
+        Whether the curve is known to run forwards within every zone (`analysis.runs_forward`).
 
     Returns
     -------
@@ -94,7 +96,7 @@ def lift_lost(geometry: Geometry, motion: "Any") -> "Loss | None":
     curve = Envelope(geometry, motion)
     if not geometry.flat and geometry.roller == 0.0:
         return None
-    backward = curve.backward()
+    backward = curve.backward(forward=forward)
     arcs = curve.forward(backward)
     size = max((max(abs(arc.first), abs(arc.last)) for arc in arcs), default=0.0)
     found = _uncovered(geometry, motion, crossings(curve, arcs, size), size)

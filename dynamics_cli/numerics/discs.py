@@ -169,6 +169,11 @@ class Disc:
         centre = np.arccos(np.clip(self.centre, -1.0, 1.0))
         return Disc(centre, (np.where(self.radius == 0.0, 0.0, wide) + LIBRARY * np.abs(centre)) * UP)
 
+    def arc_sine(self) -> "Disc":
+        """The arc sines, whose derivative is that of the arc cosines."""
+        centre = np.arcsin(np.clip(self.centre, -1.0, 1.0))
+        return Disc(centre, (self.arc_cosine().radius + LIBRARY * np.abs(centre)) * UP)
+
     def clipped(self, low: float, high: float) -> "Disc":
         """Numbers held between two ends; nothing is known where an end is among them."""
         within = (self.centre - self.radius > low) & (self.centre + self.radius < high)
@@ -229,6 +234,7 @@ _UFUNCS: "dict[Any, Callable[..., Any]]" = {
     np.exp: Disc.exponential,
     np.log: Disc.logarithm,
     np.arccos: Disc.arc_cosine,
+    np.arcsin: Disc.arc_sine,
     np.arctan2: arc_tangent,
     np.hypot: lambda a, b: (_disc(a).square() + _disc(b).square()).root(),
 }

@@ -143,6 +143,9 @@ def test_the_jump_verdict_of_an_arm_is_that_of_its_forces() -> None:
                   inertia=0.002, torsion_rate=10.0, preload_torque=2.0, shaft_speed=50.0)  # fmt: skip
     assert found.jump_speed == at().jump_speed
     assert found.jump_at == at().jump_at
+    assert found.numerics is not None
+    bounds = {bound.result: bound for bound in found.numerics.bounds}
+    assert bounds["jump_speed"] in at().numerics.bounds
     assert found.jump_kept
     assert "jump speed" not in found.binding
     for speed in (100.0, -100.0):

@@ -5,7 +5,7 @@ from math import cos, hypot, inf, pi, radians, sin
 
 import numpy as np
 import pytest
-from geometry_cases import CYCLE, NOTHING, SWING, random_program
+from geometry_cases import CYCLE, NOTHING, STEEP, SWING, random_program
 
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.contact import Geometry
@@ -270,3 +270,49 @@ def test_an_arm_that_returns_faster_than_the_cam_turns_is_refused_where_it_must(
         size.size(NOTHING, program=line, follower=size.OscillatingRoller(0.002, 0.065, 0.057), rise_limit=1.27,
                   return_limit=1.46)  # fmt: skip
     assert error.value.code in ("limit-binds", "limits-clash")
+
+
+@pytest.mark.parametrize(
+    ("program", "wanted"),
+    [
+        (CYCLE, size.Roller(0.006)),
+        (CYCLE, size.FlatFace()),
+        (CYCLE, size.ConjugateRoller(0.006)),
+        (SWING, size.OscillatingRoller(0.008, 0.08, 0.1)),
+        (SWING, size.OscillatingFlat(0.09, 0.004)),
+        (SWING, size.ConjugateOscillatingRoller(0.008, 0.08, 0.1)),
+    ],
+)
+def test_no_size_rests_on_proxies_that_are_only_estimated(program: str, wanted, monkeypatch) -> None:
+    def estimated(*_):
+        raise AssertionError("estimated")
+
+    monkeypatch.setattr("dynamics_cli.cam.pieces._estimated", estimated)
+    found = size.size(NOTHING, program=program, follower=wanted, rise_limit=0.8, return_limit=0.8)
+    assert found.numerics is not None
+    assert all(bound.bound < 1e-11 for bound in found.numerics.bounds)
+
+
+@pytest.mark.parametrize("rotation", ["ccw", "cw"])
+def test_a_cam_left_with_a_point_is_not_called_undercut(rotation: str) -> None:
+    for program, wanted, least in (
+        (STEEP, size.Roller(0.015), 0.0),
+        (SWING, size.OscillatingRoller(0.03, 0.08, 0.1), 0.0),
+        (CYCLE, size.ConjugateRoller(0.03), 0.0),
+        ("dwell", size.Roller(0.006), None),
+    ):
+        found = size.size(NOTHING, program=program, follower=wanted, rise_limit=1.2, return_limit=1.2, least_radius=least,
+                          rotation=followers.Rotation(rotation))  # fmt: skip
+        radii = [found.least_convex_radius, *([found.second.least_convex_radius] if found.second else [])]
+        codes = [one.code for one in found.advice]
+        assert "undercut" not in codes
+        assert ("sharp" in codes) == (min(radii) < 1e-12)
+
+
+def test_the_checks_of_a_pair_do_not_depend_on_its_size() -> None:
+    line = "rise {0!r} m in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
+    for scale in (1e-6, 1.0, 1e6):
+        wanted = size.ConjugateRoller(0.006 * scale)
+        found = size.size(NOTHING, program=line.format(0.01 * scale), follower=wanted, least_radius=0.07 * scale)
+        assert all(one.passed for one in found.checks)
+        assert all(0.0 < one.tolerance <= scale * 1e-11 for one in found.checks if "curvature" in one.name)

@@ -5,14 +5,17 @@ from math import inf, pi, radians
 
 import numpy as np
 import pytest
-from geometry_cases import CYCLE, LAWS, NOTHING, STEEP
+from geometry_cases import CYCLE, KINDS, LAWS, NOTHING, STEEP, SWINGING, random_follower, random_program
 
 from dynamics_cli.cam import followers, size
+from dynamics_cli.cam.analysis import analyse, runs_forward
 from dynamics_cli.cam.check import check
 from dynamics_cli.cam.contact import Geometry
+from dynamics_cli.cam.envelope import Envelope
 from dynamics_cli.cam.profile import profile
 from dynamics_cli.cam.program import motion_of
 from dynamics_cli.cam.undercut import clearance, lift_lost, seat
+from dynamics_cli.errors import InadmissibleError
 
 COUNT = 1500
 
@@ -195,3 +198,30 @@ def test_a_hollow_pitch_curve_undercuts_the_outer_flank_only() -> None:
     outer = check(NOTHING, program=STEEP, follower=follower, flank=followers.Flank("outer"))
     assert not inner.undercut
     assert outer.undercut == (outer.least_concave_radius <= 0.0)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(6))
+def test_a_curve_proved_to_run_forwards_has_no_backward_stretch(kind: str, seed: int) -> None:
+    chance = random.Random(f"{kind} {seed}")
+    motion = motion_of(NOTHING, random_program(chance, swing=kind in SWINGING))
+    follower = random_follower(chance, kind)
+    for flank in ("inner", "outer") if getattr(follower, "roller_radius", 0.0) else ("inner",):
+        geometry = Geometry(follower, chance.choice(("ccw", "cw")), flank)
+        try:
+            forward = runs_forward(geometry, analyse(geometry, motion))
+        except InadmissibleError:
+            continue
+        assert forward == (not Envelope(geometry, motion).backward())
+        if forward:
+            assert lift_lost(geometry, motion, forward=True) == lift_lost(geometry, motion)
+
+
+def test_a_cusp_that_rounding_leaves_open_is_said() -> None:
+    base = size.size(NOTHING, program=CYCLE, follower=size.FlatFace()).base_radius
+    codes = []
+    for radius in (base, base * (1.0 + 1e-9), base * (1.0 - 1e-9)):
+        found = check(NOTHING, program=CYCLE, follower=followers.FlatFace(radius))
+        codes.append([one.code for one in found.advice if one.code in ("cusp", "undercut")])
+    assert codes[0] in (["cusp"], ["undercut"])
+    assert codes[1:] == [[], ["undercut"]]

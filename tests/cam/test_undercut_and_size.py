@@ -10,6 +10,7 @@ from geometry_cases import CYCLE, NOTHING, SWING, random_program
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.check import check
 from dynamics_cli.cam.contact import turned_back
+from dynamics_cli.cam.export import export
 from dynamics_cli.cam.profile import profile
 from dynamics_cli.cam.program import motion_of
 from dynamics_cli.errors import InadmissibleError
@@ -97,6 +98,10 @@ def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
     ("code", "call"),
     [
         ("limit", lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006), rise_limit=0.0)),
+        ("limit", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), rise_limit=-0.1)),
+        ("limit", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), return_limit=2.0)),
+        ("through-axis", lambda: export(NOTHING, program=CYCLE, follower=followers.KnifeEdge(0.0))),
+        ("through-axis", lambda: export(NOTHING, program=CYCLE, follower=followers.Roller(1e200, 0.006))),
         ("limit-binds", lambda: size.size(NOTHING, program=SWING, follower=size.OscillatingRoller(0.006, 0.1, 0.05))),
         ("offset", lambda: check(NOTHING, program=CYCLE, follower=followers.Roller(0.01, 0.005, 0.016))),
         ("no-triangle", lambda: check(NOTHING, program=SWING, follower=ARM)),

@@ -24,6 +24,7 @@ PAIRS = {
     "exponential": (lambda a, b: np.exp(a), lambda a, b: mp.exp(a)),
     "logarithm": (lambda a, b: np.log(a + 12.0), lambda a, b: mp.log(a + 12)),
     "arc cosine": (lambda a, b: np.arccos(a / 16.0), lambda a, b: mp.acos(a / 16)),
+    "arc sine": (lambda a, b: np.arcsin(a / 16.0), lambda a, b: mp.asin(a / 16)),
     "arc tangent": (lambda a, b: np.arctan2(a, b), lambda a, b: arc(a, b)),
     "scalars": (lambda a, b: 2.0 - (0.1 * a - b / 3.0) / 7.0, lambda a, b: 2 - (mpf(0.1) * a - b / 3) / 7),
     "from the left": (lambda a, b: 1.0 / (2.0 - a) + np.float64(3.0) * b, lambda a, b: 1 / (2 - a) + 3 * b),

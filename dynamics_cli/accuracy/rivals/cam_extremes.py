@@ -39,7 +39,7 @@ def by_proxies(geometry: "Geometry", motion: "Any") -> "Found":
     from dynamics_cli.cam.profile import convex
 
     found = analyse(geometry, motion)
-    bounds = {bound.result: bound.bound for bound in pressure_bounds(geometry, motion, found)}
+    bounds = {bound.result: bound.bound for bound in pressure_bounds(found)}
     large, least = found.pressure.largest()[0], found.pressure.smallest()[0]
     return {
         PRESSURE[0]: (large, _of(bounds, PRESSURE[0], large)),
