@@ -1,5 +1,6 @@
 """`--explain`: the formula with symbols and with numbers, the source, the assumptions, the model and why."""
 
+from dynamics_cli.core.help import default_text
 from dynamics_cli.core.render import flatten, is_table, quantity
 
 TYPE_CHECKING = False
@@ -8,6 +9,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.task import Task
+
+# What is this small beside the largest of a result's sensitivities is rounding: that input does not matter.
+ROUNDING = 1e-12
 
 
 def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") -> "dict[str, Any]":
@@ -31,7 +35,7 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
         f"{result} changes by {value:+.4g} % for +1 % of {name}"
         for result, entry in conditions.items()
         for name, value in sorted(entry.items(), key=lambda item: -abs(item[1]))
-        if value
+        if abs(value) > ROUNDING * max(map(abs, entry.values()))
     ]
     return {key: value for key, value in out.items() if value}
 
@@ -75,7 +79,7 @@ def _defaults(task: "Task") -> "dict[str, str]":
     made: dict[str, str] = {}
     for name, option in task.options.items():
         if isinstance(option.default, float) and option.leaf is not None:
-            made[name.replace("-", "_")] = _grouped(f"{option.default:g} {option.leaf.kind.unit}".strip())
+            made[name.replace("-", "_")] = _grouped(default_text(option.default, option.leaf.kind))
     return made
 
 

@@ -89,21 +89,22 @@ def _shown(number: str, name: str, written: "list[_Written]", fewest: int) -> "t
     if other is None:
         return None
     digits = max(fewest, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
-    return f"{_in(float(number) * _factor(unit), other):.{digits}g}", pretty(other.text)
+    return f"{_in(float(number) * factor(unit), other):.{digits}g}", pretty(other.text)
 
 
 def _is(number: str, value: float) -> bool:
     return any(form.format(value) == number for form in FORMATS)
 
 
-def _factor(unit: Unit) -> float:
+def factor(unit: Unit) -> float:
+    """What a number in this unit is times, in SI."""
     from math import pi
 
     return unit.numerator / unit.denominator * pi**unit.pi
 
 
 def _in(si: float, unit: Unit) -> float:
-    return si / _factor(unit)
+    return si / factor(unit)
 
 
 def _is_decimal(unit: Unit) -> bool:

@@ -71,7 +71,8 @@ def test_rows_quote_what_was_written() -> None:
 
 def test_numbers_that_share_a_unit_are_all_turned() -> None:
     helices = ("--first-helix-angle", "20 deg", "--second-helix-angle", "-20 deg")
-    outcome = run("gear", "crossed", "--first-teeth", "15", "--second-teeth", "20", "--module", "3 mm", *helices, "--json")
+    teeth = ("--first-teeth", "15", "--second-teeth", "20", "--module", "3 mm")
+    outcome = run("gear", "crossed", *teeth, *helices, "--json")
     assert outcome.error["message"].startswith("the helices 20 and -20 deg cancel")
     outcome = run("inertia", "tensor", "--moments", "1, 2, 3.5 lb*ft^2", "--json")
     assert "3.5 lb·ft² exceeds the sum of 1 and 2 lb·ft² by 0.143 of itself" in outcome.error["message"]
