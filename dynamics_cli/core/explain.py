@@ -79,7 +79,9 @@ def _defaults(task: "Task") -> "dict[str, str]":
     made: dict[str, str] = {}
     for name, option in task.options.items():
         if isinstance(option.default, float) and option.leaf is not None:
-            made[name.replace("-", "_")] = _grouped(default_text(option.default, option.leaf.kind))
+            kind = option.leaf.kind
+            text = default_text(option.default, kind) if kind.unit else f"{option.default:g}"
+            made[name.replace("-", "_")] = _grouped(text)
     return made
 
 

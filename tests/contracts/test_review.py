@@ -201,3 +201,29 @@ class TestPython:
 
         for unit, expected in (("%", 3.0), ("percent", 3.0), ("deg", 1.7183580016554572), ("grad", 1.909286668506)):
             assert Shown(Slope, unit).value(0.03) == pytest.approx(expected, rel=1e-12)  # type: ignore[arg-type]
+
+
+MOMENTUM = (
+    "impact momentum --axes compass --first-mass|3300 lb|--first-approach-heading|90 deg|--first-exit-speed|15 mph|"
+    "--first-exit-heading|50 deg|--second-mass|2600 lb|--second-approach-heading|330 deg|--second-exit-speed|12 mph|"
+    "--second-exit-heading|20 deg"
+)
+
+
+def test_momentum_is_explained_with_its_masses_and_the_condition_it_calculates() -> None:
+    first, *rest = MOMENTUM.split("|")
+    document = answer(*first.split(), *rest, "--explain")
+    shown = document["explanation"]["with_numbers"]
+    assert "(3300 lb)·(15 mph)" in shown
+    assert "(2600 lb)·(12 mph)" in shown
+    assert "m₁" not in shown
+    # 120° between the lines of approach: they are as far from square as at 60°
+    assert document["results"]["angle_condition"]["value"] == pytest.approx(3.0**0.5)
+    assert shown.endswith("1.73205 = (1 + |cos((330 deg) − (90 deg))|)/|sin((330 deg) − (90 deg))|")
+
+
+def test_inputs_that_do_not_matter_are_not_listed_with_rounding() -> None:
+    first, *rest = MOMENTUM.split("|")
+    lines = answer(*first.split(), *rest, "--explain")["explanation"]["sensitivity"]
+    shares = [float(line.split(" changes by ")[1].split()[0]) for line in lines]
+    assert min(map(abs, shares)) > 1e-9
