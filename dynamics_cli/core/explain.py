@@ -22,7 +22,7 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
     formula = _fitting(model.formulas, numbers)
     if formula:
         out["formula"] = filled(formula, {})
-        if _addresses(formula) <= numbers.keys():
+        if _addresses(formula) and _addresses(formula) <= numbers.keys():
             out["with_numbers"] = filled(formula, numbers)
         out["symbols"] = _symbols(formula)
     out["model"] = model.name

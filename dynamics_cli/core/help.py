@@ -56,7 +56,7 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
     elif option.default is not REQUIRED and option.default is not None and option.default is not False:
         default = _default(option)
         text += f" [default: {default}]" if default else ""
-    if leaf.kind.example and leaf.choice is None:
+    if leaf.kind.example and leaf.choice is None and leaf.kind.form != "text":
         text += f", e.g. {leaf.kind.example}"
     return text
 

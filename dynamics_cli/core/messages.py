@@ -24,6 +24,7 @@ ENDS = ",.;:)"
 KEPT = "\u00a0"
 # What stands between numbers of one unit.
 BETWEEN = ("and", "or", "to")
+DEGREE = parse_unit("deg")
 # How messages write their numbers.
 FORMATS = ("{:.6g}", "{:.4g}", "{:.3g}", "{:.9g}", "{:.5g}")
 # What a size in another unit is shown with at the least, and one that a user is told to give.
@@ -85,7 +86,7 @@ def _shown(number: str, name: str, written: "list[_Written]", fewest: int) -> "t
             return f"{shown:.9g}", pretty(own.text)
     other = next((own for _, _, own in alike if not _is_decimal(own)), None)
     if other is None and name == "rad" and not alike:
-        other = parse_unit("deg")
+        other = DEGREE
     if other is None:
         return None
     digits = max(fewest, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
@@ -123,4 +124,8 @@ def _written(bound: Bound) -> "Iterator[_Written]":
             yield from _written(part)
     elif isinstance(bound, Value | VectorValue) and bound.unit and ";" not in bound.unit:
         unit = parse_unit(bound.unit, parse_unit(bound.kind.unit) if bound.kind.unit else None)
-        yield (bound.si if isinstance(bound, Value) else None), bound.shown, unit
+        shown = bound.shown
+        if conformable(unit, DEGREE) and factor(unit) < factor(DEGREE):  # 20 deg 30 min is written in minutes
+            unit = DEGREE
+            shown = _in(bound.si, unit) if isinstance(bound, Value) else None
+        yield (bound.si if isinstance(bound, Value) else None), shown, unit

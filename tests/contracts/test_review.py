@@ -227,3 +227,11 @@ def test_inputs_that_do_not_matter_are_not_listed_with_rounding() -> None:
     lines = answer(*first.split(), *rest, "--explain")["explanation"]["sensitivity"]
     shares = [float(line.split(" changes by ")[1].split()[0]) for line in lines]
     assert min(map(abs, shares)) > 1e-9
+
+
+def test_a_formula_with_nothing_to_fill_is_shown_once() -> None:
+    program = "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell"
+    sizes = ("--roller-radius", "8 mm", "--base-radius", "40 mm")
+    shown = answer("cam", "profile", "--program", program, "--follower", "roller", *sizes, "--explain")["explanation"]
+    assert "formula" in shown
+    assert "with_numbers" not in shown

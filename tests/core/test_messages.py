@@ -20,6 +20,7 @@ FEET = Value("distance", Distance, 18.288, 60.0, "ft")
 MPH = Value("speed", RoadSpeed, 30 * MILE, 30, "mph")
 METRES = Value("distance", Distance, 0.25, 0.25, "m")
 DEGREES = Value("angle", Angle, 0.3490658503988659, 20, "deg")
+MINUTES = Value("angle", Angle, 0.35779249665883756, 1230, "arcmin")
 RADIANS = Value("angle", Angle, -0.349066, -0.349066, "rad")
 POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
 
@@ -39,6 +40,7 @@ POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
         ("an area of 3 m² at 2 m/s²", (FEET, MPH), "an area of 3 m² at 2 m/s²"),
         ("sides of 3.048, 6.096 and 18.288 m do not close", (FEET,), "sides of 10, 20 and 60 ft do not close"),
         ("moments (3.048, 6.096, 9.144 m)", (FEET,), "moments (10, 20, 30 ft)"),
+        ("helices 0.357792 and 0.5 rad", (MINUTES,), "helices 20.5 and 28.65 deg"),
         ("helices 0.349066 and -0.349066 rad", (DEGREES, RADIANS), "helices 20 deg and -0.349066 rad"),
         ("18.288 m, not a standard 3\u00a0mm", (FEET,), "60 ft, not a standard 3 mm"),
         ("a standard 3\u00a0mm", (FEET,), "a standard 3 mm"),
