@@ -235,3 +235,24 @@ def test_a_formula_with_nothing_to_fill_is_shown_once() -> None:
     shown = answer("cam", "profile", "--program", program, "--follower", "roller", *sizes, "--explain")["explanation"]
     assert "formula" in shown
     assert "with_numbers" not in shown
+
+
+def test_a_reference_to_no_result_names_those_there_are(tmp_path: Path) -> None:
+    file = tmp_path / "a.json"
+    file.write_text(run("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--json").out)
+    call = ("skid", "speed", "--friction", "0.7", "--json", "--distance")
+    assert run(*call, f"@{file}:sped").error["hint"] == "did you mean speed?"
+    assert run(*call, f"@{file}:nothing").error["hint"] == "there is speed, time, total_distance"
+    file.write_text('{"a": 1}')
+    assert "a result document is wanted" in run(*call, f"@{file}:a").error["hint"]
+
+
+def test_schema_says_what_is_missing_and_suggests_near_tasks() -> None:
+    assert "the task of gear is missing" in run("schema", "gear").err
+    assert "did you mean crossed?" in run("schema", "gear", "crosed").err
+
+
+@pytest.mark.parametrize(("name", "near"), [("stel", "there is steel"), ("alminium", "there is aluminium")])
+def test_a_material_that_is_none_suggests_near_ones(name: str, near: str) -> None:
+    call = ("inertia", "shape", "cylinder", "--radius", "1 in", "--length", "2 in", "--json")
+    assert run(*call, "--material", name).error["hint"].startswith(near)
