@@ -3,6 +3,7 @@
 Physics works in SI and words its refusals and advice in it. A size that is one of the inputs is shown as it was
 written; another one of the same dimension goes into the inputs' unit where that is no decimal multiple of SI; radians
 become degrees. A size that a standard names, such as a module of a series, stands before a no-break space and is kept.
+What is only an example is left as it is.
 """
 
 from dynamics_cli.core.bound import Bound, Fields, Several, Value, VectorValue
@@ -25,6 +26,8 @@ KEPT = "\u00a0"
 # What stands between numbers of one unit.
 BETWEEN = ("and", "or", "to")
 DEGREE = parse_unit("deg")
+# What begins an example, or words to be written as they stand.
+EXAMPLES = ("for example", "such as", '"')
 # How messages write their numbers.
 FORMATS = ("{:.6g}", "{:.4g}", "{:.3g}", "{:.9g}", "{:.5g}")
 # What a size in another unit is shown with at the least, and one that a user is told to give.
@@ -37,7 +40,7 @@ def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> st
     >>> in_written_units("the throw distance 0.3048 m is short", Fields(None, {}))
     'the throw distance 0.3048 m is short'
     """
-    words = text.split(" ")
+    words = text[: _example(text)].split(" ")
     places = [place for place in range(len(words) - 1) if words[place + 1].rstrip(ENDS) in UNITS]
     places = [place for place in places if _is_number(words[place].lstrip("("))]
     if not places:
@@ -55,7 +58,12 @@ def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> st
             words[at] = words[at].replace(words[at].strip("(,"), own)
         words[place] = words[place].replace(words[place].strip("(,"), shown[-1][0])
         words[place + 1] = words[place + 1].replace(name, shown[-1][1])
-    return " ".join(words).replace(KEPT, " ")
+    return (" ".join(words) + text[_example(text) :]).replace(KEPT, " ")
+
+
+def _example(text: str) -> int:
+    """Where what is only an example begins: its sizes are not the case's."""
+    return min((place for sign in EXAMPLES if (place := text.find(sign)) >= 0), default=len(text))
 
 
 def _listed(words: "list[str]", last: int) -> "list[int]":

@@ -37,6 +37,8 @@ POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
         ("it turns by 0.5 rad", (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
         ("-1e-05 m away", (FEET,), "-3.281e-05 ft away"),
         ('for example "3 m" or model-2 m', (FEET,), 'for example "3 m" or model-2 m'),
+        ("18.288 m: say how far, such as rise 20 mm", (FEET,), "60 ft: say how far, such as rise 20 mm"),
+        ('write "rise 20 mm in 90 deg"', (FEET,), 'write "rise 20 mm in 90 deg"'),
         ("an area of 3 m² at 2 m/s²", (FEET, MPH), "an area of 3 m² at 2 m/s²"),
         ("sides of 3.048, 6.096 and 18.288 m do not close", (FEET,), "sides of 10, 20 and 60 ft do not close"),
         ("moments (3.048, 6.096, 9.144 m)", (FEET,), "moments (10, 20, 30 ft)"),
