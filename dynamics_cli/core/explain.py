@@ -48,7 +48,10 @@ def filled(formula: str, numbers: "dict[str, str]") -> str:
         before, _, rest = rest.partition("{")
         inside, _, rest = rest.partition("}")
         address, _, symbol = inside.partition("|")
-        out += [before, numbers.get(address, symbol)]
+        number = numbers.get(address, symbol)
+        if before.endswith("(") and rest.startswith(")") and number.startswith("("):
+            number = number[1:-1]  # cos(20 deg) has its brackets
+        out += [before, number]
     return "".join(out) + rest
 
 

@@ -48,3 +48,8 @@ def test_defaults_are_written_as_a_user_writes_them() -> None:
 
 def test_a_formula_that_differs_only_in_what_fills_it_is_said_once() -> None:
     assert run("impact", "momentum", "--help").out.count("κ") == 1
+
+
+def test_no_formula_says_that_a_thing_is_itself() -> None:
+    helps = {task.path: " ".join(run(*task.path.split(), "--help").out.split()) for task in TASKS}
+    assert [path for path, text in helps.items() if re.search(r"[ ,;](\w+) = \1[ ,;]", text)] == []

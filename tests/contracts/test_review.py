@@ -256,3 +256,17 @@ def test_schema_says_what_is_missing_and_suggests_near_tasks() -> None:
 def test_a_material_that_is_none_suggests_near_ones(name: str, near: str) -> None:
     call = ("inertia", "shape", "cylinder", "--radius", "1 in", "--length", "2 in", "--json")
     assert run(*call, "--material", name).error["hint"].startswith(near)
+
+
+def test_numbers_between_brackets_have_no_more_of_them() -> None:
+    sizes = ("--first-teeth", "20", "--second-teeth", "40", "--module", "3 mm", "--face-width", "20 mm")
+    shown = answer("gear", "bevel", *sizes, "--explain")["explanation"]["with_numbers"]
+    assert shown.startswith("(26.5651 deg) = atan2(sin(90 deg), 2 + cos(90 deg))")
+
+
+def test_the_drag_factor_of_axles_is_explained_by_the_formula_it_follows() -> None:
+    sizes = ("--wheelbase", "9 ft", "--cm-position", "4 ft", "--cm-height", "2 ft", "--rear-braking", "50 %")
+    document = answer("skid", "drag-factor", "--front-friction", "0.7", "--rear-friction", "0.6", *sizes, "--explain")
+    # (0.7·5 + 0.3·4)/(9 + 2·(0.3 − 0.7))
+    assert document["results"]["effective_friction"]["value"] == pytest.approx(4.7 / 8.2, rel=1e-14)
+    assert "·((9 ft) − (4 ft)) + 0.6·(50 %)·(4 ft))/((9 ft) + (2 ft)·(" in document["explanation"]["with_numbers"]
