@@ -33,6 +33,8 @@ def test_a_method_that_is_none_is_refused_whether_or_not_it_is_needed(friction: 
     call = ("skid", "speed", "--distance", "60 ft", "--friction", friction, "--json")
     assert run(*call, "--method", "linaer").error["code"] == "unknown-choice"
     assert run(*call, "--method", "linear").status == 0
+    assert run(*call, "--coverage", "95").error["parameter"] == "coverage"
+    assert run(*call, "--coverage", "95 %").status == 0
 
 
 def test_defaults_are_written_as_a_user_writes_them() -> None:
