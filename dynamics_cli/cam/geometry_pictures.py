@@ -21,6 +21,8 @@ TURN = 2.0 * pi
 SMOOTH = 720
 # Radii beyond this many times the cam are straight for the eye.
 FAR = 4.0
+# Pressure angles below this are rounding.
+ROUNDING = 1e-12
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
 
@@ -80,9 +82,11 @@ def profile_picture(
     )
     way = Axis("cam angle", Angle, ends=(0.0, TURN), step=pi / 6.0)
     angle = [*arrays["cam_angle"], TURN]
+    # a flat face square to its way has none but rounding, which is nothing to enlarge
+    none = max(map(abs, arrays["pressure_angle"])) < ROUNDING
     pressure = Panel(
         way,
-        Axis("pressure angle", Angle),
+        Axis("pressure angle", Angle, ends=(-pi / 18.0, pi / 18.0)) if none else Axis("pressure angle", Angle),
         (
             Curve(angle, _closed(arrays["pressure_angle"]), role=0),
             Mark(result.largest_pressure_angle_at, result.largest_pressure_angle, "largest"),

@@ -100,6 +100,16 @@ def _step(words: "_Words") -> Step:
     return Step(Segment(**fields), span, level)
 
 
+def _near_laws(given: str) -> str:
+    """The laws that may be meant, as a question."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(given.lower(), (*LawName.names, *LawName.aliases))
+    # another spelling of a law named already is no further choice
+    laws = list(dict.fromkeys(str(LawName(name)) for name in near))
+    return f"did you mean {' or '.join(laws)}? " if laws else ""
+
+
 def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     if not words.peek():
         return
@@ -109,7 +119,7 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     try:
         fields["law"] = LawName(given)
     except ValueError:
-        words.fail(f"there is no law {given!r}: `dynamics cam laws` lists them")
+        words.fail(f"there is no law {given!r}: {_near_laws(given)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():
         numbers.append(words.number())

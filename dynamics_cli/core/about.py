@@ -123,8 +123,14 @@ def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
     if len(words) > (1 if family.alone else 2):
         raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
     if task is None:
+        from dynamics_cli.core.words import nearest_words
+
         hint = f"there is {', '.join(family.tasks)}"
-        raise UsageError(f"{words[0]} has no such task", code="unknown-command", hint=hint)
+        if len(words) == 1:
+            raise UsageError(f"the task of {words[0]} is missing", code="missing", hint=hint)
+        near = nearest_words(words[1], family.tasks)
+        hint = f"did you mean {' or '.join(near)}?" if near else hint
+        raise UsageError(f"{words[0]} has no task {words[1]!r}", code="unknown-command", hint=hint)
     return task
 
 

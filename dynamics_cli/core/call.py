@@ -66,6 +66,10 @@ class Settings:
         self.samples = self._whole(given, "samples", 1_000_000_000)
         self.seed = self._whole(given, "seed", 2**63)
         self.coverage = self._text(given, "coverage")
+        if self.coverage:
+            from dynamics_cli.core.uncertain.document import read_coverage
+
+            read_coverage(self.coverage)  # refused whether or not it is needed, as a method is
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.drawing = self._text(given, "drawing")
         self.plot = self._text(given, "plot")

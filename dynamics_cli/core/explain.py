@@ -1,5 +1,6 @@
 """`--explain`: the formula with symbols and with numbers, the source, the assumptions, the model and why."""
 
+from dynamics_cli.core.help import default_text
 from dynamics_cli.core.render import flatten, is_table, quantity
 
 TYPE_CHECKING = False
@@ -8,6 +9,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answer import Answer
     from dynamics_cli.core.task import Task
+
+# What is this small beside the largest of a result's sensitivities is rounding: that input does not matter.
+ROUNDING = 1e-12
 
 
 def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") -> "dict[str, Any]":
@@ -18,7 +22,7 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
     formula = _fitting(model.formulas, numbers)
     if formula:
         out["formula"] = filled(formula, {})
-        if _addresses(formula) <= numbers.keys():
+        if _addresses(formula) and _addresses(formula) <= numbers.keys():
             out["with_numbers"] = filled(formula, numbers)
         out["symbols"] = _symbols(formula)
     out["model"] = model.name
@@ -31,7 +35,7 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
         f"{result} changes by {value:+.4g} % for +1 % of {name}"
         for result, entry in conditions.items()
         for name, value in sorted(entry.items(), key=lambda item: -abs(item[1]))
-        if value
+        if abs(value) > ROUNDING * max(map(abs, entry.values()))
     ]
     return {key: value for key, value in out.items() if value}
 
@@ -44,7 +48,10 @@ def filled(formula: str, numbers: "dict[str, str]") -> str:
         before, _, rest = rest.partition("{")
         inside, _, rest = rest.partition("}")
         address, _, symbol = inside.partition("|")
-        out += [before, numbers.get(address, symbol)]
+        number = numbers.get(address, symbol)
+        if before.endswith("(") and rest.startswith(")") and number.startswith("("):
+            number = number[1:-1]  # cos(20 deg) has its brackets
+        out += [before, number]
     return "".join(out) + rest
 
 
@@ -75,7 +82,9 @@ def _defaults(task: "Task") -> "dict[str, str]":
     made: dict[str, str] = {}
     for name, option in task.options.items():
         if isinstance(option.default, float) and option.leaf is not None:
-            made[name.replace("-", "_")] = _grouped(f"{option.default:g} {option.leaf.kind.unit}".strip())
+            kind = option.leaf.kind
+            text = default_text(option.default, kind) if kind.unit else f"{option.default:g}"
+            made[name.replace("-", "_")] = _grouped(text)
     return made
 
 

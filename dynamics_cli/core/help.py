@@ -7,6 +7,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from dynamics_cli.quantities import Kind
+
 
 def placeholder(option: Option) -> str:
     """What stands for an option's value in help."""
@@ -52,8 +54,9 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
     if option.required:
         text += " [required]"
     elif option.default is not REQUIRED and option.default is not None and option.default is not False:
-        text += f" [default: {_default(option)}]"
-    if leaf.kind.example and leaf.choice is None:
+        default = _default(option)
+        text += f" [default: {default}]" if default else ""
+    if leaf.kind.example and leaf.choice is None and leaf.kind.form != "text":
         text += f", e.g. {leaf.kind.example}"
     return text
 
@@ -64,10 +67,27 @@ def _default(option: Option) -> str:
         return leaf.kind.default
     if leaf is not None and leaf.kind.form == "range":
         return "..".join(map(str, option.default))  # type: ignore[call-overload]
+    if leaf is not None and isinstance(option.default, tuple):
+        return ", ".join(f"{part:g}" for part in option.default)
     if (leaf is not None and leaf.kind.form == "fraction") or not isinstance(option.default, float):
         return str(option.default)
-    unit = leaf.kind.unit if leaf is not None else ""
-    return f"{option.default:g} {unit}".strip()
+    return default_text(option.default, leaf.kind) if leaf is not None else f"{option.default:g}"
+
+
+def default_text(value: float, kind: "Kind") -> str:
+    """A number of the signature, which is in the unit inside, as a user would write it.
+
+    >>> from dynamics_cli.quantities import Angle
+    >>> default_text(0.3490658503988659, Angle)
+    '20 deg'
+    """
+    if kind.si == kind.unit or not value:
+        return f"{value:g} {kind.si}".strip()
+    from dynamics_cli.core.messages import factor
+    from dynamics_cli.core.units import parse_unit
+
+    inside = parse_unit(kind.unit)
+    return f"{value * factor(inside) / factor(parse_unit(kind.si, inside)):g} {kind.si}"
 
 
 def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
@@ -121,7 +141,8 @@ def command_help(task: Task) -> str:
         if any(model.formulas):
             from dynamics_cli.core.explain import filled
 
-            lines += [_wrapped(f"Formula: {filled(formula, {})}") for formula in model.formulas]
+            said = dict.fromkeys(filled(formula, {}) for formula in model.formulas)
+            lines += [_wrapped(f"Formula: {formula}") for formula in said]
         lines.append(_wrapped(f"Source: {model.source}"))
         blocks.append("\b\n" + "\n".join(lines))
     if task.examples:

@@ -63,7 +63,7 @@ def _results(record: Record, address: str) -> "Iterator[Row]":
 def sources(task: "Task") -> "Iterator[tuple[str, list[Row]]]":
     """Every model of a task: its name, and formula, assumptions, method and source."""
     for model in task.models:
-        rows = [("Formula", filled(formula, {})) for formula in model.formulas if formula]
+        rows = [("Formula", formula) for formula in dict.fromkeys(filled(one, {}) for one in model.formulas) if formula]
         rows += [("Assumption", text) for text in model.assumptions]
         yield model.name, [*rows, ("Method", model.method), ("Source", model.source)]
 

@@ -2,7 +2,8 @@
 
 Physics works in SI and words its refusals and advice in it. A size that is one of the inputs is shown as it was
 written; another one of the same dimension goes into the inputs' unit where that is no decimal multiple of SI; radians
-become degrees.
+become degrees. A size that a standard names, such as a module of a series, stands before a no-break space and is kept.
+What is only an example is left as it is.
 """
 
 from dynamics_cli.core.bound import Bound, Fields, Several, Value, VectorValue
@@ -20,6 +21,13 @@ if TYPE_CHECKING:
 UNITS = ("kg·m²", "N·m", "N·s", "N/m", "m/s", "m²", "mm", "rad", "kg", "m", "N", "J")
 # What may stand behind a unit in a sentence.
 ENDS = ",.;:)"
+# What keeps a size and its unit as they are: a no-break space.
+KEPT = "\u00a0"
+# What stands between numbers of one unit.
+BETWEEN = ("and", "or", "to")
+DEGREE = parse_unit("deg")
+# What begins an example, or words to be written as they stand.
+EXAMPLES = ("for example", "such as", '"')
 # How messages write their numbers.
 FORMATS = ("{:.6g}", "{:.4g}", "{:.3g}", "{:.9g}", "{:.5g}")
 # What a size in another unit is shown with at the least, and one that a user is told to give.
@@ -32,19 +40,41 @@ def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> st
     >>> in_written_units("the throw distance 0.3048 m is short", Fields(None, {}))
     'the throw distance 0.3048 m is short'
     """
-    words = text.split(" ")
+    words = text[: _example(text)].split(" ")
     places = [place for place in range(len(words) - 1) if words[place + 1].rstrip(ENDS) in UNITS]
     places = [place for place in places if _is_number(words[place].lstrip("("))]
     if not places:
-        return text
+        return text.replace(KEPT, " ")
     written = list(_written(bound))
     for place in places:
-        number, unit = words[place].lstrip("("), words[place + 1].rstrip(ENDS)
-        made = _shown(number, unit, written, digits)
-        if made:
-            words[place] = words[place].replace(number, made[0])
-            words[place + 1] = words[place + 1].replace(unit, made[1])
-    return " ".join(words)
+        name = words[place + 1].rstrip(ENDS)
+        alike = _listed(words, place)
+        made = [_shown(words[one].strip("(,"), name, written, digits) for one in alike]
+        if not any(made):
+            continue
+        shown = [one or (words[at].strip("(,"), name) for at, one in zip(alike, made, strict=True)]
+        for at, (number, unit) in zip(alike[:-1], shown[:-1], strict=True):
+            own = number if unit == shown[-1][1] else f"{number} {unit}"
+            words[at] = words[at].replace(words[at].strip("(,"), own)
+        words[place] = words[place].replace(words[place].strip("(,"), shown[-1][0])
+        words[place + 1] = words[place + 1].replace(name, shown[-1][1])
+    return (" ".join(words) + text[_example(text) :]).replace(KEPT, " ")
+
+
+def _example(text: str) -> int:
+    """Where what is only an example begins: its sizes are not the case's."""
+    return min((place for sign in EXAMPLES if (place := text.find(sign)) >= 0), default=len(text))
+
+
+def _listed(words: "list[str]", last: int) -> "list[int]":
+    """Where the numbers stand that share the unit behind the last: those of "1, 2 and 3 m"."""
+    made, here = [last], last
+    while True:
+        here -= 2 if here > 1 and words[here - 1] in BETWEEN else 1
+        joined = made[0] - here == 2 or (here >= 0 and words[here].endswith(","))
+        if here < 0 or not joined or not _is_number(words[here].strip("(,")):
+            return made
+        made.insert(0, here)
 
 
 def _is_number(word: str) -> bool:
@@ -64,25 +94,26 @@ def _shown(number: str, name: str, written: "list[_Written]", fewest: int) -> "t
             return f"{shown:.9g}", pretty(own.text)
     other = next((own for _, _, own in alike if not _is_decimal(own)), None)
     if other is None and name == "rad" and not alike:
-        other = parse_unit("deg")
+        other = DEGREE
     if other is None:
         return None
     digits = max(fewest, len(number.partition("e")[0].lstrip("-0.").replace(".", "")))
-    return f"{_in(float(number) * _factor(unit), other):.{digits}g}", pretty(other.text)
+    return f"{_in(float(number) * factor(unit), other):.{digits}g}", pretty(other.text)
 
 
 def _is(number: str, value: float) -> bool:
     return any(form.format(value) == number for form in FORMATS)
 
 
-def _factor(unit: Unit) -> float:
+def factor(unit: Unit) -> float:
+    """What a number in this unit is times, in SI."""
     from math import pi
 
     return unit.numerator / unit.denominator * pi**unit.pi
 
 
 def _in(si: float, unit: Unit) -> float:
-    return si / _factor(unit)
+    return si / factor(unit)
 
 
 def _is_decimal(unit: Unit) -> bool:
@@ -101,4 +132,8 @@ def _written(bound: Bound) -> "Iterator[_Written]":
             yield from _written(part)
     elif isinstance(bound, Value | VectorValue) and bound.unit and ";" not in bound.unit:
         unit = parse_unit(bound.unit, parse_unit(bound.kind.unit) if bound.kind.unit else None)
-        yield (bound.si if isinstance(bound, Value) else None), bound.shown, unit
+        shown = bound.shown
+        if conformable(unit, DEGREE) and factor(unit) < factor(DEGREE):  # 20 deg 30 min is written in minutes
+            unit = DEGREE
+            shown = _in(bound.si, unit) if isinstance(bound, Value) else None
+        yield (bound.si if isinstance(bound, Value) else None), shown, unit

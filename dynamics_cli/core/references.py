@@ -27,6 +27,19 @@ def split_address(address: str) -> "list[str | int]":
     return steps
 
 
+def _near_results(raw: "Any", address: str) -> "str | None":
+    """The results of a document that may be meant, else all of them."""
+    found = raw.get("results") if isinstance(raw, dict) else None
+    if not isinstance(found, dict) or not found:
+        return "a result document is wanted, as --json writes it"
+    from dynamics_cli.core.render import flatten
+    from dynamics_cli.core.words import nearest_words
+
+    known = [name for name, _, unit in flatten(found) if unit] or list(found)
+    near = nearest_words(address, known)
+    return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(known)}"
+
+
 def resolve(text: str, reader: "Reader", own: str) -> "Any":
     """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
     name, colon, address = text[1:].rpartition(":")
@@ -43,6 +56,7 @@ def resolve(text: str, reader: "Reader", own: str) -> "Any":
         try:
             value = value[step]  # type: ignore[index]
         except (KeyError, IndexError, TypeError):
-            raise UsageError(f"{name!r} has no result {address!r}", code="no-value") from None
+            hint = _near_results(raw, address)
+            raise UsageError(f"{name!r} has no result {address!r}", code="no-value", hint=hint) from None
     reader.origins[own] = (path, address, raw.get("covariance"))
     return value

@@ -72,8 +72,9 @@ class Task:
     own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result record and
     then the task's own parameters by name. `layout` names the function that writes the results in a table for people
     where rows and columns would not be read: it takes the document's results, digits and the terminal's width (0: not a
-    terminal), and gives lines. `verdict` says that the checks are what was asked for: one that fails is shown in the
-    document, and the status tells.
+    terminal), and gives lines. `names` says where the names are that an option's text may be, for completion:
+    `{"material": "module:names"}`. `verdict` says that the checks are what was asked for: one that fails is shown in
+    the document, and the status tells.
     """
 
     def __init__(
@@ -90,10 +91,12 @@ class Task:
         plot: str = "",
         layout: str = "",
         verdict: bool = False,
+        names: "dict[str, str] | None" = None,
     ) -> None:
         self.name = name
         self.summary = summary
         self.plot = plot
+        self.names = names or {}
         self.layout = layout
         self.verdict = verdict
         self.models = models

@@ -14,19 +14,21 @@ from dynamics_cli import __version__
 from dynamics_cli.core.about import COMMANDS, Command, completions
 from dynamics_cli.core.call import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.help import command_help, describe_options, option_help, placeholder
-from dynamics_cli.core.specification import Leaf, Option, Tagged
-from dynamics_cli.core.task import Family, Task
+from dynamics_cli.core.specification import Leaf, Option, Record, Tagged
+from dynamics_cli.core.task import Family, Task, load
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterator, Mapping
     from typing import Any
 
     from dynamics_cli.core.terminal import Terminal
 
     Finder = Callable[[str], Family]
 
+# Forms of results that `--to` and `--limit` name.
+NUMBERS = ("scalar", "slope", "measured")
 SHELLS = ("bash", "zsh", "fish")
 
 
@@ -137,7 +139,7 @@ class _TaskCommand(TyperCommand):
             self.context_settings = {"ignore_unknown_options": bool(self.task.specification.words)}
             self.help = command_help(self.task)
             texts = describe_options(self.task)
-            own = [_option(option, texts) for option in self.task.options.values()]
+            own = [_option(option, texts, self.task.names.get(name)) for name, option in self.task.options.items()]
             self.params = [*_arguments(self.task), *own, *_universal_options(self.task)]
             self.callback = self._carry_out
 
@@ -234,7 +236,7 @@ def _complete_words(task: Task, incomplete: str) -> "list[str]":
     return []
 
 
-def _option(option: Option, texts: "Mapping[tuple[str, ...], str]") -> TyperOption:
+def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str | None") -> TyperOption:
     decls = [_variable("option", option.name), f"--{option.name}"]
     text = option_help(option, texts)
     choice = option.leaf.choice if option.leaf is not None else None
@@ -246,7 +248,7 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]") -> TyperOpti
         type=str,
         metavar=placeholder(option),
         help=text,
-        autocompletion=_completer(choice.names if choice else ()),
+        autocompletion=_completer(names or (choice.names if choice else ())),
     )
 
 
@@ -258,29 +260,45 @@ def _universal_options(task: Task) -> "list[TyperOption]":
         "method": METHODS,
         "model": tuple(model.key for model in task.models),
         "jobs": ("all",),
+        "sweep": tuple(f"{name}=" for name, option in task.options.items() if option.leaf and not option.flag),
     }
     for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
         decls = [_variable("setting", name), f"--{name}"]
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
-            names = known.get(name, ())
+            complete = _result_completer(task) if name in ("to", "limit") else _completer(known.get(name, ()))
             made.append(
                 TyperOption(
-                    param_decls=decls,
-                    multiple=True,
-                    type=str,
-                    metavar=metavar,
-                    help=text,
-                    autocompletion=_completer(names),
+                    param_decls=decls, multiple=True, type=str, metavar=metavar, help=text, autocompletion=complete
                 )
             )
     return made
 
 
-def _completer(names: "tuple[str, ...]") -> "Callable[[Any, Any, str], list[str]]":
+def _results(record: Record, address: str = "") -> "Iterator[str]":
+    """The addresses of the numbers outside tables."""
+    for field in record.fields:
+        if isinstance(field.node, Record):
+            yield from _results(field.node, f"{address}{field.key}.")
+        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in NUMBERS:
+            yield f"{address}{field.key}"
+
+
+def _result_completer(task: Task) -> "Callable[[Any, Any, str], list[str]]":
+    """The names of a task's results, looked up only when they are asked for."""
+
     def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
-        return [name for name in names if name.startswith(incomplete)]
+        return [f"{name}=" for name in _results(task.specification.result) if name.startswith(incomplete)]
+
+    return complete
+
+
+def _completer(names: "tuple[str, ...] | str") -> "Callable[[Any, Any, str], list[str]]":
+    """What completes one of these names; a text says where they are, as "module:names", for when they are wanted."""
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return [name for name in (load(names) if isinstance(names, str) else names) if name.startswith(incomplete)]
 
     return complete
 

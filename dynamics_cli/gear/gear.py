@@ -462,12 +462,13 @@ def module_advice(pitch: object, module: float) -> tuple[Advice, ...]:
         return ()
     first = min(SERIES_I, key=lambda standard: abs(standard - own))
     second = min((*SERIES_I, *SERIES_II), key=lambda standard: abs(standard - own))
-    also = "" if first == second else f", or {second:g} mm of series II"
+    # no-break spaces: the series are in millimetres, whatever the inputs are in
+    also = "" if first == second else f", or {second:g}\u00a0mm of series II"
     return (
         Advice(
             code="off-series",
             message=f"a module of {own:.6g} mm is in neither series of ISO 54",
             severity="note",
-            mend=f"the nearest is {first:g} mm of series I{also}",
+            mend=f"the nearest is {first:g}\u00a0mm of series I{also}",
         ),
     )

@@ -133,7 +133,10 @@ def _key(name: str) -> str:
     key = name.strip().lower().replace("_", "-").replace(" ", "-")
     key = OTHER_NAMES.get(key, key)
     if key not in TABLE:
-        near = [other for other in (*TABLE, *OTHER_NAMES) if key[:3] and other.startswith(key[:3])]
+        from difflib import get_close_matches
+
+        known = (*TABLE, *OTHER_NAMES)
+        near = [other for other in known if key[:3] and other.startswith(key[:3])] or get_close_matches(key, known)
         require(
             False,
             "there is no material {0!r} in the table",

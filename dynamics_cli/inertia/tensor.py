@@ -265,7 +265,7 @@ def require_tensor(
     )
     require(
         least + middle - most >= -room,
-        "no body has these moments: {2:.6g} exceeds the sum of {0:.6g} and {1:.6g} kg·m² by {3:.3g} of itself",
+        "no body has these moments: {2:.6g} kg·m² exceeds the sum of {0:.6g} and {1:.6g} kg·m² by {3:.3g} of itself",
         least,
         middle,
         most,

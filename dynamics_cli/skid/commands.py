@@ -70,10 +70,10 @@ DRAG_FACTOR = Task(
         source="statics, with the weight transfer of the deceleration itself; work–energy form: " + BOOK,
         formula=(
             "{drag_factor|f} = ({braking|η}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
-            "{effective_friction|m} = ({front_friction|μf}·{front_braking|ηf}·b + "
-            "{rear_friction|μr}·{rear_braking|ηr}·a)/(b + h·μr·ηr + a − h·μf·ηf), "
-            "a = {cm_position|a}, b = {wheelbase|L} − a, h = {cm_height|h}; "
-            "{drag_factor|f} = (m + {grade|G})/√(1 + {grade|G}²)",
+            "{effective_friction|m} = ({front_friction|μf}·{front_braking|ηf}·({wheelbase|L} − {cm_position|a}) + "
+            "{rear_friction|μr}·{rear_braking|ηr}·{cm_position|a})/({wheelbase|L} + "
+            "{cm_height|h}·({rear_friction|μr}·{rear_braking|ηr} − {front_friction|μf}·{front_braking|ηf})); "
+            "{drag_factor|f} = ({effective_friction|m} + {grade|G})/√(1 + {grade|G}²)",
             "{drag_factor|f} = {pull|P}·(cos{pull_angle|α} − {grade|G}·sin{pull_angle|α})"
             "/({weight|W} − {pull|P}·sin{pull_angle|α}·√(1 + {grade|G}²))",
         ),

@@ -86,6 +86,14 @@ def test_the_panels_reach_the_extremes_of_the_document() -> None:
     assert [item.label for item in flat.items if hasattr(item, "label")].count("least") == 0
 
 
+@pytest.mark.parametrize("follower", [followers.FlatFace(0.05), followers.OscillatingFlat(0.03, 0.1)])
+def test_rounding_of_no_pressure_angle_is_not_enlarged(follower) -> None:
+    pressure = drawn(SWING if hasattr(follower, "pivot_distance") else CYCLE, follower).panels[1]
+    assert max(map(abs, pressure.items[0].y)) < 1e-12
+    assert pressure.y.ends == pytest.approx((-math.radians(10.0), math.radians(10.0)))
+    assert drawn(CYCLE, followers.Roller(0.025, 0.006)).panels[1].y.ends is None
+
+
 def points_of(path: str) -> np.ndarray:
     numbers = np.array([float(word) for word in path.split() if word not in "MLZ"])
     return numbers[0::2] - 1j * numbers[1::2]

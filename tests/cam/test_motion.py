@@ -283,6 +283,13 @@ def test_words_that_are_not_understood(line: str) -> None:
     assert line.split(";")[0].split()[0] in wrong.value.message
 
 
+def test_a_law_that_is_none_suggests_the_near_ones() -> None:
+    with pytest.raises(UsageError, match="did you mean cycloidal or half-cycloid-start"):
+        of("rise 20 mm in 90 deg cyclodal; return in 90 deg; dwell")
+    with pytest.raises(UsageError, match="'fancy': `dynamics cam laws` lists them"):
+        of("rise 20 mm in 90 deg fancy; return in 90 deg; dwell")
+
+
 def test_two_programs_are_refused() -> None:
     with pytest.raises(InadmissibleError):
         motion_of(Program((Segment(Move("dwell")),)), LINE)

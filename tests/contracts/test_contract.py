@@ -142,7 +142,7 @@ class TestOutput:
     def test_explain(self) -> None:
         explanation = answer(*OK, "--explain")["explanation"]
         assert explanation["formula"] == "v = √(vₑ² + 2·g·Σ f·d), f = (η·μ + G)/√(1 + G²)"
-        assert explanation["with_numbers"].startswith("(57.044 km/h) = √((0 m/s)² + 2·(9.80665 m/s²)")
+        assert explanation["with_numbers"].startswith("(57.044 km/h) = √((0 km/h)² + 2·(9.80665 m/s²)")
         assert "Josephs & Huston" in explanation["source"]
         assert explanation["assumptions"]
         assert "formula: v = " in run(*OK, "--explain").out

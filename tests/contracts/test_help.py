@@ -33,3 +33,25 @@ def test_a_method_that_is_none_is_refused_whether_or_not_it_is_needed(friction: 
     call = ("skid", "speed", "--distance", "60 ft", "--friction", friction, "--json")
     assert run(*call, "--method", "linaer").error["code"] == "unknown-choice"
     assert run(*call, "--method", "linear").status == 0
+    assert run(*call, "--coverage", "95").error["parameter"] == "coverage"
+    assert run(*call, "--coverage", "95 %").status == 0
+
+
+def test_defaults_are_written_as_a_user_writes_them() -> None:
+    text = " ".join(run("gear", "bevel", "--help").out.split())
+    assert "[default: 20 deg]" in text
+    assert "[default: 90 deg]" in text
+    assert "[default: 0 mm]" in " ".join(run("gear", "spur", "--help").out.split())
+    assert "[default: 100 %]" in " ".join(run("skid", "speed", "--help").out.split())
+    assert [
+        task.path for task in TASKS if "[default: ]" in " ".join(run(*task.path.split(), "--help").out.split())
+    ] == []
+
+
+def test_a_formula_that_differs_only_in_what_fills_it_is_said_once() -> None:
+    assert run("impact", "momentum", "--help").out.count("κ") == 1
+
+
+def test_no_formula_says_that_a_thing_is_itself() -> None:
+    helps = {task.path: " ".join(run(*task.path.split(), "--help").out.split()) for task in TASKS}
+    assert [path for path, text in helps.items() if re.search(r"[ ,;](\w+) = \1[ ,;]", text)] == []

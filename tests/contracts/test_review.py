@@ -201,3 +201,72 @@ class TestPython:
 
         for unit, expected in (("%", 3.0), ("percent", 3.0), ("deg", 1.7183580016554572), ("grad", 1.909286668506)):
             assert Shown(Slope, unit).value(0.03) == pytest.approx(expected, rel=1e-12)  # type: ignore[arg-type]
+
+
+MOMENTUM = (
+    "impact momentum --axes compass --first-mass|3300 lb|--first-approach-heading|90 deg|--first-exit-speed|15 mph|"
+    "--first-exit-heading|50 deg|--second-mass|2600 lb|--second-approach-heading|330 deg|--second-exit-speed|12 mph|"
+    "--second-exit-heading|20 deg"
+)
+
+
+def test_momentum_is_explained_with_its_masses_and_the_condition_it_calculates() -> None:
+    first, *rest = MOMENTUM.split("|")
+    document = answer(*first.split(), *rest, "--explain")
+    shown = document["explanation"]["with_numbers"]
+    assert "(3300 lb)·(15 mph)" in shown
+    assert "(2600 lb)·(12 mph)" in shown
+    assert "m₁" not in shown
+    # 120° between the lines of approach: they are as far from square as at 60°
+    assert document["results"]["angle_condition"]["value"] == pytest.approx(3.0**0.5)
+    assert shown.endswith("1.73205 = (1 + |cos((330 deg) − (90 deg))|)/|sin((330 deg) − (90 deg))|")
+
+
+def test_inputs_that_do_not_matter_are_not_listed_with_rounding() -> None:
+    first, *rest = MOMENTUM.split("|")
+    lines = answer(*first.split(), *rest, "--explain")["explanation"]["sensitivity"]
+    shares = [float(line.split(" changes by ")[1].split()[0]) for line in lines]
+    assert min(map(abs, shares)) > 1e-9
+
+
+def test_a_formula_with_nothing_to_fill_is_shown_once() -> None:
+    program = "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell"
+    sizes = ("--roller-radius", "8 mm", "--base-radius", "40 mm")
+    shown = answer("cam", "profile", "--program", program, "--follower", "roller", *sizes, "--explain")["explanation"]
+    assert "formula" in shown
+    assert "with_numbers" not in shown
+
+
+def test_a_reference_to_no_result_names_those_there_are(tmp_path: Path) -> None:
+    file = tmp_path / "a.json"
+    file.write_text(run("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--json").out)
+    call = ("skid", "speed", "--friction", "0.7", "--json", "--distance")
+    assert run(*call, f"@{file}:sped").error["hint"] == "did you mean speed?"
+    assert run(*call, f"@{file}:nothing").error["hint"] == "there is speed, time, total_distance"
+    file.write_text('{"a": 1}')
+    assert "a result document is wanted" in run(*call, f"@{file}:a").error["hint"]
+
+
+def test_schema_says_what_is_missing_and_suggests_near_tasks() -> None:
+    assert "the task of gear is missing" in run("schema", "gear").err
+    assert "did you mean crossed?" in run("schema", "gear", "crosed").err
+
+
+@pytest.mark.parametrize(("name", "near"), [("stel", "there is steel"), ("alminium", "there is aluminium")])
+def test_a_material_that_is_none_suggests_near_ones(name: str, near: str) -> None:
+    call = ("inertia", "shape", "cylinder", "--radius", "1 in", "--length", "2 in", "--json")
+    assert run(*call, "--material", name).error["hint"].startswith(near)
+
+
+def test_numbers_between_brackets_have_no_more_of_them() -> None:
+    sizes = ("--first-teeth", "20", "--second-teeth", "40", "--module", "3 mm", "--face-width", "20 mm")
+    shown = answer("gear", "bevel", *sizes, "--explain")["explanation"]["with_numbers"]
+    assert shown.startswith("(26.5651 deg) = atan2(sin(90 deg), 2 + cos(90 deg))")
+
+
+def test_the_drag_factor_of_axles_is_explained_by_the_formula_it_follows() -> None:
+    sizes = ("--wheelbase", "9 ft", "--cm-position", "4 ft", "--cm-height", "2 ft", "--rear-braking", "50 %")
+    document = answer("skid", "drag-factor", "--front-friction", "0.7", "--rear-friction", "0.6", *sizes, "--explain")
+    # (0.7·5 + 0.3·4)/(9 + 2·(0.3 − 0.7))
+    assert document["results"]["effective_friction"]["value"] == pytest.approx(4.7 / 8.2, rel=1e-14)
+    assert "·((9 ft) − (4 ft)) + 0.6·(50 %)·(4 ft))/((9 ft) + (2 ft)·(" in document["explanation"]["with_numbers"]

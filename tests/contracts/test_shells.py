@@ -20,6 +20,10 @@ CASES = [
     ("dynamics cam rise --law cyc", "cycloidal"),
     ("dynamics inertia shape cyl", "cylinder"),
     ("dynamics report --ti", "--title"),
+    ("dynamics inertia mesh --material alum", "aluminium-6061"),
+    ("dynamics skid speed --to sp", "speed="),
+    ("dynamics impact momentum --limit first.app", "first.approach_speed="),
+    ("dynamics skid speed --sweep fr", "friction="),
 ]
 
 

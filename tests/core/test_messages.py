@@ -19,6 +19,9 @@ def inputs(*values: Value) -> Fields:
 FEET = Value("distance", Distance, 18.288, 60.0, "ft")
 MPH = Value("speed", RoadSpeed, 30 * MILE, 30, "mph")
 METRES = Value("distance", Distance, 0.25, 0.25, "m")
+DEGREES = Value("angle", Angle, 0.3490658503988659, 20, "deg")
+MINUTES = Value("angle", Angle, 0.35779249665883756, 1230, "arcmin")
+RADIANS = Value("angle", Angle, -0.349066, -0.349066, "rad")
 POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
 
 
@@ -34,7 +37,17 @@ POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
         ("it turns by 0.5 rad", (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
         ("-1e-05 m away", (FEET,), "-3.281e-05 ft away"),
         ('for example "3 m" or model-2 m', (FEET,), 'for example "3 m" or model-2 m'),
+        ("18.288 m: say how far, such as rise 20 mm", (FEET,), "60 ft: say how far, such as rise 20 mm"),
+        ('write "rise 20 mm in 90 deg"', (FEET,), 'write "rise 20 mm in 90 deg"'),
         ("an area of 3 m² at 2 m/s²", (FEET, MPH), "an area of 3 m² at 2 m/s²"),
+        ("sides of 3.048, 6.096 and 18.288 m do not close", (FEET,), "sides of 10, 20 and 60 ft do not close"),
+        ("moments (3.048, 6.096, 9.144 m)", (FEET,), "moments (10, 20, 30 ft)"),
+        ("helices 0.357792 and 0.5 rad", (MINUTES,), "helices 20.5 and 28.65 deg"),
+        ("helices 0.349066 and -0.349066 rad", (DEGREES, RADIANS), "helices 20 deg and -0.349066 rad"),
+        ("18.288 m, not a standard 3\u00a0mm", (FEET,), "60 ft, not a standard 3 mm"),
+        ("a standard 3\u00a0mm", (FEET,), "a standard 3 mm"),
+        ("3 teeth, 18.288 m and 4", (FEET,), "3 teeth, 60 ft and 4"),
+        ("of 5, over 3 of 3.048 m", (FEET,), "of 5, over 3 of 10 ft"),
         ("friction 0.7 may be", (Value("friction", Friction, 0.7, 0.7, ""),), "friction 0.7 may be"),
     ],
 )
@@ -58,3 +71,18 @@ def test_rows_quote_what_was_written() -> None:
     rows = "speed[mph],end_speed[mph],friction\n30,40,0.7\n"
     outcome = run("skid", "distance", "--rows", "-", "--format", "ndjson", stdin=rows)
     assert "the end speed 40 mph exceeds the speed 30 mph" in json.loads(outcome.out)["error"]["message"]
+
+
+def test_numbers_that_share_a_unit_are_all_turned() -> None:
+    helices = ("--first-helix-angle", "20 deg", "--second-helix-angle", "-20 deg")
+    teeth = ("--first-teeth", "15", "--second-teeth", "20", "--module", "3 mm")
+    outcome = run("gear", "crossed", *teeth, *helices, "--json")
+    assert outcome.error["message"].startswith("the helices 20 and -20 deg cancel")
+    outcome = run("inertia", "tensor", "--moments", "1, 2, 3.5 lb*ft^2", "--json")
+    assert "3.5 lb·ft² exceeds the sum of 1 and 2 lb·ft² by 0.143 of itself" in outcome.error["message"]
+
+
+def test_modules_of_a_series_stay_in_millimetres() -> None:
+    warning = answer("gear", "spur", "--teeth", "20", "--module", "0.11 in")["warnings"][0]
+    assert warning["message"].startswith("a module of 0.11 in is in neither series")
+    assert warning["mend"] == "the nearest is 3 mm of series I, or 2.75 mm of series II"

@@ -161,3 +161,25 @@ class TestSmall:
         assert rows[0] == "t"
         assert rows[2].startswith(" a █")
         assert max(map(len, rows)) <= 22
+
+
+def drawn_axes(items: tuple[Bars | Curve, ...]) -> list:
+    panel = Panel(Axis("x"), Axis("y"), items)
+    figure = pages._figure(Picture((panel,)), (panel,), "si")
+    figure.canvas.draw()
+    return figure.axes
+
+
+def test_bars_keep_off_both_ends_of_the_axis() -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = drawn_axes((Bars(("a", "b"), (77.0, 81.0), (87.0, 83.0)),))
+    low, high = axes.get_xlim()
+    assert 77.0 - low == pytest.approx(high - 87.0)
+    assert low < 77.0
+
+
+@pytest.mark.parametrize(("count", "beside"), [(4, False), (5, True)])
+def test_the_names_of_many_curves_stand_beside_them(count: int, beside: bool) -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = drawn_axes(tuple(Curve((0.0, 1.0), (0.0, float(n)), f"curve {n}") for n in range(count)))
+    assert bool(axes.get_legend().get_window_extent().x0 >= axes.get_window_extent().x1) == beside

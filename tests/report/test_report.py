@@ -79,7 +79,7 @@ def test_a_report_says_what_the_document_says(tmp_path: Path) -> None:
     for words in (
         "# Case 7", "| speed | 35.4455 mph | 32.6412 to 38.1292 mph (95 %) | 1.4 mph | 3.5e-16 relative |",
         "- speed is beyond 35 mph with a probability of 62 %", "| distance | 60 ± 2 ft |",
-        "- assumption: friction is constant on each surface", "v = √(vₑ² + 2·g·Σ f·d)", "√((0 m/s)² + ",
+        "- assumption: friction is constant on each surface", "v = √(vₑ² + 2·g·Σ f·d)", "√((0 km/h)² + ",
         "| friction | 82.2 % |", "- check: energy balance: passed",
         "- source: Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10",
     ):  # fmt: skip

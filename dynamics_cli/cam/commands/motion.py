@@ -34,7 +34,7 @@ RISE = Task(
         "rise law",
         HERE + "rises:rise",
         source=BOOK + ", sections 16.9 and 16.11 to 16.14",
-        formula="s = {lift|h}·f(θ/{span|β}), ds/dθ = ({lift|h}/{span|β})·f′, ω = {shaft_speed|ω}",
+        formula="s = {lift|h}·f(θ/{span|β}), ds/dθ = ({lift|h}/{span|β})·f′, ds/dt = ω·ds/dθ",
         assumptions=("the cam shaft turns at a constant speed",),
     ),
     examples=(

@@ -59,6 +59,8 @@ _SETTINGS = {
     # A scale that begins somewhere else, told in small print at its end, is misread.
     "axes.formatter.useoffset": False,
 }
+# More names than this find no place among the curves.
+MOST_INSIDE = 4
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 # No dates and no version of a library, so that a file depends on its numbers alone.
 _ABOUT: "dict[str, dict[str, Any]]" = {
@@ -184,10 +186,14 @@ def _legend(panel: "Panel") -> "list[str]":
 
 
 def _legend_place(axes: "Any", panel: "Panel") -> "dict[str, Any]":
-    """Under a narrow panel; beside shapes and bars, which leave no corner free; else wherever there is room."""
+    """Under a narrow panel; beside shapes, bars and many curves, which leave no corner free; else anywhere."""
     if axes.get_gridspec().ncols == 1:
-        full = panel.equal or any(
-            isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
+        full = (
+            panel.equal
+            or len(_legend(panel)) > MOST_INSIDE
+            or any(
+                isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
+            )
         )
         return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
     from matplotlib.transforms import ScaledTranslation
@@ -269,11 +275,11 @@ def _band(axes: "Any", item: Band, x: Scale, y: Scale, pens: "_Pens") -> None:
 def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, pens: "_Pens") -> None:
     low, high = x(item.low), x(item.high)
     places = list(range(len(item.names)))
+    axes.use_sticky_edges = False
     axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.6, color=COLOURS[0])
     axes.set_yticks(places, labels=list(item.names))
     axes.set_ylim(len(places) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
-    axes.use_sticky_edges = False
 
 
 _DRAW: "dict[type, Callable[..., None]]" = {Curve: _curve, Mark: _mark, Arrow: _arrow, Band: _band, Bars: _bars}

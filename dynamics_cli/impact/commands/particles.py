@@ -55,6 +55,15 @@ OBLIQUE = Task(
     plot=PICTURES + "oblique",
 )
 
+# With masses that were given, and with those of given weights.
+_PLANE_MOMENTUM = (
+    "{{first.approach_speed|v₁}} = ({0}·{{first.exit_speed|u₁}}·sin({{second.approach_heading|α₂}} − "
+    "{{first.exit_heading|β₁}}) + {1}·{{second.exit_speed|u₂}}·sin({{second.approach_heading|α₂}} − "
+    "{{second.exit_heading|β₂}}))/({0}·sin({{second.approach_heading|α₂}} − {{first.approach_heading|α₁}})); "
+    "{{angle_condition|κ}} = (1 + |cos({{second.approach_heading|α₂}} − {{first.approach_heading|α₁}})|)"
+    "/|sin({{second.approach_heading|α₂}} − {{first.approach_heading|α₁}})|"
+)
+
 MOMENTUM = Task(
     "momentum",
     "Speeds before an impact from the vehicles' motion after it: 360° momentum, up to two unknowns.",
@@ -71,10 +80,7 @@ MOMENTUM = Task(
         "momentum in the plane",
         HERE + "momentum:momentum",
         source=BOOK + "9.5; cross products with the approach directions",
-        formula="{first.approach_speed|v₁} = (m₁·{first.exit_speed|u₁}·sin({second.approach_heading|α₂} − "
-        "{first.exit_heading|β₁}) + m₂·{second.exit_speed|u₂}·sin({second.approach_heading|α₂} − "
-        "{second.exit_heading|β₂}))/(m₁·sin({second.approach_heading|α₂} − {first.approach_heading|α₁})); "
-        "{angle_condition|κ} = cot((α₂ − α₁)/2)",
+        formula=(_PLANE_MOMENTUM.format("{first.mass|m₁}", "{second.mass|m₂}"), _PLANE_MOMENTUM.format("m₁", "m₂")),
         assumptions=(SHORT, "the speeds after are those of the mass centres just after the impact"),
     ),
     examples=(

@@ -41,8 +41,8 @@ ENVELOPE = Task(
         "planar impact with friction, over a region",
         HERE + "envelope:envelope",
         source=KELLER,
-        formula="ΔV = |p|/m at every point of {least_restitution|e} to {greatest_restitution|e}, "
-        "{least_friction|μ} to {greatest_friction|μ}",
+        formula="ΔV = |p|/m at every point of {least_restitution|e₁} to {greatest_restitution|e₂}, "
+        "{least_friction|μ₁} to {greatest_friction|μ₂}",
         assumptions=(SHORT, POINT),
         method="closed-form Routh–Keller path on a grid",
     ),

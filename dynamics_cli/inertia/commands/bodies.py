@@ -23,6 +23,7 @@ SHAPE = Task(
     arrays=False,
     writers=WRITERS,
     plot=HERE + "pictures:shape_picture",
+    names={"material": HERE + "materials:TABLE"},
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
@@ -51,6 +52,7 @@ MATERIALS = Task(
     tracked=False,
     table="materials",
     examples=("dynamics inertia materials", "dynamics inertia materials --name steel"),
+    names={"name": HERE + "materials:TABLE"},
 )
 
 TENSOR = Task(

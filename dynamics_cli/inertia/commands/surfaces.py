@@ -22,6 +22,7 @@ MESH = Task(
     arrays=False,
     writers=WRITERS,
     plot="dynamics_cli.inertia.mesh.pictures:mesh_picture",
+    names={"material": "dynamics_cli.inertia.materials:TABLE"},
     examples=(
         "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
         'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',
