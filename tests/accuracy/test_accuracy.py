@@ -18,7 +18,7 @@ from dynamics_cli.accuracy.questions import Question
 GENERATORS = Path(__file__).resolve().parents[1] / "references"
 FILES = sorted(path.name for path in DATA.glob("*.json"))
 # those that are made again in seconds
-AGAIN = ("convert.json", "eigen.json", "cam_motion.json", "gear_geometry.json")
+AGAIN = ("convert.json", "eigen.json", "cam_motion.json", "cam_design.json", "gear_geometry.json")
 QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
 
 
