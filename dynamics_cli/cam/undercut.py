@@ -89,9 +89,10 @@ def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "L
     -----
     The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
     of arcs and by Newton's method; those that no position of the follower covers are corners, and the way from corner
-    to corner along the curve is the edge of each piece that is left, of which one winds about the axis. Nothing of it
-    depends on samples of the curve, however small the undercut or however many run into each other. A place where the
-    velocity jumps counts as backwards where its two contacts are in the wrong order.
+    to corner along the curve is the edge of each piece that is left, of which one winds about the axis. How far an
+    arc bends is taken from samples with a quarter to spare, and the greatest gap from proxies whose remainder is
+    estimated; beyond that nothing depends on samples, however small the undercut or however many run into each other.
+    A place where the velocity jumps counts as backwards where its two contacts are in the wrong order.
     """
     curve = Envelope(geometry, motion)
     if not geometry.flat and geometry.roller == 0.0:

@@ -301,8 +301,8 @@ def test_a_cam_left_with_a_point_is_not_called_undercut(rotation: str) -> None:
         (CYCLE, size.ConjugateRoller(0.03), 0.0),
         ("dwell", size.Roller(0.006), None),
     ):
-        found = size.size(NOTHING, program=program, follower=wanted, rise_limit=1.2, return_limit=1.2, least_radius=least,
-                          rotation=followers.Rotation(rotation))  # fmt: skip
+        found = size.size(NOTHING, program=program, follower=wanted, rise_limit=1.2, return_limit=1.2,
+                          least_radius=least, rotation=followers.Rotation(rotation))  # fmt: skip
         radii = [found.least_convex_radius, *([found.second.least_convex_radius] if found.second else [])]
         codes = [one.code for one in found.advice]
         assert "undercut" not in codes

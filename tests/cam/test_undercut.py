@@ -225,3 +225,13 @@ def test_a_cusp_that_rounding_leaves_open_is_said() -> None:
         codes.append([one.code for one in found.advice if one.code in ("cusp", "undercut")])
     assert codes[0] in (["cusp"], ["undercut"])
     assert codes[1:] == [[], ["undercut"]]
+
+
+def test_the_length_of_a_curve_that_turns_back_has_no_bound() -> None:
+    bounds = []
+    for base in (0.05, 0.015):
+        found = profile(NOTHING, program=STEEP, follower=followers.Roller(base, 0.015), points=4)
+        assert found.numerics is not None
+        bounds.append({one.result for one in found.numerics.bounds})
+    assert "perimeter" in bounds[0]
+    assert "perimeter" not in bounds[1]
