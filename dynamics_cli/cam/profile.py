@@ -12,7 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.analysis import Analysis
+    from dynamics_cli.cam.analysis import Analysis, Plate
     from dynamics_cli.cam.contact import Geometry, Touch
 
 CCW = Rotation("counter-clockwise")
@@ -278,14 +278,15 @@ def profile(
         advice=_advice(geometry, found, joint_jumps(motion)[0]),
         numerics=Numerics(
             "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes",
-            (*_plate_bounds(runs_forward(geometry, found)), *pressure_bounds(found)),
+            (*_plate_bounds(body, runs_forward(geometry, found)), *pressure_bounds(found)),
         ),
     )
 
 
-def _plate_bounds(forward: bool) -> tuple[ErrorBound, ...]:
+def _plate_bounds(body: "Plate", forward: bool) -> tuple[ErrorBound, ...]:
     """Bounds of the quadrature; where the curve turns back, its length has kinks that Gauss's rule does not see."""
-    return (ErrorBound("area", 1e-14), *((ErrorBound("perimeter", 1e-14),) if forward else ()))
+    length = (ErrorBound("perimeter", body.perimeter_error),) if forward else ()
+    return (ErrorBound("area", body.area_error), *length)
 
 
 def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float, cutter: float) -> "Any":

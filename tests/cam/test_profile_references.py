@@ -7,7 +7,7 @@ from geometry_cases import NOTHING, cases, follower_of
 from mpmath import mp, mpf
 
 from dynamics_cli.cam import size
-from dynamics_cli.cam.followers import Flank, Rotation
+from dynamics_cli.cam.followers import Flank, KnifeEdge, Rotation
 from dynamics_cli.cam.profile import profile
 
 CASES = cases()
@@ -98,3 +98,29 @@ def test_sizes_are_within_1e_12(case: dict) -> None:
     assert bound.result == "base_radius"
     reference = mpf(case["results"]["base_radius"])
     assert abs(mpf(made.base_radius) - reference) <= mpf(bound.bound) * abs(reference)
+
+
+@pytest.mark.parametrize("base", [0.01, 1e-3, 1e-4, 1e-5])
+def test_length_and_area_near_the_axis_are_within_their_bounds(base: float) -> None:
+    """A knife-edge whose cam comes near the axis: its curve turns fast there."""
+    from mpmath import quad, sqrt
+
+    program = "rise 10 mm in 120 deg 3-4-5; return in 240 deg 3-4-5"
+    made = profile(NOTHING, program=program, follower=KnifeEdge(base))
+    stated = {bound.result: bound.bound for bound in made.numerics.bounds}
+    with mp.workdps(40):
+        lift = mpf(1) / 100
+
+        def radius(t):
+            return mpf(base) + lift * t**3 * (10 - 15 * t + 6 * t * t)
+
+        def slope(t, span):
+            return lift * 30 * t * t * (1 - t) ** 2 / span
+
+        places = [0, mpf(1) / 64, mpf(1) / 16, mpf(1) / 4, 1]
+        spans = (mp.pi * 2 / 3, mp.pi * 4 / 3)
+        length = sum(span * quad(lambda t, w=span: sqrt(radius(t) ** 2 + slope(t, w) ** 2), places) for span in spans)
+        area = sum(span * quad(lambda t: radius(t) ** 2, places) / 2 for span in spans)
+        assert abs(made.perimeter / length - 1) <= stated["perimeter"]
+        assert abs(made.area / area - 1) <= stated["area"]
+        assert stated["area"] <= 1e-13

@@ -130,7 +130,8 @@ def test_profiles_and_their_corners() -> None:
 
 def test_module_series() -> None:
     assert module_advice(THREE, 0.003) == ()
-    assert "4\u00a0mm of series I, or 3.5\u00a0mm of series II" in (module_advice(NormalModule(0.0036), 0.0036)[0].mend or "")
+    mend = module_advice(NormalModule(0.0036), 0.0036)[0].mend or ""
+    assert "4\u00a0mm of series I, or 3.5\u00a0mm of series II" in mend
     assert module_advice(NormalDiametralPitch(300.0), 1 / 300.0) == ()
 
 
