@@ -116,7 +116,7 @@ WRONG = [
     ("units|list|--kind|lenght", 2, "did you mean length?"),
     ("units|table|other", 2, "wanted one of josephs-huston"),
     ("schema", 2, "a family and its task are missing"),
-    ("schema|skid|sped", 2, "there is"),
+    ("schema|skid|sped", 2, "did you mean speed?"),
     ("schema|frob", 2, "there is no family 'frob'"),
     ("--frob", 2, "there is no option --frob"),
 ]

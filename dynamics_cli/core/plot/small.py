@@ -57,9 +57,9 @@ def _dots(panel: "Panel", system: str, width: int, height: int) -> str:
     texts = [sides[0], *[""] * (len(rows) - 2), sides[1]]
     body = [f"{text:>{MARGIN - 1}} {row}".rstrip() for text, row in zip(texts, rows, strict=True)]
     foot = f"{'':{MARGIN}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}"
-    head = f"{y.label}{': ' + panel.title if panel.title else ''}"
+    head = wrap(f"{y.label}{': ' + panel.title if panel.title else ''}", MARGIN + width)
     told = wrap("; ".join(names), MARGIN + width) if names else []
-    return "\n".join([head, *told, *body, foot, f"{'':{MARGIN}}{x.label}"])
+    return "\n".join([*head, *told, *body, foot, f"{'':{MARGIN}}{x.label}"])
 
 
 def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]":
