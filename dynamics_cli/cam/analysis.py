@@ -70,8 +70,8 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     slip = start_slip(geometry)
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
-        check_speed(geometry, getattr(s1, "centre", s1))
-        touch = geometry.touch(s.widened(slip) if hasattr(s, "widened") else s, s1, s2)
+        check_speed(geometry, s1.centre)
+        touch = geometry.touch(s.widened(slip), s1, s2)
         rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
         if geometry.flat:
             rows.append(along_face(geometry, touch))

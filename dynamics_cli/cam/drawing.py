@@ -12,7 +12,7 @@ from dynamics_cli.cam.pieces import sample
 from dynamics_cli.cam.proof import proved
 from dynamics_cli.errors import require
 from dynamics_cli.outlines import Arc, Cubic, Outline, Points
-from dynamics_cli.records import Advice, Columns
+from dynamics_cli.records import Columns
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ FIT = 0.96
 
 def drawn(
     geometry: Geometry, motion: "Any", away: float, start_angle: float, form: str, tolerance: float, name: str
-) -> "tuple[Outline, tuple[Advice, ...]]":
+) -> Outline:
     """The curve as an outline whose proved deviation keeps the tolerance.
 
     Parameters
@@ -47,8 +47,8 @@ def drawn(
 
     Returns
     -------
-    tuple
-        The outline, and advice.
+    Outline
+        The outline.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def drawn(
         code="not-proved",
         hint="allow a wider tolerance",
     )
-    return Outline(tuple(pieces), True, deviation, name), ()
+    return Outline(tuple(pieces), True, deviation, name)
 
 
 def _joints(path: Path) -> "Any":

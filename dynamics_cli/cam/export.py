@@ -5,7 +5,7 @@ from dynamics_cli.cam.program import Program, motion_of
 from dynamics_cli.errors import require
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, CamAcceleration, CamVelocity, Coordinate, Count, Ratio, Size, Text
-from dynamics_cli.records import Advice, Check, Choice, Columns, Numerics, record
+from dynamics_cli.records import Check, Choice, Columns, Numerics, record
 
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
@@ -127,7 +127,6 @@ class CamExport:
     lifts: Columns[LiftPoint] | None
     swings: Columns[SwingPoint] | None
     checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
 
 
@@ -224,7 +223,7 @@ def export(
     motion = motion_of(scene, program)
     require_lift(motion, geometry.oscillating)
     away = {"cam": 0.0, "pitch": geometry.side * geometry.roller, "cutter": geometry.side * (cutter_radius or 0.0)}
-    outline, rough = drawn(geometry, motion, away[str(curve)], start_angle, str(form), tolerance, str(curve))
+    outline = drawn(geometry, motion, away[str(curve)], start_angle, str(form), tolerance, str(curve))
     polar, lifts, swings = tables(geometry, motion, away[str(curve)], start_angle, points)
     return CamExport(
         deviation=outline.deviation,
@@ -238,6 +237,5 @@ def export(
             Check("deviation is within the tolerance", outline.deviation <= tolerance, outline.deviation, tolerance),
             Check("the curve closes to the bit", outline.pieces[0].start == outline.pieces[-1].end, 0.0, 0.0),
         ),
-        advice=rough,
         numerics=Numerics("curve and pieces paired on cells, accelerations of every law enclosed by disc arithmetic"),
     )

@@ -154,6 +154,7 @@ class _Words:
         self.words = [part for word in text.split() for part in _parted(word)]
 
     def fail(self, message: str) -> "NoReturn":
+        """Refuse the clause."""
         raise UsageError(
             f"in {self.clause!r}: {message}",
             code="program-words",
@@ -162,27 +163,33 @@ class _Words:
         )
 
     def peek(self) -> str:
+        """The next word, or nothing."""
         return self.words[0] if self.words else ""
 
     def take(self) -> str:
+        """The next word, which there must be."""
         if not self.words:
             self.fail("it ends too early")
         return self.words.pop(0)
 
     def skip(self, *fillers: str) -> bool:
+        """Pass over the next word if it is one of these; whether it was."""
         if self.peek().lower() in fillers:
             self.words.pop(0)
             return True
         return False
 
     def at_number(self) -> bool:
+        """Whether a number is next."""
         return bool(self.words) and _ratio(self.words[0]) is not None
 
     def end(self) -> None:
+        """Refuse words that are left over."""
         if self.words:
             self.fail(f"there is {self.words[0]!r} too much")
 
     def number(self) -> "Exact":
+        """The next word as an exact number."""
         word = self.take()
         value = _ratio(word)
         if value is None:
@@ -199,6 +206,7 @@ class _Words:
         return _as_radians(self._angle(top, bottom, unit)), True
 
     def angle(self) -> "Exact":
+        """An angle in degrees, as an exact ratio."""
         top, bottom = self.number()
         return self._angle(top, bottom, self.take())
 

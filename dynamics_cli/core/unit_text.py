@@ -55,13 +55,16 @@ class _Reader:
     def fail(
         self, why: str, hint: str = "examples: m/s^2, kg*m^2, lbf*ft, 1/in", code: str = "unit-syntax"
     ) -> "NoReturn":
+        """Refuse the text."""
         raise UsageError(f"cannot read {show(self.text)} as a unit: {why}", code=code, hint=hint)
 
     def peek(self, ahead: int = 0) -> str:
+        """The character here or so many ahead; nothing at the end."""
         at = self.at + ahead
         return self.text[at : at + 1]
 
     def space(self) -> None:
+        """Pass over white space."""
         while self.peek().isspace():
             self.at += 1
 
@@ -71,6 +74,7 @@ class _Reader:
         return self.text.startswith("per", self.at) and not (starts_name(after) or (after and after in DIGITS))
 
     def product(self, depth: int) -> list[tuple[str, int]]:
+        """Factors with their powers, of products and quotients."""
         found = self.operand(depth, first=True)
         divided = False
         while operator := self.operator():
@@ -105,6 +109,7 @@ class _Reader:
         return ""
 
     def operand(self, depth: int, first: bool = False) -> list[tuple[str, int]]:
+        """One factor: a name, a 1 or a parenthesis, with its power."""
         self.space()
         character = self.peek()
         if character == "(":
@@ -132,6 +137,7 @@ class _Reader:
         self.fail("a unit is missing" if not character else f"{show(character)} stands where a unit should")
 
     def parenthesis(self, depth: int) -> list[tuple[str, int]]:
+        """What stands between parentheses."""
         if depth >= DEEPEST:
             self.fail("too many parentheses")
         self.at += 1
@@ -144,6 +150,7 @@ class _Reader:
         return [(name, self.checked(each * power)) for name, each in inner]
 
     def name(self) -> str:
+        """A unit's name."""
         start = self.at
         while starts_name(self.peek()) or (self.peek() and self.peek() in DIGITS):
             self.at += 1
@@ -176,6 +183,7 @@ class _Reader:
         return 1
 
     def signed(self) -> int:
+        """A whole number that may have a sign and a parenthesis."""
         self.space()
         inside = self.peek() == "("
         self.at += inside
@@ -191,6 +199,7 @@ class _Reader:
         return value
 
     def digits(self) -> int:
+        """A short whole number."""
         start = self.at
         while self.peek() and self.peek() in DIGITS and self.at - start < 4:
             self.at += 1
@@ -199,6 +208,7 @@ class _Reader:
         return int(self.text[start : self.at])
 
     def superscript(self) -> int:
+        """A whole number in superscripts."""
         sign = -1 if self.peek() == "⁻" else 1
         self.at += sign < 0
         value = count = 0
@@ -209,6 +219,7 @@ class _Reader:
         return self.checked(sign * value)
 
     def checked(self, power: int) -> int:
+        """The power, which must be within bounds."""
         if not power or abs(power) > HIGHEST_POWER:
             self.fail(f"a power must be a whole number from 1 to {HIGHEST_POWER}, or its negative")
         return power

@@ -38,7 +38,6 @@ __all__ = [
 
 FORCE = (1, 1, -2, 0, 0, 0, 0, 0)
 LENGTH = (1, 0, 0, 0, 0, 0, 0, 0)
-TEMPERATURE = (0, 0, 0, 1, 0, 0, 0, 0)
 NONE = (0, 0, 0, 0, 0, 0, 0, 0)
 # No unit of use comes near 10^±2400; a power of a prefixed unit could, and would cost time and memory.
 MOST_BITS = 8000

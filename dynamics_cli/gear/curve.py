@@ -13,8 +13,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-NEEDED = "give --base-diameter"
-
 
 @record
 class AtAngle:

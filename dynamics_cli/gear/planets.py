@@ -1,6 +1,6 @@
 """Whether the planets of a planetary set can be put in, where, and how much room they leave one another."""
 
-from math import cos, pi, sin
+from math import pi, sin
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.train_scene import Planetary
@@ -153,9 +153,3 @@ def place_angle(place: str) -> float:
     """The angle of a place written as a share of a turn."""
     top, _, bottom = place.partition("/")
     return 2.0 * pi * int(top) / int(bottom or "1")
-
-
-def place_point(place: str, radius: float) -> tuple[float, float]:
-    """Where a planet's centre stands."""
-    angle = place_angle(place)
-    return radius * cos(angle), radius * sin(angle)

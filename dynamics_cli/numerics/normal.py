@@ -11,8 +11,6 @@ _ROOT_TWO_REST = -9.667293313452913e-17
 _DENSITY_AT_ZERO = 0.3989422804014327
 # Veltkamp's constant splits a double into two halves of 26 bits.
 _SPLITTER = 134217729.0
-# Beyond it the upper tail is below the smallest double.
-FARTHEST = 38.6
 
 
 def upper(z: float) -> float:

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 # Points of the one-dimensional rule of each level: degree 2·level + 1 with the fewest.
 SIZES = (1, 3, 3, 9, 9, 9, 9, 9, 19, 19, 19, 19, 19, 19, 19, 35)
-HIGHEST_LEVEL = len(SIZES) - 1
 _made: "dict[tuple[int, int], tuple[Array, Array]]" = {}
 
 
