@@ -24,6 +24,8 @@ PLAIN = [
     for task in cli.family(name).tasks.values()
     for example in task.examples
 ]
+# Examples with a result near nothing, whose rounding bound takes a second pass in many digits.
+MEASURED = ("friction --test-skid", "avoid --speed 62 km/h")
 CODE = """
 import sys
 sys.path.insert(0, {root!r})
@@ -40,7 +42,8 @@ def test_a_plain_call_loads_nothing_heavy(argv: list[str]) -> None:
     code = CODE.format(root=str(ROOT), argv=argv, heavy=HEAVY)
     done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert done.stderr.split() == []
+    measured = " ".join(argv[1:]).startswith(MEASURED)
+    assert done.stderr.split() == (["decimal"] if measured else [])
 
 
 @pytest.mark.parametrize("argv", [["--help"], ["skid", "--help"], ["skid", "speed", "--help"]], ids=" ".join)
