@@ -4,10 +4,11 @@ The frame: gear 1 at the origin, gear 2 at (a, 0); external gears lie side by si
 other. Everything is found from the profiles themselves, point by point, not from the formulas of the pair.
 """
 
-from math import acos, pi, sqrt
+from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.flanks import ToothForm
+from dynamics_cli.numerics.elementary import absolute, acos, atan2, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -53,7 +54,7 @@ class Path:
 def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Path:
     """The stretch of the line of action where both flanks are involutes; refuses an open mesh."""
     sum_of_bases = first.base - second.base if second.internal else first.base + second.base
-    reach = abs(sum_of_bases)
+    reach = absolute(sum_of_bases)
     require(
         distance > reach,
         "a centre distance of {0:.9g} mm is less than the {1:.9g} mm that the base circles need",
@@ -65,7 +66,7 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
     pitch = 2.0 * pi * first.base / first.teeth
     other = 2.0 * pi * second.base / second.teeth
     require(
-        abs(pitch - other) <= 1e-12 * pitch,
+        absolute(pitch - other) <= 1e-12 * pitch,
         "the base pitches differ: {0:.12g} mm and {1:.12g} mm",
         1e3 * pitch,
         1e3 * other,
@@ -86,7 +87,7 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
         tip_start=tip_start,
         tip_end=tip_end,
         total=total,
-        pressure_angle=acos(reach / distance),
+        pressure_angle=atan2(total, reach),
         pitch=pitch,
     )
 
@@ -124,6 +125,20 @@ def transmission_error(
     return lengths, error - np.median(error)
 
 
+def turning_bound(first: ToothForm, second: ToothForm, path: Path) -> float:
+    """What rounding may make of the transmission error, which is none: of both angles, and of the median taken off.
+
+    A point is off by 3u of its radius in the plane; its involute angle by 7u of its roll angle t and of itself; seen
+    from gear 2's centre what gear 1's side is off counts by the ratio of the radii.
+    """
+    longest = path.end / first.base
+    far = max(abs(path.total - path.start), abs(path.total + path.end)) if second.internal else path.total - path.start
+    other = far / second.base
+    own = 8.0 + 8.0 * longest
+    seen = 8.0 + 8.0 * other + 3.0 * (1.0 + longest) * first.base / second.base
+    return 2.0 * 2.0**-53 * (seen + own * first.teeth / second.teeth)
+
+
 def _half_angles(form: ToothForm, radius: "Array") -> "Array":
     """Half angle of what the two involutes bound, at each radius."""
     import numpy as np
@@ -148,7 +163,7 @@ def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
     """
     own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
     other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
-    if not second.internal or abs(own) >= 1.0 or abs(other) >= 1.0:
+    if not second.internal or absolute(own) >= 1.0 or absolute(other) >= 1.0:
         return float("inf")
     # the corners' angles from the line of centres, turned back to where the tooth and the space lie on it
     pinion = acos(own) - first.half_angle(first.roll(first.tip))

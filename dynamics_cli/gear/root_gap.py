@@ -1,0 +1,254 @@
+"""How near the teeth of one gear come to the root of the other: the least distance, exact but for rounding.
+
+Between two gears the normal of a least distance passes through the pitch point, like that of a contact; of a tooth only
+the edge of its tip can be there (what else has such a normal is on the line of action, and touches). So the edge's path
+in the space is held against the root: trochoid or fillet, where the flank begins, and the root circle. Places are found
+in doubles; a distance is least there, so what a place is off counts by its square, and the distance itself is taken
+with its rounding bound.
+"""
+
+from math import pi
+
+from dynamics_cli.gear.flanks import ToothForm, _fillet_centre
+from dynamics_cli.gear.rounding import bare
+from dynamics_cli.numerics.elementary import absolute, acos, atan, atan2, cos, sin, sqrt
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    Vector = tuple[float, float]
+
+# Turns of the gear and places along the root at the first look; how many of the least places are looked at again.
+TURNS, PLACES, BEST = 721, 97, 4
+STEPS = 40
+
+
+class RootCurve:
+    """One side of a gear's space below its flank, in the space's frame: x along its middle, y ≥ 0."""
+
+    def __init__(self, form: ToothForm) -> None:
+        self.form = form
+        if form.internal:
+            self._fillet()
+        else:
+            assert form.cutter is not None
+            assert form.junction is not None
+            self.cutter = form.cutter
+            self.range = (0.5 * pi, bare(form.junction.direction))
+            self.end = form.form, pi / form.teeth - form.half_angle(form.junction.roll)
+
+    def _fillet(self) -> None:
+        form = self.form
+        centre, angle = _fillet_centre(form)
+        half = pi / form.teeth - angle
+        self.centre = centre * cos(half), centre * sin(half)
+        ratio = centre / form.base
+        # from the radius to the normal of the involute, which leans by the pressure angle of the centre
+        lean = 0.5 * pi - atan(sqrt((ratio - 1.0) * (ratio + 1.0)))
+        self.range = (bare(half), bare(half + lean))
+        self.end = form.form, form.half_angle(form.roll(form.form))
+
+    def at(self, theta: "Any") -> "tuple[Vector, Vector]":
+        """The point at θ, and the unit normal into the space."""
+        if self.form.internal:
+            way = cos(theta), sin(theta)
+            x, y = self.centre
+            return (x + self.form.fillet * way[0], y + self.form.fillet * way[1]), (-way[0], -way[1])
+        cutter = self.cutter
+        sine, cosine = sin(theta), cos(theta)
+        radius, excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
+        widening = sqrt(1.0 + excess * cosine * cosine)
+        xi = radius * sine - (cutter.corner_depth + cutter.tip_radius * sine / widening) / sine
+        across = radius * cosine
+        travel = cutter.corner_depth * cosine / sine - cutter.corner_offset
+        turn = (travel - cutter.tip_radius * excess * cosine / widening) / radius
+        # the curve leans by θ − turn; its point stands on its normal, ξ from where that is nearest the centre
+        sine, cosine = sin(theta - turn), cos(theta - turn)
+        module = self.form.module
+        point = module * (across * cosine + xi * sine), module * (across * sine - xi * cosine)
+        return point, (sine, -cosine)
+
+    def corner(self) -> "Vector":
+        """Where the flank begins."""
+        radius, angle = self.end
+        return radius * cos(angle), radius * sin(angle)
+
+
+class TipPath:
+    """The edge of a tooth's tip in the space that it turns through."""
+
+    def __init__(self, first: ToothForm, second: ToothForm, distance: float, play: float) -> None:
+        self.first = first
+        self.second = second
+        self.distance = distance
+        self.play = play
+        half = first.half_angle(first.roll(first.tip))
+        self.half = pi / first.teeth - half if first.internal else half
+        inside = first.internal or second.internal
+        self.ratio = (1.0 if inside else -1.0) * first.teeth / second.teeth
+
+    def at(self, turn: "Any", side: float) -> "tuple[Vector, Vector]":
+        """Where the edge is at an angle of its gear, and its velocity by that angle."""
+        angle = turn + side * self.half
+        along, across = self.first.tip * cos(angle), self.first.tip * sin(angle)
+        if self.first.internal:
+            x, y, way = along - self.distance, across, 1.0
+        elif self.second.internal:
+            x, y, way = along + self.distance, across, 1.0
+        else:
+            x, y, way = self.distance - along, -across, -1.0
+        back = self.ratio * turn + self.play
+        sine, cosine = sin(back), cos(back)
+        px, py = x * cosine + y * sine, y * cosine - x * sine
+        vx, vy = -way * across, way * along
+        # what its own gear does, less what the space does with it
+        return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
+
+    def reach(self) -> float:
+        """The angle to either side within which the edge is within the teeth of the other gear."""
+        first, second, a = self.first, self.second, self.distance
+        if first.internal or not second.internal:
+            cosine = (first.tip * first.tip + a * a - second.tip * second.tip) / (2.0 * first.tip * a)
+        else:
+            cosine = (second.tip * second.tip - first.tip * first.tip - a * a) / (2.0 * first.tip * a)
+        polar = pi if cosine <= -1.0 else 0.0 if cosine >= 1.0 else acos(cosine)
+        return min(pi, polar + self.half)
+
+
+def root_gap(first: ToothForm, second: ToothForm, distance: float, play: float, touch: float | None) -> float | None:
+    """The least distance of a tooth of `first` from the root of the space of `second` it turns through.
+
+    `play` is half the angle `second` can be turned by: the driving flanks touch. `touch` is the distance by design
+    from where the flank begins, where an involute of `first` gets so far. Negative ones are overlaps; None where the
+    tips stay beyond the form circle.
+    """
+    plain = TipPath(bare(first), bare(second), bare(distance), bare(play))
+    deepest = plain.distance + plain.first.tip if second.internal else absolute(plain.distance - plain.first.tip)
+    if (deepest < plain.second.form) if second.internal else (deepest > plain.second.form):
+        return None
+    path, curve = TipPath(first, second, distance, play), RootCurve(second)
+    found = [_tip_clearance(first, second, distance)]
+    if touch is not None:
+        found.append(touch)
+    found += [_distance(path, curve, *place) for place in _places(plain, RootCurve(plain.second))]
+    least = min(found, key=bare)
+    # whichever of nearly equal ones is least, their bounds hold together
+    worst = max(getattr(one, "error", 0.0) for one in found if bare(one - least) <= getattr(one, "error", 0.0))
+    return type(least)(least.value, worst, least.slopes) if hasattr(least, "slopes") else least
+
+
+def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> float:
+    if second.internal:
+        return second.root - distance - first.tip
+    return first.tip - distance - second.root if first.internal else distance - first.tip - second.root
+
+
+def _distance(path: TipPath, curve: RootCurve, turn: float, side: float, theta: "float | None", mirror: float) -> float:
+    """The distance at a place: along the normal of the root, or straight to where the flank begins."""
+    (x, y), _ = path.at(turn, side)
+    y = mirror * y
+    if theta is None:
+        px, py = curve.corner()
+        return sqrt((x - px) * (x - px) + (y - py) * (y - py))
+    (px, py), (nx, ny) = curve.at(theta)
+    return (x - px) * nx + (y - py) * ny
+
+
+def _places(path: TipPath, curve: RootCurve) -> "list[tuple[float, float, float | None, float]]":
+    """Angle, edge, place along the root (None: where the flank begins) and side of the least distances."""
+    import numpy as np
+
+    reach = path.reach()
+    turns = np.linspace(-reach, reach, TURNS)
+    thetas = np.linspace(*curve.range, PLACES)
+    (cx, cy), (nx, ny) = curve.at(thetas)
+    found = []
+    for side in (-1.0, 1.0):
+        (x, y), _ = path.at(turns, side)
+        away = np.hypot(x, y)
+        near = away > path.second.tip if path.second.internal else away < path.second.tip
+        dx, dy = x[:, None] - cx, np.abs(y)[:, None] - cy
+        far = np.hypot(dx, dy)
+        place = far.argmin(axis=1)
+        rows = np.arange(TURNS)
+        sign = np.where((dx * nx + dy * ny)[rows, place] < 0.0, -1.0, 1.0)
+        # an edge that is in the flank, not in the root, is another matter
+        last = place == PLACES - 1
+        gap = np.where(near & (~last | (sign > 0.0)), sign * far[rows, place], np.inf)
+        padded = np.concatenate(([np.inf], gap, [np.inf]))
+        least = np.flatnonzero((gap <= padded[:-2]) & (gap <= padded[2:]) & (gap < np.inf))
+        for row in least[np.argsort(gap[least], kind="stable")][:BEST]:
+            mirror = 1.0 if y[row] >= 0.0 else -1.0
+            start = float(turns[row]), float(thetas[place[row]])
+            step = float(turns[1] - turns[0])
+            found += [(turn, side, theta, mirror) for turn, theta in _refined(path, curve, start, step, side, mirror)]
+    return found
+
+
+def _refined(
+    path: TipPath, curve: RootCurve, start: "tuple[float, float]", step: float, side: float, mirror: float
+) -> "list[tuple[float, float | None]]":
+    """The angle and the place of a least distance near a first look at it."""
+
+    def towards(turn: float, theta: float) -> "tuple[float, float]":
+        """How far the edge is off the normal of the root, and its speed along that normal."""
+        (x, y), (u, v) = path.at(turn, side)
+        (px, py), (nx, ny) = curve.at(theta)
+        return (x - px) * ny - (mirror * y - py) * nx, u * nx + mirror * v * ny
+
+    def to_corner(turn: float) -> float:
+        (x, y), (u, v) = path.at(turn, side)
+        px, py = curve.corner()
+        return (x - px) * u + (mirror * y - py) * mirror * v
+
+    made: list[tuple[float, float | None]] = []
+    low, high = sorted(curve.range)
+    place = _newton(towards, start, (step, (high - low) / (PLACES - 1)))
+    if place is not None and low <= place[1] <= high and abs(place[0] - start[0]) < 4.0 * step:
+        made.append(place)
+    turn = _newton_of_one(to_corner, start[0], step)
+    if turn is not None and abs(turn - start[0]) < 4.0 * step:
+        (x, y), _ = path.at(turn, side)
+        px, py = curve.corner()
+        (_, _), (nx, ny) = curve.at(curve.range[1])
+        if (x - px) * nx + (mirror * y - py) * ny > 0.0:
+            made.append((turn, None))
+    return made
+
+
+def _newton_of_one(function: "Callable[[float], float]", x: float, step: float) -> "float | None":
+    """The root of a function near x by secants; None where they lead away."""
+    before, f_before = x - 1e-3 * step, function(x - 1e-3 * step)
+    for _ in range(STEPS):
+        value = function(x)
+        if value == f_before or value == 0.0:
+            return x
+        move = value * (x - before) / (value - f_before)
+        before, f_before, x = x, value, x - min(max(move, -step), step)
+        if abs(x - before) <= 1e-12:
+            return x
+    return None
+
+
+def _newton(
+    function: "Callable[[float, float], tuple[float, float]]", start: "tuple[float, float]",
+    steps: "tuple[float, float]",
+) -> "tuple[float, float] | None":  # fmt: skip
+    """The root of two functions of two numbers, slopes by differences; None where the steps lead away."""
+    x, y = start
+    hx, hy = 1e-4 * steps[0], 1e-4 * steps[1]
+    for _ in range(STEPS):
+        f, g = function(x, y)
+        fx, gx = (0.5 * (a - b) / hx for a, b in zip(function(x + hx, y), function(x - hx, y), strict=True))
+        fy, gy = (0.5 * (a - b) / hy for a, b in zip(function(x, y + hy), function(x, y - hy), strict=True))
+        slope = fx * gy - fy * gx
+        if slope == 0.0:
+            return None
+        dx, dy = (f * gy - g * fy) / slope, (g * fx - f * gx) / slope
+        cut = max(abs(dx) / steps[0], abs(dy) / steps[1], 1.0)
+        x, y = x - dx / cut, y - dy / cut
+        if abs(dx) <= 1e-10 and abs(dy) <= 1e-10:
+            return x, y
+    return None
