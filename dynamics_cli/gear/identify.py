@@ -5,6 +5,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.gear import SERIES_I, SERIES_II
 from dynamics_cli.gear.limits import plain
+from dynamics_cli.gear.rounding import rounded
 from dynamics_cli.gear.toothing import Toothing
 from dynamics_cli.numerics.elementary import absolute, cos, maximum, sin, sqrt
 from dynamics_cli.quantities import Angle, Coordinate, Count, Module, Ratio, Size, Text
@@ -274,11 +275,12 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, float, float]]":
     return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
-def _candidate(read: _Readings, name: str, module: float, degrees: float) -> Candidate:
-    """One of the chosen, in the numbers that were read."""
-    angle = degrees * pi / 180.0
+def _candidate(read: _Readings, name: str, size: float, degrees: float) -> Candidate:
+    """One of the chosen, in the numbers that were read: its standard size and angle are themselves rounded doubles."""
+    mean = read.mean()
+    module, angle = rounded(size, 2.0, mean), rounded(degrees * pi / 180.0, 3.0, mean)
     error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
-    shift = (read.mean() / module - read.bare(angle)) / (2.0 * sin(angle))
+    shift = (mean / module - read.bare(angle)) / (2.0 * sin(angle))
     off, addendum = _disagreement(read, module, degrees, shift, error)
     return Candidate(name, module, angle, shift, addendum, error, sqrt(off))
 

@@ -229,7 +229,7 @@ def mesh(
     )
     distance = carried(centre_distance)
     if distance is None:
-        distance = _without_backlash(*forms)
+        distance = without_backlash(*forms)
     bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
     return _proof(forms, distance, points, shown, bare_tips)
 
@@ -256,7 +256,7 @@ def forms_of(
     )
 
 
-def _without_backlash(first: ToothForm, second: ToothForm) -> float:
+def without_backlash(first: ToothForm, second: ToothForm) -> float:
     """The centre distance at which the flanks touch on both sides: thicknesses and pitch on the working circles."""
     sign = -1.0 if second.internal else 1.0
     if second.internal:

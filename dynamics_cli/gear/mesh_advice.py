@@ -37,6 +37,7 @@ def advice(
     clearances: tuple[float, float],
     first: ToothForm,
 ) -> tuple[Advice, ...]:
+    """What is wrong with a mesh, or has an end other than the tips'."""
     found = []
     if ratio < 1.0:
         found.append(
@@ -86,5 +87,6 @@ def advice(
 
 
 def tips_meet(overlap: float) -> tuple[Advice, ...]:
+    """That tips trim flanks off the line of action."""
     message = f"off the line of action the tips overlap the flanks they pass by {1e3 * overlap:.6g} mm"
     return (Advice("tip-interference", message, "serious", "shorten the tips, or make the tooth numbers differ more"),)

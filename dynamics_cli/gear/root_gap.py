@@ -11,18 +11,24 @@ from math import pi
 
 from dynamics_cli.gear.flanks import ToothForm, _fillet_centre
 from dynamics_cli.gear.rounding import bare
-from dynamics_cli.numerics.elementary import absolute, acos, atan, atan2, cos, sin, sqrt
+from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, sin, sqrt
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
     Vector = tuple[float, float]
 
 # Turns of the gear and places along the root at the first look; how many of the least places are looked at again.
-TURNS, PLACES, BEST = 721, 97, 4
-STEPS = 40
+TURNS, PLACES, BEST = 481, 49, 3
+# Steps of Newton's method for the nearest places at once and for one place, which may lead so many steps away.
+SHARPER, STEPS, FAR = 3, 40, 2.0
+# Modules beyond the form circle within which an edge is looked at: farther off it is farther from the root than that.
+BESIDE = 0.7
 
 
 class RootCurve:
@@ -37,6 +43,7 @@ class RootCurve:
             assert form.junction is not None
             self.cutter = form.cutter
             self.range = (0.5 * pi, bare(form.junction.direction))
+            self.forward = 1.0
             self.end = form.form, pi / form.teeth - form.half_angle(form.junction.roll)
 
     def _fillet(self) -> None:
@@ -48,6 +55,7 @@ class RootCurve:
         # from the radius to the normal of the involute, which leans by the pressure angle of the centre
         lean = 0.5 * pi - atan(sqrt((ratio - 1.0) * (ratio + 1.0)))
         self.range = (bare(half), bare(half + lean))
+        self.forward = -1.0
         self.end = form.form, form.half_angle(form.roll(form.form))
 
     def at(self, theta: "Any") -> "tuple[Vector, Vector]":
@@ -107,12 +115,14 @@ class TipPath:
         return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
 
     def reach(self) -> float:
-        """The angle to either side within which the edge is within the teeth of the other gear."""
+        """The angle to either side within which the edge may be near the root."""
         first, second, a = self.first, self.second, self.distance
-        if first.internal or not second.internal:
-            cosine = (first.tip * first.tip + a * a - second.tip * second.tip) / (2.0 * first.tip * a)
+        if second.internal:
+            edge = max(second.form - BESIDE * second.module, second.tip)
+            cosine = (edge * edge - first.tip * first.tip - a * a) / (2.0 * first.tip * a)
         else:
-            cosine = (second.tip * second.tip - first.tip * first.tip - a * a) / (2.0 * first.tip * a)
+            edge = min(second.form + BESIDE * second.module, second.tip)
+            cosine = (first.tip * first.tip + a * a - edge * edge) / (2.0 * first.tip * a)
         polar = pi if cosine <= -1.0 else 0.0 if cosine >= 1.0 else acos(cosine)
         return min(pi, polar + self.half)
 
@@ -161,34 +171,57 @@ def _places(path: TipPath, curve: RootCurve) -> "list[tuple[float, float, float 
     import numpy as np
 
     reach = path.reach()
-    turns = np.linspace(-reach, reach, TURNS)
-    thetas = np.linspace(*curve.range, PLACES)
-    (cx, cy), (nx, ny) = curve.at(thetas)
+    turns, thetas = np.linspace(-reach, reach, TURNS), np.linspace(*curve.range, PLACES)
     found = []
     for side in (-1.0, 1.0):
-        (x, y), _ = path.at(turns, side)
-        away = np.hypot(x, y)
-        near = away > path.second.tip if path.second.internal else away < path.second.tip
-        dx, dy = x[:, None] - cx, np.abs(y)[:, None] - cy
-        far = np.hypot(dx, dy)
-        place = far.argmin(axis=1)
-        rows = np.arange(TURNS)
-        sign = np.where((dx * nx + dy * ny)[rows, place] < 0.0, -1.0, 1.0)
-        # an edge that is in the flank, not in the root, is another matter
-        last = place == PLACES - 1
-        gap = np.where(near & (~last | (sign > 0.0)), sign * far[rows, place], np.inf)
+        gap, places, mirrored = _look(path, curve, turns, thetas, side)
         padded = np.concatenate(([np.inf], gap, [np.inf]))
         least = np.flatnonzero((gap <= padded[:-2]) & (gap <= padded[2:]) & (gap < np.inf))
         for row in least[np.argsort(gap[least], kind="stable")][:BEST]:
-            mirror = 1.0 if y[row] >= 0.0 else -1.0
-            start = float(turns[row]), float(thetas[place[row]])
-            step = float(turns[1] - turns[0])
-            found += [(turn, side, theta, mirror) for turn, theta in _refined(path, curve, start, step, side, mirror)]
+            mirror = -1.0 if mirrored[row] else 1.0
+            start, steps = (float(turns[row]), float(places[row])), (turns[1] - turns[0], thetas[1] - thetas[0])
+            found += [(turn, side, theta, mirror) for turn, theta in _refined(path, curve, start, steps, side, mirror)]
     return found
 
 
+def _look(
+    path: TipPath, curve: RootCurve, turns: "Array", thetas: "Array", side: float
+) -> "tuple[Array, Array, Array]":
+    """At each angle the distance from the root, the nearest place of it, and whether that is on the mirrored side."""
+    import numpy as np
+
+    (x, y), _ = path.at(turns, side)
+    mirrored, y = y < 0.0, np.abs(y)
+    (cx, cy), _ = curve.at(thetas)
+    theta = thetas[np.hypot(x[:, None] - cx, y[:, None] - cy).argmin(axis=1)]
+    low, high = sorted(curve.range)
+
+    def along(at: "Array") -> "Array":
+        (cx, cy), (nx, ny) = curve.at(at)
+        return (y - cy) * nx - (x - cx) * ny
+
+    small = 1e-4 * (thetas[1] - thetas[0])
+    for _ in range(SHARPER):
+        slope = (along(theta + small) - along(theta - small)) / (2.0 * small)
+        move = along(theta) / np.where(slope == 0.0, np.inf, slope)
+        theta = np.clip(theta - np.clip(move, -(high - low), high - low), low, high)
+    (cx, cy), (nx, ny) = curve.at(theta)
+    off = (x - cx) * nx + (y - cy) * ny
+    # an edge that is past the end of the root and in the flank is another matter
+    beyond = (theta == curve.range[1]) & (curve.forward * along(theta) > 0.0)
+    gap = np.where(beyond, np.where(off > 0.0, np.hypot(x - cx, y - cy), np.inf), off)
+    away = np.hypot(x, y)
+    near = away > path.second.tip if path.second.internal else away < path.second.tip
+    return np.where(near, gap, np.inf), theta, mirrored
+
+
 def _refined(
-    path: TipPath, curve: RootCurve, start: "tuple[float, float]", step: float, side: float, mirror: float
+    path: TipPath,
+    curve: RootCurve,
+    start: "tuple[float, float]",
+    steps: "tuple[float, float]",
+    side: float,
+    mirror: float,
 ) -> "list[tuple[float, float | None]]":
     """The angle and the place of a least distance near a first look at it."""
 
@@ -205,11 +238,11 @@ def _refined(
 
     made: list[tuple[float, float | None]] = []
     low, high = sorted(curve.range)
-    place = _newton(towards, start, (step, (high - low) / (PLACES - 1)))
-    if place is not None and low <= place[1] <= high and abs(place[0] - start[0]) < 4.0 * step:
+    place = _newton(towards, start, steps)
+    if place is not None and low <= place[1] <= high and abs(place[0] - start[0]) < FAR * steps[0]:
         made.append(place)
-    turn = _newton_of_one(to_corner, start[0], step)
-    if turn is not None and abs(turn - start[0]) < 4.0 * step:
+    turn = _newton_of_one(to_corner, start[0], steps[0])
+    if turn is not None and abs(turn - start[0]) < FAR * steps[0]:
         (x, y), _ = path.at(turn, side)
         px, py = curve.corner()
         (_, _), (nx, ny) = curve.at(curve.range[1])
