@@ -4,11 +4,9 @@ The frame: gear 1 at the origin, gear 2 at (a, 0); external gears lie side by si
 other. Everything is found from the profiles themselves, point by point, not from the formulas of the pair.
 """
 
-from math import pi
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.flanks import ToothForm
-from dynamics_cli.numerics.elementary import absolute, acos, atan2, sqrt
+from dynamics_cli.numerics.elementary import absolute, acos, atan2, pi_beside, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -63,8 +61,9 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
         code="centre-distance",
     )
     total = sqrt((distance - reach) * (distance + reach))
-    pitch = 2.0 * pi * first.base / first.teeth
-    other = 2.0 * pi * second.base / second.teeth
+    around = 2.0 * pi_beside(first.base)
+    pitch = around * first.base / first.teeth
+    other = around * second.base / second.teeth
     require(
         absolute(pitch - other) <= 1e-12 * pitch,
         "the base pitches differ: {0:.12g} mm and {1:.12g} mm",
@@ -153,7 +152,9 @@ def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
     length = first.base * (path.pressure_angle + first.half_base)
     if second.internal:
         return path.pressure_angle + second.half_base - (length + path.total) / second.base
-    return (path.total - length) / second.base - path.pressure_angle - second.half_base + pi / second.teeth
+    return (
+        (path.total - length) / second.base - path.pressure_angle - second.half_base + pi_beside(length) / second.teeth
+    )
 
 
 def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:

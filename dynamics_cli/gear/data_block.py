@@ -145,8 +145,8 @@ def data_block(
 
     Notes
     -----
-    Values are rounded, as a drawing has them, and each row's bound is half its last decimal with what the calculation
-    may be off; `gear helical` and `gear measure` have them in full.
+    Values are rounded, as a drawing has them, and each row's bound is what its decimals leave out with what the
+    calculation may be off; `gear helical` and `gear measure` have them in full.
 
     References
     ----------
@@ -270,10 +270,9 @@ class _Lines:
         self._decimal(item, symbol, _DEGREES * value, "", "deg")
 
     def _decimal(self, item: str, symbol: str, value: "Any", sign: str, unit: str) -> None:
-        """A number to so many decimals, and its bound: half the last one, what it was off, two roundings of units."""
+        """A number to so many decimals; its bound: what they leave out, what it was off, and changes of unit."""
         number = bare(value)
-        off = error_of(value) + 2.0 * UNIT_ROUNDOFF * abs(number)
-        self.bounds.append(
-            ErrorBound(f"rows[{len(self.rows)}].data", 0.5 * 10.0**-self.decimals * (1.0 + 1e-15) + off, relative=False)
-        )
-        self.word(item, symbol, f"{number:{sign}.{self.decimals}f}", unit)
+        text = f"{number:{sign}.{self.decimals}f}"
+        off = abs(float(text) - number) + error_of(value) + 4.0 * UNIT_ROUNDOFF * abs(number)
+        self.bounds.append(ErrorBound(f"rows[{len(self.rows)}].data", off, relative=False))
+        self.word(item, symbol, text, unit)

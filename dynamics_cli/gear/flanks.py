@@ -8,7 +8,7 @@ from math import ceil, pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.trochoid import Cutter, Root, root
-from dynamics_cli.numerics.elementary import atan, sqrt
+from dynamics_cli.numerics.elementary import atan, pi_beside, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -99,7 +99,7 @@ def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm
         tip=tip_radius,
         form=form,
         root=cutter.root_radius * module,
-        half_base=pi / cutter.teeth - cutter.space_half_angle,
+        half_base=pi_beside(module) / cutter.teeth - cutter.space_half_angle,
         cutter=cutter,
         junction=junction,
     )
@@ -152,7 +152,7 @@ def internal_form(
 def _with_tip(shape: ToothForm) -> ToothForm:
     half = shape.half_angle(shape.roll(shape.tip))
     if shape.internal:
-        half = pi / shape.teeth - half
+        half = pi_beside(half) / shape.teeth - half
     require(
         half > -_NO_LAND,
         "the teeth are pointed below their tips: half the tip angle would be {0:.6g} rad",
@@ -176,7 +176,7 @@ def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
         code="fillet",
         hint="give a smaller one",
     )
-    return centre, pi / shape.teeth - half
+    return centre, pi_beside(half) / shape.teeth - half
 
 
 @record

@@ -1,6 +1,6 @@
 """The proof of a mesh: both exact profiles turned through it, with what they really do."""
 
-from math import pi
+import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error, turning_bound
@@ -11,9 +11,9 @@ from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.mesh_advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
 from dynamics_cli.gear.profile import tooth_form
 from dynamics_cli.gear.room import flank_gap
-from dynamics_cli.gear.root_gap import root_gap
-from dynamics_cli.gear.rounding import bare, carried, error_of, share, width
-from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, tan
+from dynamics_cli.gear.root_gap import PLACED, least_places, root_gap
+from dynamics_cli.gear.rounding import bare, carried, error_of, in_many_digits, share, tighten, width
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, tan
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Text
@@ -28,6 +28,8 @@ ISO = Sign("iso")
 MOST_POINTS = 10_000_000
 # Chords of the sampled flanks overlap by less than this share of the module where they touch.
 TRIMS = 1e-4
+# Results whose bounds are shares of them; those of the others, differences, are lengths.
+SHARES = ("centre_distance", "working_pressure_angle", "contact_ratio", "nominal_contact_ratio")
 
 
 @record
@@ -206,32 +208,30 @@ def mesh(
     """
     require(points >= 2, "{0} points of contact prove nothing", points, code="points", hint="give 2 at least")
     require(points <= MOST_POINTS, "{0} points are too many", points, code="points")
-    forms = forms_of(
-        **carried(
-            {
-                "first_teeth": first_teeth,
-                "second_teeth": second_teeth,
-                "pitch": pitch,
-                "internal": internal,
-                "profile": profile,
-                "pressure_angle": pressure_angle,
-                "helix_angle": helix_angle,
-                "first_profile_shift": first_profile_shift,
-                "second_profile_shift": second_profile_shift,
-                "shift_sign": shift_sign,
-                "addendum_factor": addendum_factor,
-                "dedendum_factor": dedendum_factor,
-                "root_radius_factor": root_radius_factor,
-                "first_tip_diameter": first_tip_diameter,
-                "second_tip_diameter": second_tip_diameter,
-            }
-        )
+    given = {
+        "first_teeth": first_teeth,
+        "second_teeth": second_teeth,
+        "pitch": pitch,
+        "internal": internal,
+        "profile": profile,
+        "pressure_angle": pressure_angle,
+        "helix_angle": helix_angle,
+        "first_profile_shift": first_profile_shift,
+        "second_profile_shift": second_profile_shift,
+        "shift_sign": shift_sign,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "first_tip_diameter": first_tip_diameter,
+        "second_tip_diameter": second_tip_diameter,
+    }
+    known = _Known(carried(given), carried(centre_distance))
+    tighten(
+        known.numbers(),
+        lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places).numbers(),
     )
-    distance = carried(centre_distance)
-    if distance is None:
-        distance = without_backlash(*forms)
     bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
-    return _proof(forms, distance, points, shown, bare_tips)
+    return _proof(known, points, shown, bare_tips)
 
 
 def forms_of(
@@ -259,10 +259,9 @@ def forms_of(
 def without_backlash(first: ToothForm, second: ToothForm) -> float:
     """The centre distance at which the flanks touch on both sides: thicknesses and pitch on the working circles."""
     sign = -1.0 if second.internal else 1.0
-    if second.internal:
-        value = (second.teeth * second.half_base - first.teeth * first.half_base) / (second.teeth - first.teeth)
-    else:
-        value = (first.teeth * first.half_base + second.teeth * second.half_base - pi) / (first.teeth + second.teeth)
+    total = first.teeth + sign * second.teeth
+    thick = first.teeth * first.half_base + sign * (second.teeth * second.half_base)
+    value = (thick if second.internal else thick - pi_beside(thick)) / total
     require(
         value >= 0.0,
         "inv α_w would be {0:.6g}: these gears cannot mesh without backlash",
@@ -284,16 +283,12 @@ def _require_contact(path: Path) -> None:
     )
 
 
-def _proof(
-    carried_forms: tuple[ToothForm, ToothForm], distance: float, points: int, shown: int, bare_tips: bool
-) -> MeshProof:
-    """The proof, of forms whose numbers carry rounding bounds; turned in plain doubles."""
+def _proof(known: "_Known", points: int, shown: int, bare_tips: bool) -> MeshProof:
+    """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
     import numpy as np
 
-    path = path_of_contact(*carried_forms, distance)
-    _require_contact(path)
-    known = _Known(*carried_forms, distance, path)
-    first, second, apart, plain = bare(carried_forms[0]), bare(carried_forms[1]), bare(distance), bare(path)
+    first, second, plain = bare(known.first), bare(known.second), bare(known.path)
+    apart = bare(known.results["centre_distance"])
     lengths, error = transmission_error(first, second, apart, plain, points)
     worst = float(np.max(np.abs(error)))
     jammed = max(0.0, -bare(known.backlash))
@@ -330,11 +325,19 @@ def _proof(
 class _Known:
     """What is known of a mesh in closed form, in numbers that carry rounding bounds."""
 
-    def __init__(self, first: ToothForm, second: ToothForm, distance: float, path: Path) -> None:
+    def __init__(
+        self, given: "dict[str, Any]", distance: "float | None", places: "tuple[Any, Any] | None" = None
+    ) -> None:
+        first, second = forms_of(**given)
+        if distance is None:
+            distance = without_backlash(first, second)
+        path = path_of_contact(first, second, distance)
+        _require_contact(path)
         self.first, self.second, self.path = first, second, path
         play = half_play(first, second, path)
         self.backlash = 2.0 * play * second.base
         self.play = maximum(play, 0.0)
+        self.pitch_point = first.base * tan(path.pressure_angle)
         clearances = _tip_clearances(first, second, distance)
         self.results = {
             "centre_distance": distance,
@@ -345,11 +348,28 @@ class _Known:
             "first_tip_clearance": clearances[0],
             "second_tip_clearance": clearances[1],
         }
+        self._gaps(distance, places)
+
+    def _gaps(self, distance: float, places: "tuple[Any, Any] | None") -> None:
+        first, second, path = self.first, self.second, self.path
+        turned = self.play * (second.teeth / first.teeth)
+        if places is None:
+            one, two, apart = bare(first), bare(second), bare(distance)
+            places = least_places(one, two, apart, bare(self.play)), least_places(two, one, apart, bare(turned))
+        self.places = places
         # where an involute gets to where the other begins, they touch there by design, or jam
         touch = minimum(0.5 * self.backlash, 0.0)
-        self.inward = root_gap(first, second, distance, self.play, touch if path.end < path.tip_end else None)
-        turned = self.play * (second.teeth / first.teeth)
-        self.outward = root_gap(second, first, distance, turned, touch if path.start > path.tip_start else None)
+        ends, begins = touch if path.end < path.tip_end else None, touch if path.start > path.tip_start else None
+        into, out = places
+        self.inward = None if into is None else root_gap(first, second, distance, self.play, ends, into)
+        self.outward = None if out is None else root_gap(second, first, distance, turned, begins, out)
+
+    def numbers(self) -> "list[tuple[Any, float]]":
+        """Every number whose bound is stated, and the size that it is a difference of."""
+        path, module = self.path, bare(self.first.module)
+        sizes = [(value, 0.0 if name in SHARES else module) for name, value in self.results.items()]
+        lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
+        return sizes + [(value, module) for value in (self.inward, self.outward, *lengths)]
 
 
 def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
@@ -380,31 +400,27 @@ def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, er
 
 def _numerics(known: _Known, plain: Path, turning: float) -> Numerics:
     """The bounds: of lengths and ratios as shares of them, of differences in metres."""
-    differences = ("backlash", "first_tip_clearance", "second_tip_clearance")
-    bounds = [
-        width(name, value) if name in differences else share(name, value) for name, value in known.results.items()
-    ]
-    for name, gap in (("first_in_second", known.inward), ("second_in_first", known.outward)):
-        if gap is not None:
-            bounds.append(width(name, gap))
+    bounds = [share(name, value) if name in SHARES else width(name, value) for name, value in known.results.items()]
     path, first, second = known.path, known.first, known.second
+    placed = PLACED * UNIT_ROUNDOFF * bare(first.module)
+    gaps = {"first_in_second": known.inward, "second_in_first": known.outward}
+    bounds += [width(name, gap, placed) for name, gap in gaps.items() if gap is not None]
     # points stand at equal steps from the start of contact to its end
     ends = max(error_of(path.start), error_of(path.end)) + 4.0 * UNIT_ROUNDOFF * max(abs(plain.start), abs(plain.end))
-    pitch_point = first.base * tan(path.pressure_angle)
-    other = ends + error_of(path.total) + UNIT_ROUNDOFF * (plain.total + abs(plain.end))
+    longest = plain.total + plain.end if second.internal else plain.total - plain.start
+    other = ends + error_of(path.total) + UNIT_ROUNDOFF * longest
     bounds += (
         # they are none at all; what is found is rounding
         ErrorBound("transmission_error", turning, relative=False),
-        width("path.along", pitch_point, ends + UNIT_ROUNDOFF * max(plain.end, bare(pitch_point))),
+        width("path.along", known.pitch_point, ends + UNIT_ROUNDOFF * max(plain.end, bare(known.pitch_point))),
         ErrorBound("path.first_diameter", _diameter_bound(first.base, plain.end, ends), relative=False),
-        ErrorBound(
-            "path.second_diameter", _diameter_bound(second.base, plain.total + plain.end, other), relative=False
-        ),
+        ErrorBound("path.second_diameter", _diameter_bound(second.base, longest, other), relative=False),
         ErrorBound("path.error", turning, relative=False),
     )
     return Numerics("closed forms that carry rounding bounds; profiles turned point by point", tuple(bounds))
 
 
 def _diameter_bound(base: float, length: float, error: float) -> float:
-    """Of 2·√(r_b² + l²), by the largest l."""
-    return 2.0 * (error_of(base) + error + 2.0 * UNIT_ROUNDOFF * (bare(base) + abs(length)))
+    """Of 2·√(r_b² + l²), by the largest l, of which it grows by 2 l/d."""
+    radius = math.hypot(bare(base), length)
+    return 2.0 * (error_of(base) + error * abs(length) / radius + 1.5 * UNIT_ROUNDOFF * radius)

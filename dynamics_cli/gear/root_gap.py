@@ -7,49 +7,66 @@ in doubles; a distance is least there, so what a place is off counts by its squa
 with its rounding bound.
 """
 
+import math
 from math import pi
 
 from dynamics_cli.gear.flanks import ToothForm, _fillet_centre
-from dynamics_cli.gear.rounding import bare
-from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, sin, sqrt
+from dynamics_cli.gear.rounding import bare, error_of, like
+from dynamics_cli.numerics import elementary
+from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, pi_beside, sin, sqrt
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from typing import Any
 
     from numpy.typing import NDArray
 
     Array = NDArray[Any]
     Vector = tuple[float, float]
+    # Angle of the gear, which edge, place along the root (None: where the flank begins), and which side of the space.
+    Place = tuple[float, float, float | None, float]
 
 # Turns of the gear and places along the root at the first look; how many of the least places are looked at again.
 TURNS, PLACES, BEST = 481, 49, 3
 # Steps of Newton's method for the nearest places at once and for one place, which may lead so many steps away.
 SHARPER, STEPS, FAR = 3, 40, 2.0
+# Angles are found to the first of these, or where rounding hides it to the second: a distance is off by the square.
+SHARP, BLUNT = 1e-13, 1e-10
+# What that may be, in half last bits of the module.
+PLACED = 1e-2
 # Modules beyond the form circle within which an edge is looked at: farther off it is farther from the root than that.
 BESIDE = 0.7
 
 
 class RootCurve:
-    """One side of a gear's space below its flank, in the space's frame: x along its middle, y ≥ 0."""
+    """One side of a gear's space below its flank, in the space's frame: x along its middle, y ≥ 0.
 
-    def __init__(self, form: ToothForm) -> None:
+    `functions` has the elementary functions for the numbers that it is asked with.
+    """
+
+    def __init__(self, form: ToothForm, functions: "Any" = elementary) -> None:
         self.form = form
+        self.functions = functions
         if form.internal:
             self._fillet()
         else:
-            assert form.cutter is not None
-            assert form.junction is not None
-            self.cutter = form.cutter
-            self.range = (0.5 * pi, bare(form.junction.direction))
-            self.forward = 1.0
-            self.end = form.form, pi / form.teeth - form.half_angle(form.junction.roll)
+            self._trochoid()
+
+    def _trochoid(self) -> None:
+        form, cutter, junction = self.form, self.form.cutter, self.form.junction
+        assert cutter is not None
+        assert junction is not None
+        self.radius, self.excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
+        self.depth, self.offset, self.rounding = cutter.corner_depth, cutter.corner_offset, cutter.tip_radius
+        self.range = (0.5 * pi, bare(junction.direction))
+        self.forward = 1.0
+        self.end = form.form, pi_beside(form.half_base) / form.teeth - form.half_angle(junction.roll)
 
     def _fillet(self) -> None:
         form = self.form
         centre, angle = _fillet_centre(form)
-        half = pi / form.teeth - angle
+        half = pi_beside(angle) / form.teeth - angle
         self.centre = centre * cos(half), centre * sin(half)
         ratio = centre / form.base
         # from the radius to the normal of the involute, which leans by the pressure angle of the centre
@@ -60,18 +77,16 @@ class RootCurve:
 
     def at(self, theta: "Any") -> "tuple[Vector, Vector]":
         """The point at θ, and the unit normal into the space."""
-        if self.form.internal:
-            way = cos(theta), sin(theta)
-            x, y = self.centre
-            return (x + self.form.fillet * way[0], y + self.form.fillet * way[1]), (-way[0], -way[1])
-        cutter = self.cutter
+        sin, cos, sqrt = self.functions.sin, self.functions.cos, self.functions.sqrt
         sine, cosine = sin(theta), cos(theta)
-        radius, excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
-        widening = sqrt(1.0 + excess * cosine * cosine)
-        xi = radius * sine - (cutter.corner_depth + cutter.tip_radius * sine / widening) / sine
-        across = radius * cosine
-        travel = cutter.corner_depth * cosine / sine - cutter.corner_offset
-        turn = (travel - cutter.tip_radius * excess * cosine / widening) / radius
+        if self.form.internal:
+            x, y = self.centre
+            return (x + self.form.fillet * cosine, y + self.form.fillet * sine), (-cosine, -sine)
+        widening = sqrt(1.0 + self.excess * cosine * cosine)
+        xi = self.radius * sine - (self.depth + self.rounding * sine / widening) / sine
+        across = self.radius * cosine
+        travel = self.depth * cosine / sine - self.offset
+        turn = (travel - self.rounding * self.excess * cosine / widening) / self.radius
         # the curve leans by θ − turn; its point stands on its normal, ξ from where that is nearest the centre
         sine, cosine = sin(theta - turn), cos(theta - turn)
         module = self.form.module
@@ -81,24 +96,29 @@ class RootCurve:
     def corner(self) -> "Vector":
         """Where the flank begins."""
         radius, angle = self.end
-        return radius * cos(angle), radius * sin(angle)
+        return radius * self.functions.cos(angle), radius * self.functions.sin(angle)
 
 
 class TipPath:
     """The edge of a tooth's tip in the space that it turns through."""
 
-    def __init__(self, first: ToothForm, second: ToothForm, distance: float, play: float) -> None:
+    def __init__(
+        self, first: ToothForm, second: ToothForm, distance: float, play: float, functions: "Any" = elementary
+    ) -> None:
+        self.functions = functions
         self.first = first
         self.second = second
         self.distance = distance
         self.play = play
         half = first.half_angle(first.roll(first.tip))
-        self.half = pi / first.teeth - half if first.internal else half
+        self.half = pi_beside(half) / first.teeth - half if first.internal else half
         inside = first.internal or second.internal
-        self.ratio = (1.0 if inside else -1.0) * first.teeth / second.teeth
+        self.way = 1.0 if inside else -1.0
+        self.ratio = self.way * first.teeth / second.teeth
 
     def at(self, turn: "Any", side: float) -> "tuple[Vector, Vector]":
         """Where the edge is at an angle of its gear, and its velocity by that angle."""
+        sin, cos = self.functions.sin, self.functions.cos
         angle = turn + side * self.half
         along, across = self.first.tip * cos(angle), self.first.tip * sin(angle)
         if self.first.internal:
@@ -107,7 +127,8 @@ class TipPath:
             x, y, way = along + self.distance, across, 1.0
         else:
             x, y, way = self.distance - along, -across, -1.0
-        back = self.ratio * turn + self.play
+        # in this order: of doubles that stand for exact angles nothing is rounded away in other numbers
+        back = self.way * turn * self.first.teeth / self.second.teeth + self.play
         sine, cosine = sin(back), cos(back)
         px, py = x * cosine + y * sine, y * cosine - x * sine
         vx, vy = -way * across, way * along
@@ -127,26 +148,44 @@ class TipPath:
         return min(pi, polar + self.half)
 
 
-def root_gap(first: ToothForm, second: ToothForm, distance: float, play: float, touch: float | None) -> float | None:
+def root_gap(
+    first: ToothForm,
+    second: ToothForm,
+    distance: float,
+    play: float,
+    touch: "float | None",
+    places: "tuple[Place, ...]",
+) -> float:
     """The least distance of a tooth of `first` from the root of the space of `second` it turns through.
 
     `play` is half the angle `second` can be turned by: the driving flanks touch. `touch` is the distance by design
-    from where the flank begins, where an involute of `first` gets so far. Negative ones are overlaps; None where the
-    tips stay beyond the form circle.
+    from where the flank begins, where an involute of `first` gets so far. Negative ones are overlaps.
     """
-    plain = TipPath(bare(first), bare(second), bare(distance), bare(play))
-    deepest = plain.distance + plain.first.tip if second.internal else absolute(plain.distance - plain.first.tip)
-    if (deepest < plain.second.form) if second.internal else (deepest > plain.second.form):
-        return None
     path, curve = TipPath(first, second, distance, play), RootCurve(second)
-    found = [_tip_clearance(first, second, distance)]
+    found = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
     if touch is not None:
         found.append(touch)
-    found += [_distance(path, curve, *place) for place in _places(plain, RootCurve(plain.second))]
     least = min(found, key=bare)
     # whichever of nearly equal ones is least, their bounds hold together
-    worst = max(getattr(one, "error", 0.0) for one in found if bare(one - least) <= getattr(one, "error", 0.0))
+    worst = max(error_of(one) for one in found if bare(one - least) <= error_of(one))
     return type(least)(least.value, worst, least.slopes) if hasattr(least, "slopes") else least
+
+
+def least_places(first: ToothForm, second: ToothForm, distance: float, play: float) -> "tuple[Place, ...] | None":
+    """Where the least distances are, in doubles; None where the tips stay beyond the form circle."""
+    import numpy as np
+
+    deepest = distance + first.tip if second.internal else absolute(distance - first.tip)
+    if (deepest < second.form) if second.internal else (deepest > second.form):
+        return None
+    both = TipPath(first, second, distance, play, np), RootCurve(second, np)
+    path, curve = TipPath(first, second, distance, play, math), RootCurve(second, math)
+    # without backlash one side is the mirror image of the other
+    sides = (-1.0, 1.0) if play > 0.0 else (1.0,)
+    found = [place for side in sides for place in _places(both, path, curve, side)]
+    gaps = [_distance(path, curve, *place) for place in found]
+    nearly = min(gaps, default=0.0) + 1e-9 * second.module
+    return tuple(place for place, gap in zip(found, gaps, strict=True) if gap <= nearly)
 
 
 def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> float:
@@ -157,31 +196,33 @@ def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> floa
 
 def _distance(path: TipPath, curve: RootCurve, turn: float, side: float, theta: "float | None", mirror: float) -> float:
     """The distance at a place: along the normal of the root, or straight to where the flank begins."""
-    (x, y), _ = path.at(turn, side)
+    (x, y), _ = path.at(like(turn, path.play), side)
     y = mirror * y
     if theta is None:
         px, py = curve.corner()
         return sqrt((x - px) * (x - px) + (y - py) * (y - py))
-    (px, py), (nx, ny) = curve.at(theta)
+    (px, py), (nx, ny) = curve.at(like(theta, path.play))
     return (x - px) * nx + (y - py) * ny
 
 
-def _places(path: TipPath, curve: RootCurve) -> "list[tuple[float, float, float | None, float]]":
-    """Angle, edge, place along the root (None: where the flank begins) and side of the least distances."""
+def _places(both: "tuple[TipPath, RootCurve]", path: TipPath, curve: RootCurve, side: float) -> "Iterator[Place]":
+    """The least distances of one edge, from a look at many angles at once (`both` take arrays)."""
     import numpy as np
 
     reach = path.reach()
     turns, thetas = np.linspace(-reach, reach, TURNS), np.linspace(*curve.range, PLACES)
-    found = []
-    for side in (-1.0, 1.0):
-        gap, places, mirrored = _look(path, curve, turns, thetas, side)
-        padded = np.concatenate(([np.inf], gap, [np.inf]))
-        least = np.flatnonzero((gap <= padded[:-2]) & (gap <= padded[2:]) & (gap < np.inf))
-        for row in least[np.argsort(gap[least], kind="stable")][:BEST]:
-            mirror = -1.0 if mirrored[row] else 1.0
-            start, steps = (float(turns[row]), float(places[row])), (turns[1] - turns[0], thetas[1] - thetas[0])
-            found += [(turn, side, theta, mirror) for turn, theta in _refined(path, curve, start, steps, side, mirror)]
-    return found
+    gap, places, mirrored = _look(*both, turns, thetas, side)
+    padded = np.concatenate(([np.inf], gap, [np.inf]))
+    least = np.flatnonzero((gap <= padded[:-2]) & (gap <= padded[2:]) & (gap < np.inf))
+    for row in least[np.argsort(gap[least], kind="stable")][:BEST]:
+        mirror = -1.0 if mirrored[row] else 1.0
+        start, steps = (turns[row], places[row]), (turns[1] - turns[0], thetas[1] - thetas[0])
+        for turn, theta in _refined(path, curve, _floats(start), _floats(steps), side, mirror):
+            yield turn, side, theta, mirror
+
+
+def _floats(two: "tuple[Any, Any]") -> "tuple[float, float]":
+    return float(two[0]), float(two[1])
 
 
 def _look(
@@ -260,7 +301,7 @@ def _newton_of_one(function: "Callable[[float], float]", x: float, step: float) 
             return x
         move = value * (x - before) / (value - f_before)
         before, f_before, x = x, value, x - min(max(move, -step), step)
-        if abs(x - before) <= 1e-12:
+        if abs(x - before) <= SHARP:
             return x
     return None
 
@@ -282,6 +323,6 @@ def _newton(
         dx, dy = (f * gy - g * fy) / slope, (g * fx - f * gx) / slope
         cut = max(abs(dx) / steps[0], abs(dy) / steps[1], 1.0)
         x, y = x - dx / cut, y - dy / cut
-        if abs(dx) <= 1e-10 and abs(dy) <= 1e-10:
+        if abs(dx) <= SHARP and abs(dy) <= SHARP:
             return x, y
-    return None
+    return (x, y) if abs(dx) <= BLUNT and abs(dy) <= BLUNT else None
