@@ -72,14 +72,12 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
         code="base-pitch",
         hint="both gears need one module and one pressure angle",
     )
-    tip_end = first.base * first.roll(first.tip)
-    form_start = first.base * _form_roll(first)
+    tip_end, form_start = first.length(first.tip), _form_length(first)
     if second.internal:
-        tip_start = total_of_internal(second.base * second.roll(second.tip), total)
-        form_end = total_of_internal(second.base * second.roll(second.form), total)
+        tip_start = total_of_internal(second.length(second.tip), total)
+        form_end = total_of_internal(second.length(second.form), total)
     else:
-        tip_start = total - second.base * second.roll(second.tip)
-        form_end = total - second.base * _form_roll(second)
+        tip_start, form_end = total - second.length(second.tip), total - _form_length(second)
     return Path(
         start=max(tip_start, form_start),
         end=min(tip_end, form_end),
@@ -96,8 +94,8 @@ def total_of_internal(length: float, total: float) -> float:
     return length - total
 
 
-def _form_roll(form: ToothForm) -> float:
-    return form.junction.roll if form.junction is not None else form.roll(form.form)
+def _form_length(form: ToothForm) -> float:
+    return form.base * form.junction.roll if form.junction is not None else form.length(form.form)
 
 
 def transmission_error(

@@ -68,10 +68,13 @@ class ToothForm:
     junction: Root | None = None
     fillet: float = 0.0
 
+    def length(self, radius: float) -> float:
+        """Length of the line of action from the base circle to a radius."""
+        return sqrt((radius - self.base) * (radius + self.base))
+
     def roll(self, radius: float) -> float:
         """Roll angle t of the involute at a radius."""
-        ratio = radius / self.base
-        return sqrt((ratio - 1.0) * (ratio + 1.0))
+        return self.length(radius) / self.base
 
     def half_angle(self, roll: float) -> float:
         """Half the angle of the tooth (of the space of an internal gear) where the involute has this roll angle."""

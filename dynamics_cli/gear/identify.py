@@ -5,9 +5,9 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.gear import SERIES_I, SERIES_II
 from dynamics_cli.gear.limits import plain
-from dynamics_cli.gear.rounding import rounded
+from dynamics_cli.gear.rounding import like
 from dynamics_cli.gear.toothing import Toothing
-from dynamics_cli.numerics.elementary import absolute, cos, maximum, sin, sqrt
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, sin, sqrt
 from dynamics_cli.quantities import Angle, Coordinate, Count, Module, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
@@ -16,13 +16,11 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
-INCH = 0.0254
 SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
 DIAMETRAL_PITCHES = (
     1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
     32, 36, 40, 44, 48, 56, 64, 72, 80, 96, 120,
 )  # fmt: skip
-ADDENDA = (1.0, 0.8)
 COMMON_SHIFT = 1.0
 
 
@@ -210,11 +208,13 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
     return pitch, 2.0 * reading / steps
 
 
-def _sizes() -> "Iterator[tuple[str, float]]":
+def _sizes() -> "Iterator[tuple[str, int, int]]":
+    """Name, and the module in metres as a fraction."""
     for module in (*SMALL_MODULES, *SERIES_I, *SERIES_II):
-        yield f"module {module:g}", 1e-3 * module
+        # none has more than three decimals of a millimetre
+        yield f"module {module:g}", round(1000 * module), 1_000_000
     for diametral in DIAMETRAL_PITCHES:
-        yield f"{diametral:g} DP", INCH / diametral
+        yield f"{diametral:g} DP", 2540, round(100_000 * diametral)
 
 
 class _Readings:
@@ -249,44 +249,46 @@ class _Readings:
         """The same mean of a gear of module one without shift: m times this, and 2 x m sin α more, is a span."""
         from dynamics_cli.gear.sizes import span_length
 
-        unit = Toothing(self.teeth, False, 1.0, angle, self.helix_angle, 0.0, 1.0, 1.0)
+        unit = Toothing(self.teeth, False, like(1.0, angle), angle, self.helix_angle, 0.0, 1.0, 1.0)
         return sum(span_length(unit, one.over) for one in self.spans) / len(self.spans)
 
 
-def _chosen(read: _Readings) -> "list[tuple[float, str, float, float]]":
-    """What fits, best first: disagreement, name, module, and pressure angle in degrees."""
+def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
+    """What fits, best first: disagreement, name, module as a fraction, and pressure angle in degrees."""
     found = []
-    mean = read.mean()
+    mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
         angle = degrees * pi / 180.0
         bare = read.bare(angle)
-        for name, module in _sizes():
+        for name, *size in sizes:
+            module = size[0] / size[1]
             error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
             if error is not None and abs(error) > 6.0 * read.room:
                 continue
             shift = (mean / module - bare) / (2.0 * sin(angle))
             if abs(shift) > 2.5:
                 continue
-            off, _ = _disagreement(read, module, degrees, shift, error)
+            off, _ = _disagreement(read, module, angle, degrees, shift, error)
             if off < 1e4:
-                found.append((sqrt(off), name, module, degrees))
+                found.append((sqrt(off), name, (size[0], size[1]), degrees))
     # of equal ones the size listed first
-    order = {name: place for place, (name, _) in enumerate(_sizes())}
+    order = {name: place for place, (name, *_) in enumerate(sizes)}
     return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
-def _candidate(read: _Readings, name: str, size: float, degrees: float) -> Candidate:
-    """One of the chosen, in the numbers that were read: its standard size and angle are themselves rounded doubles."""
+def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
+    """One of the chosen, in the numbers that were read: of its standard size and angle doubles are rounded too."""
     mean = read.mean()
-    module, angle = rounded(size, 2.0, mean), rounded(degrees * pi / 180.0, 3.0, mean)
-    error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
+    module = like(float(size[0]), mean) / float(size[1])
+    angle = like(degrees, mean) * pi_beside(mean) / 180.0
+    error = None if read.pitch is None else read.pitch - pi_beside(mean) * module * cos(angle)
     shift = (mean / module - read.bare(angle)) / (2.0 * sin(angle))
-    off, addendum = _disagreement(read, module, degrees, shift, error)
+    off, addendum = _disagreement(read, module, angle, degrees, shift, error)
     return Candidate(name, module, angle, shift, addendum, error, sqrt(off))
 
 
 def _disagreement(
-    read: _Readings, module: float, degrees: float, shift: float, error: float | None
+    read: _Readings, module: float, angle: float, degrees: float, shift: float, error: float | None
 ) -> tuple[float, float | None]:
     """The square of how far a candidate is off, and its addendum."""
     off = 0.0 if error is None else error * error / (read.room * read.room)
@@ -294,11 +296,11 @@ def _disagreement(
     off = off + 0.2 * shift * shift + 25.0 * beyond * beyond
     addendum = None
     if read.tip_diameter is not None:
-        sine = sin(degrees * pi / 180.0)
         addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
-        known = 3.0 * read.reading / module / (2.0 * sine) + 0.02
-        away = [(addendum - usual) / known for usual in ADDENDA]
-        off = off + min(one * one + (0.25 if usual != 1.0 else 0.0) for one, usual in zip(away, ADDENDA, strict=True))
+        known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
+        # of full depth, or a stub's 4/5
+        full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
+        off = off + minimum(full * full, stub * stub + 0.25)
     # what is rare counts a little
     return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
 

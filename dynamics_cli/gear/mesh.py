@@ -1,7 +1,5 @@
 """The proof of a mesh: both exact profiles turned through it, with what they really do."""
 
-import math
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error, turning_bound
 from dynamics_cli.gear.door import gear_of
@@ -9,15 +7,15 @@ from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.mesh_advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
+from dynamics_cli.gear.mesh_bounds import mesh_numerics
 from dynamics_cli.gear.profile import tooth_form
 from dynamics_cli.gear.room import flank_gap
-from dynamics_cli.gear.root_gap import PLACED, least_places, root_gap
-from dynamics_cli.gear.rounding import bare, carried, error_of, in_many_digits, share, tighten, width
+from dynamics_cli.gear.root_gap import least_places, root_gap
+from dynamics_cli.gear.rounding import bare, carried, in_digits, in_many_digits, tighten
 from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, tan
 from dynamics_cli.numerics.involute import inverse_involute
-from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Text
-from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, Columns, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,8 +26,6 @@ ISO = Sign("iso")
 MOST_POINTS = 10_000_000
 # Chords of the sampled flanks overlap by less than this share of the module where they touch.
 TRIMS = 1e-4
-# Results whose bounds are shares of them; those of the others, differences, are lengths.
-SHARES = ("centre_distance", "working_pressure_angle", "contact_ratio", "nominal_contact_ratio")
 
 
 @record
@@ -226,12 +222,11 @@ def mesh(
         "second_tip_diameter": second_tip_diameter,
     }
     known = _Known(carried(given), carried(centre_distance))
-    tighten(
-        known.numbers(),
-        lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places).numbers(),
-    )
+    exact = in_digits(lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places))
+    if exact is not None:
+        tighten(known.numbers(), exact.numbers())
     bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
-    return _proof(known, points, shown, bare_tips)
+    return _proof(known, exact, points, shown, bare_tips)
 
 
 def forms_of(
@@ -283,7 +278,7 @@ def _require_contact(path: Path) -> None:
     )
 
 
-def _proof(known: "_Known", points: int, shown: int, bare_tips: bool) -> MeshProof:
+def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
     """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
     import numpy as np
 
@@ -303,6 +298,8 @@ def _proof(known: "_Known", points: int, shown: int, bare_tips: bool) -> MeshPro
     room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
     runs = found["contact_ratio"] >= 1.0 and found["backlash"] >= -EXACT * apart and room and not trims
     picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
+    path = _points(first, second, plain, lengths[picks], error[picks])
+    shares = len(lengths) - 1, picks.tolist()
     notes = tip_notes(first, second, apart) if bare_tips else ()
     return MeshProof(
         **found,
@@ -313,12 +310,12 @@ def _proof(known: "_Known", points: int, shown: int, bare_tips: bool) -> MeshPro
         first_in_second=bare(known.inward),
         second_in_first=bare(known.outward),
         runs=runs,
-        path=_points(first, second, plain, lengths[picks], error[picks]),
+        path=path,
         checks=(Check("conjugate action", worst <= EXACT, worst, EXACT),),
         advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
-        numerics=_numerics(known, plain, turning_bound(first, second, plain)),
+        numerics=mesh_numerics(known, exact, turning_bound(first, second, plain), path.arrays, shares),
     )
 
 
@@ -364,12 +361,11 @@ class _Known:
         self.inward = None if into is None else root_gap(first, second, distance, self.play, ends, into)
         self.outward = None if out is None else root_gap(second, first, distance, turned, begins, out)
 
-    def numbers(self) -> "list[tuple[Any, float]]":
-        """Every number whose bound is stated, and the size that it is a difference of."""
-        path, module = self.path, bare(self.first.module)
-        sizes = [(value, 0.0 if name in SHARES else module) for name, value in self.results.items()]
+    def numbers(self) -> "list[Any]":
+        """Every number whose bound is stated or goes into one."""
+        path = self.path
         lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
-        return sizes + [(value, module) for value in (self.inward, self.outward, *lengths)]
+        return [*self.results.values(), self.inward, self.outward, *lengths]
 
 
 def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
@@ -396,31 +392,3 @@ def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, er
         second_diameter=2.0 * np.hypot(second.base, other),
         error=error,
     )
-
-
-def _numerics(known: _Known, plain: Path, turning: float) -> Numerics:
-    """The bounds: of lengths and ratios as shares of them, of differences in metres."""
-    bounds = [share(name, value) if name in SHARES else width(name, value) for name, value in known.results.items()]
-    path, first, second = known.path, known.first, known.second
-    placed = PLACED * UNIT_ROUNDOFF * bare(first.module)
-    gaps = {"first_in_second": known.inward, "second_in_first": known.outward}
-    bounds += [width(name, gap, placed) for name, gap in gaps.items() if gap is not None]
-    # points stand at equal steps from the start of contact to its end
-    ends = max(error_of(path.start), error_of(path.end)) + 4.0 * UNIT_ROUNDOFF * max(abs(plain.start), abs(plain.end))
-    longest = plain.total + plain.end if second.internal else plain.total - plain.start
-    other = ends + error_of(path.total) + UNIT_ROUNDOFF * longest
-    bounds += (
-        # they are none at all; what is found is rounding
-        ErrorBound("transmission_error", turning, relative=False),
-        width("path.along", known.pitch_point, ends + UNIT_ROUNDOFF * max(plain.end, bare(known.pitch_point))),
-        ErrorBound("path.first_diameter", _diameter_bound(first.base, plain.end, ends), relative=False),
-        ErrorBound("path.second_diameter", _diameter_bound(second.base, longest, other), relative=False),
-        ErrorBound("path.error", turning, relative=False),
-    )
-    return Numerics("closed forms that carry rounding bounds; profiles turned point by point", tuple(bounds))
-
-
-def _diameter_bound(base: float, length: float, error: float) -> float:
-    """Of 2·√(r_b² + l²), by the largest l, of which it grows by 2 l/d."""
-    radius = math.hypot(bare(base), length)
-    return 2.0 * (error_of(base) + error * abs(length) / radius + 1.5 * UNIT_ROUNDOFF * radius)

@@ -6,7 +6,8 @@ from dynamics_cli.gear.flanks import ToothForm, external_form, internal_form
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.outline import gear_outline, rack_outline
-from dynamics_cli.gear.rounding import bare, carried, share
+from dynamics_cli.gear.rounding import bare, carried, error_of, in_digits, in_many_digits, share, tighten
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, Numerics, record
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 ONE_MICROMETRE = 1e-6
 # Finer than this the rounding of coordinates would be a part of the deviation.
 FINEST = 1e-12
+# A form circle's bound of more half last bits than this is measured.
+LOOSE = 20.0
 CIRCLES = ("tip", "root", "base", "form")
 
 FULL = BasicProfile("a")
@@ -202,6 +205,11 @@ def profile(
         outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
         return _result(outline, 4 * teeth, None, None)
     form = tooth_form(gear_of(**carried(given)), carried(tip_diameter), carried(root_radius_factor))
+    if error_of(form.form) > LOOSE * UNIT_ROUNDOFF * bare(form.form):
+        more = [in_many_digits(part) for part in (given, tip_diameter, root_radius_factor)]
+        exact = in_digits(lambda: tooth_form(gear_of(**more[0]), *more[1:]))
+        if exact is not None:
+            tighten((form.form,), (exact.form,))
     outline, points = gear_outline(bare(form), tolerance, teeth=only_teeth)
     return _result(outline, points, form, tolerance)
 

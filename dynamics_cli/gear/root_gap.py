@@ -33,8 +33,6 @@ TURNS, PLACES, BEST = 481, 49, 3
 SHARPER, STEPS, FAR = 3, 40, 2.0
 # Angles are found to the first of these, or where rounding hides it to the second: a distance is off by the square.
 SHARP, BLUNT = 1e-13, 1e-10
-# What that may be, in half last bits of the module.
-PLACED = 1e-2
 # Modules beyond the form circle within which an edge is looked at: farther off it is farther from the root than that.
 BESIDE = 0.7
 

@@ -1,16 +1,13 @@
 """Numbers that carry rounding bounds through tasks that work on arrays: put in, taken out, tightened and stated."""
 
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import ErrorBound
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from typing import Any
-
-# How many half last bits of its size a bound may be before it is worth a second pass.
-ROOM = 20.0
 
 
 def carried(part: "Any") -> "Any":
@@ -36,25 +33,28 @@ def bare(part: "Any") -> "Any":
     return _over(part, bare)
 
 
-def tighten(numbers: "Iterable[tuple[Any, float]]", again: "Callable[[], Iterable[tuple[Any, float]]]") -> None:
-    """Replace loose bounds of numbers (each with its size) by what the same numbers in many digits tell of their error.
-
-    Where many digits go another way (to a refusal, to no number) the bounds stay.
-    """
-    own = list(numbers)
-    if not any(
-        error_of(one) > ROOM * UNIT_ROUNDOFF * max(abs(bare(one)), size) for one, size in own if one is not None
-    ):
-        return
-    from dynamics_cli.numerics.many_digits import ManyDigits, measured_error, run
+def in_digits(call: "Callable[[], Any]") -> "Any":
+    """What a call gives in arithmetic of 60 digits; None where that leads to a refusal."""
+    from dynamics_cli.numerics.many_digits import run
 
     try:
-        exact = run(lambda: list(again()))
+        return run(call)
     except (DynamicsError, ArithmeticError):
-        return
-    for (one, _), (other, _) in zip(own, exact, strict=True):
-        if isinstance(one, Tracked) and isinstance(other, ManyDigits):
-            one.error = measured_error(one.value, other, one.error)
+        return None
+
+
+def measured(value: float, exact: "Any", bound: float) -> float:
+    """The error of a value beside the same number in many digits; its bound where there is none."""
+    from dynamics_cli.numerics.many_digits import ManyDigits, measured_error
+
+    return measured_error(value, exact, bound) if isinstance(exact, ManyDigits) else bound
+
+
+def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
+    """Replace the bounds of numbers by what the same numbers in many digits tell of their errors."""
+    for one, other in zip(numbers, exact, strict=True):
+        if isinstance(one, Tracked):
+            one.error = measured(one.value, other, one.error)
 
 
 def _over(part: "Any", function: "Any") -> "Any":
@@ -72,13 +72,6 @@ def like(number: float, beside: "Any") -> "Any":
     if isinstance(beside, Tracked):
         return Tracked(number, 0.0, (0.0,) * len(beside.slopes))
     return type(beside).inputs([number])[0] if hasattr(beside, "apply") else number
-
-
-def rounded(constant: float, roundings: float, beside: "Any") -> "Any":
-    """A constant that was itself rounded, as a number like the one it stands beside."""
-    if not isinstance(beside, Tracked):
-        return constant
-    return Tracked(constant, roundings * UNIT_ROUNDOFF * abs(constant), (0.0,) * len(beside.slopes))
 
 
 def error_of(number: "Any") -> float:

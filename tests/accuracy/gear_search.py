@@ -4,8 +4,9 @@
 
 Meshes, profiles, data blocks and unknown gears, drawn at random or disturbed from the hard cases shipped
 (gear_meshes.json) and from the worst found so far, so that the search climbs; each is compared with exact numbers of
-240 bits found by other ways (tests/references/gear_*_exact.py). A row of a table is an evaluation: a point of contact, a
-line of a data block, a candidate, a vertex, chord or arc of a drawing; with them the results of the answer, together one.
+240 bits found by other ways (tests/references/gear_*_exact.py). A row of a table is an evaluation: a point of contact,
+a line of a data block, a candidate, a vertex, chord or arc of a drawing; with them all other results of the answer,
+together one.
 """
 
 import random
@@ -23,7 +24,7 @@ import gear_mesh_exact
 import gear_profile_exact as curves
 import generate_gear_meshes_references as references
 from gear_exact import Exact, NoSuchGear, Tooth
-from gear_table_exact import all_candidates, candidate
+from gear_table_exact import PRESSURE_ANGLES, all_candidates, candidate
 
 from dynamics_cli.accuracy.cases import DATA, flat, load
 from dynamics_cli.accuracy.rivals import gear_meshes as program
@@ -41,6 +42,8 @@ UNIT_ROUNDOFF = 2.0**-53
 OF_MODULE = ("backlash", "clearance", "_in_", "along", "base_pitch_error")
 OF_RADIAN = ("transmission_error", "path.error")
 WORST = 12
+# Points of contact of a mesh that are compared.
+SHOWN = 21
 
 
 def size_of(name: str, value: float, module: float) -> float:
@@ -102,7 +105,7 @@ def draw_mesh(rng: random.Random) -> Inputs:
     second = first + rng.randrange(6, 90) if internal else _teeth(rng, 10)
     given = {
         "first_teeth": first, "second_teeth": second, "pitch": _pitch(rng), "internal": internal, "points": 101,
-        "first_profile_shift": rng.uniform(-0.5, 0.8), "second_profile_shift": rng.uniform(-0.5, 0.8), "shown": 11,
+        "first_profile_shift": rng.uniform(-0.5, 0.8), "second_profile_shift": rng.uniform(-0.5, 0.8), "shown": SHOWN,
         **_angles(rng),
     }  # fmt: skip
     if internal:
@@ -152,10 +155,8 @@ def ask_identify(inputs: Inputs) -> tuple[int, list[Compared]]:
     answer = called(program.identify, inputs, tracked=True)
     read = references.reading_of(inputs)
     compared: list[Compared] = []
-    for index, one in enumerate(answer.candidates):
-        degrees = min(
-            references.ANGLES, key=lambda word: abs(float(word) - one.pressure_angle.value * 57.29577951308232)
-        )
+    for _index, one in enumerate(answer.candidates):
+        degrees = min(PRESSURE_ANGLES, key=lambda word: abs(float(word) - one.pressure_angle.value * 57.29577951308232))
         wanted = candidate(str(one.size), degrees, **read)
         values = {name: getattr(one, name) for name in wanted}
         compared += stated(answer, values, wanted, one.module.value)
@@ -281,7 +282,8 @@ QUESTIONS: dict[str, tuple[Callable[[random.Random], Inputs], Callable[[Inputs],
 def hard_cases(task: str) -> list[Inputs]:
     """The inputs of a task's hard cases."""
     name = task.removeprefix("gear ").replace("-", "_")
-    return [references.doubles(case.inputs) for case in load("gear_meshes.json") if case.task == name and case.hard]
+    found = [references.doubles(case.inputs) for case in load("gear_meshes.json") if case.task == name and case.hard]
+    return [{**one, "shown": SHOWN} if "shown" in one else one for one in found]
 
 
 def disturbed(rng: random.Random, inputs: Inputs) -> Inputs:
@@ -311,7 +313,9 @@ class Findings:
         self.evaluations = self.refused = self.compared = 0
         self.broken: list[str] = []
         self.looseness: dict[str, list[float]] = {}
+        # inputs where most of a bound is used, and where errors are largest
         self.worst: list[tuple[float, Inputs]] = []
+        self.hardest: list[tuple[float, Inputs]] = []
 
     @property
     def median(self) -> float:
@@ -324,7 +328,7 @@ class Findings:
 
     def add(self, task: str, inputs: Inputs, found: list[Compared]) -> None:
         """Count the results of one answer."""
-        steepest = 0.0
+        steepest = largest = 0.0
         for name, value, bound, right, size in found:
             self.compared += 1
             # less what the exact value's own last digits may be
@@ -334,9 +338,9 @@ class Findings:
             need = max(error, UNIT_ROUNDOFF * size)
             if size and need > 1e-300 and bound > 0.0:
                 self.looseness.setdefault(name.partition("[")[0], []).append(bound / need)
-                # bounds of rounding: where most of one is used
-                steepest = max(steepest, error / bound)
+                steepest, largest = max(steepest, error / bound), max(largest, error / size)
         self.worst = sorted([*self.worst, (steepest, inputs)], key=lambda one: -one[0])[:WORST]
+        self.hardest = sorted([*self.hardest, (largest, inputs)], key=lambda one: -one[0])[:WORST]
 
 
 def search(task: str, count: int, seed: int) -> Findings:
@@ -350,7 +354,8 @@ def search(task: str, count: int, seed: int) -> Findings:
         if way < 0.34 or not found.worst:
             inputs = draw(rng)
         else:
-            inputs = disturbed(rng, rng.choice(hard) if way < 0.67 else rng.choice(found.worst)[1])
+            pool = found.worst if way < 0.83 else found.hardest
+            inputs = disturbed(rng, rng.choice(hard) if way < 0.67 else rng.choice(pool)[1])
         try:
             rows, compared = ask(inputs)
         except (DynamicsError, NoSuchGear):

@@ -20,7 +20,6 @@ import gear_exact as exact
 from found_cases import doubles, found
 from gear_exact import Tooth
 from gear_mesh_exact import Mesh, shares
-from gear_table_exact import PRESSURE_ANGLES as ANGLES
 from gear_table_exact import all_candidates, candidate, data_block
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"

@@ -128,6 +128,22 @@ def identify(**given: "Any") -> "Any":
     return own(**given)
 
 
+def identify_by_table(
+    *, teeth: int, spans: "Any", helix_angle: float, count: int, reading: float, tip_diameter: "float | None" = None
+) -> "dict[str, float]":
+    """The shift of the best gear, whose size and angle are taken as found, by an involute of six decimals."""
+    from dynamics_cli.gear.identify import identify as own
+
+    if helix_angle:
+        raise ArithmeticError
+    best = own(teeth=teeth, spans=spans, tip_diameter=tip_diameter, reading=reading, count=1).candidates[0]
+    angle, shifts = best.pressure_angle, []
+    for one in spans:
+        base = (one.over - 0.5) * pi + teeth * round(_involute(angle), 6)
+        shifts.append((one.length / best.module - cos(angle) * base) / (2.0 * tan(angle) * cos(angle)))
+    return {"candidates[0].profile_shift": sum(shifts) / len(shifts)}
+
+
 def data_block(**given: "Any") -> Stated:
     """The rows of a data block as numbers, by their symbols."""
     from dynamics_cli.gear.data_block import data_block as own
