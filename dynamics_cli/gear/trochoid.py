@@ -25,7 +25,7 @@ _TERMS = 24
 
 def roll_less_arc(t: float) -> float:
     """The involute function of atan t, t − atan t, without cancellation."""
-    if hasattr(t, "apply") and not hasattr(t, "slopes"):
+    if hasattr(t, "apply") and not hasattr(t, "slopes") and not hasattr(t, "dtype"):
         # numbers of more digits than the coefficients here
         return t.apply("roll_less_arc", t)  # type: ignore[no-any-return]
     if not absolute(t) < SERIES_LIMIT:
