@@ -10,6 +10,7 @@ from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import DATA, Case, build, flat, leaves, load
 from dynamics_cli.accuracy.rivals import gear_meshes
+from dynamics_cli.core.tightening import tighten
 from dynamics_cli.gear.gear import NormalModule
 from dynamics_cli.gear.identify import SpanRead
 from dynamics_cli.numerics.tracked import Tracked
@@ -19,6 +20,7 @@ FILE = "gear_meshes.json"
 CASES = load(FILE)
 GROUPS = {"NormalModule": NormalModule, "SpanRead": SpanRead}
 UNIT_ROUNDOFF = mpf(2) ** -53
+ROOM = 100
 # Differences are tied to the module, angles that are none to a radian.
 OF_MODULE = ("backlash", "clearance", "_in_", "along", "base_pitch_error")
 
@@ -26,11 +28,14 @@ OF_MODULE = ("backlash", "clearance", "_in_", "along", "base_pitch_error")
 def answers(case: Case) -> dict[str, tuple[float, float]]:
     """Results and their absolute bounds by address; unknown gears in tracked numbers, whose bounds are carried."""
     numbers: list[Any] = list(leaves(case.inputs))
-    if case.task == "identify":
-        numbers = Tracked.inputs(numbers)
-    answer = getattr(gear_meshes, case.task)(**build(case.inputs, iter(numbers), GROUPS))
+
+    def call(own: list[Any]) -> Any:
+        return getattr(gear_meshes, case.task)(**build(case.inputs, iter(own), GROUPS))
+
+    answer = call(Tracked.inputs(numbers) if case.task == "identify" else numbers)
     values = answer if isinstance(answer, dict) else flat(answer)
     if case.task == "identify":
+        tighten(answer, numbers, call)
         return {name: (own.value, own.error) for name, own in values.items() if isinstance(own, Tracked)}
     bounds = {
         one.result: one.bound * (abs(values[one.result]) if one.relative else 1.0) for one in answer.numerics.bounds
@@ -51,17 +56,13 @@ def test_errors_and_bounds(case: Case) -> None:
         assert error <= bound, (name, float(error), bound)
         size = 1 if "error" in name and case.task == "mesh" else abs(exact)
         size = max(size, module) if any(part in name for part in OF_MODULE) else size
-        assert bound <= ROOM.get(case.task, 100) * max(error, UNIT_ROUNDOFF * size), name
+        assert bound <= ROOM * max(error, UNIT_ROUNDOFF * size), name
         if case.task == "mesh":
             # lengths are differences of the gears' own, and ratios are lengths in pitches
             distance = mpf(max(found["centre_distance"][0], found["path.second_diameter[0]"][0]))
             assert error <= 32 * UNIT_ROUNDOFF * max(size, distance / module if "ratio" in name else distance), name
         if case.task == "profile":
             assert error <= 32 * UNIT_ROUNDOFF * size, name
-
-
-# Unknown gears carry bounds through their formulas; the core measures those that come out loose.
-ROOM = {"identify": 3000}
 
 
 @pytest.mark.parametrize("task", ["mesh", "identify", "data_block", "profile"])

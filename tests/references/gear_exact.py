@@ -1,8 +1,8 @@
 """Gears in exact numbers (MPFR of 240 bits, mpmath's where that is not installed), by other ways than the program's.
 
-Involutes are roots of tan α − α; the root is the envelope of the rack's corner in the parameter of its ellipse, rolled
-as a complex number; backlash is a difference of involutes; least distances are where the gradient of the squared
-distance vanishes, from the least of a grid.
+Involutes are roots of tan α − α; the root is the envelope of the rack's corner in the parameter of its ellipse, moved
+until its normal passes through the pitch point; what follows from both is in gear_mesh_exact.py, gear_table_exact.py
+and gear_profile_exact.py.
 """
 
 from typing import Any

@@ -1,9 +1,10 @@
 """Meshes in exact numbers: the line of action, backlash, and the least distances from the roots.
 
-The distances are found by the gradient of the squared distance between the path of a tip's edge and the other gear's
-root, both as complex numbers, from the least of a grid in doubles; nothing of the law of gearing is used for them.
+The distances are found where the path of a tip's edge runs along the other gear's root and is nearest to it, by slopes
+of both curves from differences and from the least of a grid in doubles; of the law of gearing nothing is used for them.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from gear_exact import Exact, NoSuchGear, Tooth, acos, atan2, cos, involute, inv
 
 GRID, ALONG = 420, 150
 # Closest together where the flank begins: there the root may bend most.
-SHARES = 1.0 - np.linspace(1.0, 0.0, ALONG) ** 2
+SHARES = 1.0 - np.linspace(1.0, 0.0, ALONG) ** 3
 H = Exact(2) ** -60
 
 
@@ -179,15 +180,28 @@ def _of_edge(
     half = pi() / one.z - half if one.internal else half
     for row in sorted(best, key=lambda i: gap[i])[:2]:
         mirror = 1 if y[row] >= 0 else -1
-        start = Exact(float(turns[row])), Exact(float(np.interp(place[row], np.arange(ALONG), SHARES)))
+        start = Exact(float(turns[row]))
         step = Exact(float(turns[1] - turns[0]))
 
         def edge(turn: Any, mirror: int = mirror) -> tuple[Any, Any]:
             ex, ey = _edge(one, two, a, play, half, turn, side)
             return ex, mirror * ey
 
-        out += _interior(root, edge, start, step) + _at_end(root, edge, start[0], step)
+        # from there, or half a step on or back, where it lies between the last places before the flank
+        for turn, share in _starts(turns, place, row):
+            inside = _interior(root, edge, (turn, share), step)
+            if inside:
+                break
+        out += inside + _at_end(root, edge, start, step)
     return out
+
+
+def _starts(turns: Any, place: Any, row: int) -> Iterator[tuple[Any, Any]]:
+    """The angle and share of a grid's place, and of those half way to its neighbours."""
+    shares = np.interp(place, np.arange(ALONG), SHARES)
+    for other in (row, row + 1, row - 1):
+        if 0 <= other < len(turns):
+            yield Exact(float(turns[row] + turns[other]) / 2), Exact(float(shares[row] + shares[other]) / 2)
 
 
 def _from_chords(curve: Any, x: Any, y: Any) -> tuple[Any, Any]:
@@ -214,19 +228,19 @@ def _slopes(function: Any, at: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
 
 
 def _interior(root: _Root, edge: Any, start: tuple[Any, Any], step: Any) -> list[Any]:
-    """The signed distance where the gradient of the squared distance vanishes, by Newton's method on its halves."""
+    """The signed distance where the edge moves along the root and is nearest to it, by Newton's method."""
     turn, share = start
     for _ in range(60):
         x, y, u, v, ux, vy = _slopes(edge, turn)
         px, py, pu, pv, pux, pvy = _slopes(lambda at: root.at(at)[:2], share)
         dx, dy = x - px, y - py
-        f, g = dx * u + dy * v, dx * pu + dy * pv
-        both = u * pu + v * pv
-        a, d = u * u + v * v + dx * ux + dy * vy, dx * pux + dy * pvy - pu * pu - pv * pv
-        slope = a * d + both * both
+        f, g = u * pv - v * pu, dx * pu + dy * pv
+        a, b = ux * pv - vy * pu, u * pvy - v * pux
+        c, d = u * pu + v * pv, dx * pux + dy * pvy - pu * pu - pv * pv
+        slope = a * d - b * c
         if slope == 0:
             return []
-        du, dv = (f * d + g * both) / slope, (g * a - f * both) / slope
+        du, dv = (f * d - g * b) / slope, (g * a - f * c) / slope
         cut = max(abs(du) / step, abs(dv) * (ALONG / 2), Exact(1))
         turn, share = turn - du / cut, share - dv / cut
         if max(abs(du), abs(dv)) < Exact(2) ** -90:
@@ -237,9 +251,7 @@ def _interior(root: _Root, edge: Any, start: tuple[Any, Any], step: Any) -> list
         return []
     ex, ey = edge(turn)
     px, py, nx, ny = root.at(share)
-    away = (ex - px) * nx + (ey - py) * ny
-    # where the edge crosses the root the square vanishes without being least on either side
-    return [away] if abs(away) > Exact(2) ** -120 else []
+    return [(ex - px) * nx + (ey - py) * ny]
 
 
 def _at_end(root: _Root, edge: Any, turn: Any, step: Any) -> list[Any]:

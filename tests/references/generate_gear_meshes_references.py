@@ -2,8 +2,8 @@
 
 Run: python tests/references/generate_gear_meshes_references.py [FILE]. The same bytes every time.
 
-Meshes: involutes as roots of tan α − α, the root as the envelope of the rolled rack, least distances from the gradient
-of the squared distance (gear_mesh_exact.py). Unknown gears and data blocks: arcs of the base circle unrolled, standard
+Meshes: involutes as roots of tan α − α, the root as the envelope of the rolled rack, least distances where two curves
+run along one another (gear_mesh_exact.py). Unknown gears and data blocks: arcs of the base circle unrolled, standard
 sizes as exact fractions (gear_table_exact.py). Profiles: circles of the rack, the junction by a bracket in its corner.
 """
 
