@@ -122,20 +122,6 @@ def transmission_error(
     return lengths, error - np.median(error)
 
 
-def turning_bound(first: ToothForm, second: ToothForm, path: Path) -> float:
-    """What rounding may make of the transmission error, which is none: of both angles, and of the median taken off.
-
-    A point is off by 3u of its radius in the plane; its involute angle by 7u of its roll angle t and of itself; seen
-    from gear 2's centre what gear 1's side is off counts by the ratio of the radii.
-    """
-    longest = path.end / first.base
-    far = max(abs(path.total - path.start), abs(path.total + path.end)) if second.internal else path.total - path.start
-    other = far / second.base
-    own = 8.0 + 8.0 * longest
-    seen = 8.0 + 8.0 * other + 3.0 * (1.0 + longest) * first.base / second.base
-    return 2.0 * 2.0**-53 * (seen + own * first.teeth / second.teeth)
-
-
 def _half_angles(form: ToothForm, radius: "Array") -> "Array":
     """Half angle of what the two involutes bound, at each radius."""
     import numpy as np

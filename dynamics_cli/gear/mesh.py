@@ -1,7 +1,7 @@
 """The proof of a mesh: both exact profiles turned through it, with what they really do."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error, turning_bound
+from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error
 from dynamics_cli.gear.door import gear_of
 from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
@@ -315,7 +315,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
-        numerics=mesh_numerics(known, exact, turning_bound(first, second, plain), path.arrays, shares),
+        numerics=mesh_numerics(known, exact, worst, path.arrays, shares),
     )
 
 

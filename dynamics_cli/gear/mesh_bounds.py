@@ -26,7 +26,7 @@ COLUMNS = ("along", "first_diameter", "second_diameter")
 def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str, Any]", shares: "Any") -> Numerics:
     """The bounds of a mesh's numbers; of points at `shares` (whole numbers of a whole) of the path as columns.
 
-    `known` carries bounds, `exact` is the same in many digits, or None; `turning` bounds what rounding makes of angles.
+    `known` carries bounds, `exact` is the same in many digits, or None; `turning` is the largest transmission error found.
     """
     results = known.results.items()
     bounds = [share(name, value) if name in SHARES else width(name, value) for name, value in results]
@@ -42,7 +42,7 @@ def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str
             for place, (name, most) in enumerate(zip(COLUMNS, along, strict=True))
         )
     bounds += [ErrorBound(f"path.{name}", bound, relative=False) for name, bound in zip(COLUMNS, along, strict=True)]
-    # they are none at all; what is found is rounding
+    # involutes of one base pitch turn evenly at any distance: what is found is rounding, all of it
     bounds += [ErrorBound(name, turning, relative=False) for name in ("transmission_error", "path.error")]
     return Numerics("closed forms that carry rounding bounds; profiles turned point by point", tuple(bounds))
 

@@ -43,7 +43,7 @@ OF_MODULE = ("backlash", "clearance", "_in_", "along", "base_pitch_error")
 OF_RADIAN = ("transmission_error", "path.error")
 WORST = 12
 # Points of contact of a mesh that are compared.
-SHOWN = 21
+SHOWN = 31
 
 
 def size_of(name: str, value: float, module: float) -> float:
@@ -160,7 +160,7 @@ def ask_identify(inputs: Inputs) -> tuple[int, list[Compared]]:
         wanted = candidate(str(one.size), degrees, **read)
         values = {name: getattr(one, name) for name in wanted}
         compared += stated(answer, values, wanted, one.module.value)
-    if inputs["teeth"] % 16 == 0:
+    if inputs["teeth"] % 64 == 0:
         best = [(name, off) for off, name, _ in all_candidates(read)][: len(answer.candidates)]
         for (_, off), one in zip(best, answer.candidates, strict=True):
             own = one.disagreement
@@ -216,7 +216,7 @@ def ask_profile(inputs: Inputs) -> tuple[int, list[Compared]]:
     worst = max(offs)
     # what is bounded is the worst: every one must be within it, and the worst not far
     compared: list[Compared] = [("deviation", 0.0, answer.deviation, off, 0.0) for off in offs if off < worst]
-    compared.append(("deviation, worst", 0.0, answer.deviation, worst, UNIT_ROUNDOFF))
+    compared.append(("deviation, worst", 0.0, answer.deviation, worst, inputs["pitch"]["module"]))
     if not inputs.get("rack"):
         compared += stated(answer, flat(answer), references.profile({"internal": False, **inputs}), 1.0)
     return 1 + len(offs), compared

@@ -142,6 +142,59 @@ def meshes(rng: random.Random) -> Iterator[Case]:
         "the centre distance is too small by a thousandth: overlap of flanks, negative backlash",
         pair(25, 50, centre_distance=0.112497),
     )
+    # the worst that searches found
+    yield (
+        "found, a hair deep",
+        "the edge digs into the root by a ten-millionth of a module, between the places where it crosses the root",
+        pair(
+            393,
+            16,
+            0.28059320191162274,
+            0.6479395709089599,
+            0.001,
+            helix_angle=0.24855435067861348,
+        ),
+    )
+    yield (
+        "found, large ring off its distance",
+        "lengths of a hundred modules leave a contact ratio of one and a half",
+        pair(
+            351,
+            410,
+            -0.2554291806299496,
+            0.4349108029207408,
+            0.003175,
+            internal=True,
+            pressure_angle=0.27127427340125215,
+            centre_distance=0.09306731850723869,
+        ),
+    )
+    yield (
+        "found, helical ring",
+        "six hundred teeth at a helix of 33 degrees, a pinion nearly as large",
+        pair(
+            568,
+            622,
+            0.07162724524018202,
+            0.12450812757054398,
+            0.0030055571731741524,
+            internal=True,
+            pressure_angle=0.413326504047819,
+            helix_angle=0.5835828616132724,
+        ),
+    )
+    yield (
+        "found, undercut meets a bend",
+        "the junction is where the edge crosses: which of three distances is least hangs on a hair",
+        pair(
+            17,
+            22,
+            -0.24661897543978262,
+            0.7714692149005655,
+            pressure_angle=0.211075379894454,
+            helix_angle=0.02276415635271324,
+        ),
+    )
     yield "micro gears", "a module of a hundredth of a millimetre", pair(15, 45, 0.3, 0.1, 1e-5)
 
 
@@ -251,6 +304,18 @@ def unknowns(rng: random.Random) -> Iterator[Case]:
         "many spans",
         "four spans, one of them off",
         readings(48, 0.0025, TWENTY, 0.0, (4, 5, 6, 7), noise=(0.0, 3e-5, -2e-5, 0.0)),
+    )
+    yield (
+        "found, one span of a large gear",
+        "an eighty-tooth gear's span of 24 cm read to a micrometre: the shift is a difference of spans",
+        {
+            "teeth": 80,
+            "spans": [{"record": "SpanRead", "over": 8, "length": 0.2384116}],
+            "helix_angle": 0.0,
+            "reading": 8.429216498749583e-07,
+            "count": 3,
+            "tip_diameter": 0.8274146,
+        },
     )
     yield (
         "watch gear",
