@@ -172,14 +172,14 @@ def data_block(
         "pressure_angle": pressure_angle,
     }
     same = carried(same)
-    gear = helical(hand=hand, **same)  # type: ignore[arg-type]
+    gear = helical(hand=hand, **same)
     sizes = measure(
         face_width=carried(face_width),
         over=over,
         pin=carried(pin),
         upper_allowance=carried(upper_allowance),
         lower_allowance=carried(lower_allowance),
-        **same,  # type: ignore[arg-type]
+        **same,
     )
     lines = _Lines(min(decimals, 9))
     lines.number("Number of teeth", "z", -teeth if internal else teeth)

@@ -177,7 +177,7 @@ def identify(
         code="no-candidate",
     )
     fitting = sum(off <= 1.0 for off, _, _, _ in names)
-    shown = tuple(_candidate(readings, *place) for _, *place in names[:count])
+    shown = tuple(_candidate(readings, name, size, degrees) for _, name, size, degrees in names[:count])
     return Identified(
         candidates=shown,
         base_pitch=readings.pitch,

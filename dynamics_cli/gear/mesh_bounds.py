@@ -26,14 +26,14 @@ COLUMNS = ("along", "first_diameter", "second_diameter")
 def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str, Any]", shares: "Any") -> Numerics:
     """The bounds of a mesh's numbers; of points at `shares` (whole numbers of a whole) of the path as columns.
 
-    `known` carries bounds, `exact` is the same in many digits, or None; `turning` is the largest transmission error found.
+    `known` carries bounds, `exact` is the same in many digits, or None; `turning` is the most that an angle is off.
     """
     results = known.results.items()
     bounds = [share(name, value) if name in SHARES else width(name, value) for name, value in results]
     placed = PLACED * UNIT_ROUNDOFF * bare(known.first.module)
     gaps = {"first_in_second": known.inward, "second_in_first": known.outward}
     bounds += [width(name, gap, placed) for name, gap in gaps.items() if gap is not None]
-    along = _column_bounds(known, bare(known.path))
+    along: tuple[float, ...] = _column_bounds(known, bare(known.path))
     whole, picks = shares
     if exact is not None and len(picks) <= MEASURED:
         rows = in_digits(lambda: [tuple(_row(exact, pick, whole)) for pick in picks])

@@ -11,7 +11,7 @@ import math
 from math import pi
 
 from dynamics_cli.gear.flanks import ToothForm, _fillet_centre
-from dynamics_cli.gear.rounding import bare, error_of, like
+from dynamics_cli.gear.rounding import bare, error_of, like, with_error
 from dynamics_cli.numerics import elementary
 from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, pi_beside, sin, sqrt
 
@@ -73,7 +73,7 @@ class RootCurve:
         self.forward = -1.0
         self.end = form.form, form.half_angle(form.roll(form.form))
 
-    def at(self, theta: "Any") -> "tuple[Vector, Vector]":
+    def at(self, theta: "Any") -> "tuple[Any, Any]":
         """The point at θ, and the unit normal into the space."""
         sin, cos, sqrt = self.functions.sin, self.functions.cos, self.functions.sqrt
         sine, cosine = sin(theta), cos(theta)
@@ -114,7 +114,7 @@ class TipPath:
         self.way = 1.0 if inside else -1.0
         self.ratio = self.way * first.teeth / second.teeth
 
-    def at(self, turn: "Any", side: float) -> "tuple[Vector, Vector]":
+    def at(self, turn: "Any", side: float) -> "tuple[Any, Any]":
         """Where the edge is at an angle of its gear, and its velocity by that angle."""
         sin, cos = self.functions.sin, self.functions.cos
         angle = turn + side * self.half
@@ -166,7 +166,7 @@ def root_gap(
     least = min(found, key=bare)
     # whichever of nearly equal ones is least, their bounds hold together
     worst = max(error_of(one) for one in found if bare(one - least) <= error_of(one))
-    return type(least)(least.value, worst, least.slopes) if hasattr(least, "slopes") else least
+    return with_error(least, worst)  # type: ignore[no-any-return]
 
 
 def least_places(first: ToothForm, second: ToothForm, distance: float, play: float) -> "tuple[Place, ...] | None":
@@ -200,7 +200,7 @@ def _distance(path: TipPath, curve: RootCurve, turn: float, side: float, theta: 
         px, py = curve.corner()
         return sqrt((x - px) * (x - px) + (y - py) * (y - py))
     (px, py), (nx, ny) = curve.at(like(theta, path.play))
-    return (x - px) * nx + (y - py) * ny
+    return (x - px) * nx + (y - py) * ny  # type: ignore[no-any-return]
 
 
 def _places(both: "tuple[TipPath, RootCurve]", path: TipPath, curve: RootCurve, side: float) -> "Iterator[Place]":
@@ -237,7 +237,7 @@ def _look(
 
     def along(at: "Array") -> "Array":
         (cx, cy), (nx, ny) = curve.at(at)
-        return (y - cy) * nx - (x - cx) * ny
+        return (y - cy) * nx - (x - cx) * ny  # type: ignore[no-any-return]
 
     small = 1e-4 * (thetas[1] - thetas[0])
     for _ in range(SHARPER):
@@ -273,7 +273,7 @@ def _refined(
     def to_corner(turn: float) -> float:
         (x, y), (u, v) = path.at(turn, side)
         px, py = curve.corner()
-        return (x - px) * u + (mirror * y - py) * mirror * v
+        return (x - px) * u + (mirror * y - py) * mirror * v  # type: ignore[no-any-return]
 
     made: list[tuple[float, float | None]] = []
     low, high = sorted(curve.range)

@@ -79,6 +79,11 @@ def error_of(number: "Any") -> float:
     return number.error if isinstance(number, Tracked) else 0.0
 
 
+def with_error(number: "Any", error: float) -> "Any":
+    """A number with another bound; one that carries none as it is."""
+    return Tracked(number.value, error, number.slopes) if isinstance(number, Tracked) else number
+
+
 def share(name: str, number: "Any") -> ErrorBound:
     """The bound of a result as a share of it; as it is where the result is zero."""
     size = abs(bare(number))
