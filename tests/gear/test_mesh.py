@@ -216,6 +216,16 @@ def test_tips_that_stay_beyond_the_form_circle_have_no_distance() -> None:
     assert answer.second_in_first is not None
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("internal", [False, True])
+def test_sharp_roots_have_room_like_nearly_sharp_ones(internal: bool) -> None:
+    common = {"first_teeth": 20, "second_teeth": 60, "pitch": M2, "internal": internal, "points": 10}
+    common |= {"first_tip_diameter": 45 * MM} if internal else {}
+    sharp, nearly = (mesh(**common, root_radius_factor=radius) for radius in (0.0, 1e-6))
+    assert sharp.second_in_first == pytest.approx(nearly.second_in_first, abs=1e-7 * MM)
+    assert sharp.first_in_second == pytest.approx(nearly.first_in_second, abs=1e-5 * MM)
+
+
 def test_every_number_of_a_mesh_has_a_bound() -> None:
     answer = mesh(first_teeth=12, second_teeth=24, pitch=M2, points=10)
     names = {name for name in answer.fields if isinstance(getattr(answer, name), float)}
