@@ -199,7 +199,7 @@ def test_distances_from_the_root_are_those_of_whole_outlines(z1: int, z2: int, m
         assert gap is not None
         # an involute that gets as far as where the other begins touches it there
         found = outlines(first, second, distance, turned)
-        assert gap - 1e-9 * MM <= found <= abs(gap) + 0.01 * MM
+        assert gap - 1e-9 * MM <= found <= abs(gap) + 0.001 * MM
 
 
 def test_a_distance_is_that_of_the_gears_whichever_drives_and_however_large() -> None:
