@@ -28,11 +28,6 @@ def only_in_doubles(*numbers: "Any") -> None:
         raise ArithmeticError("known in doubles only")
 
 
-def known_in_doubles(number: float) -> float:
-    """The double in a number of many digits, whose place was searched in doubles; any other number as it is."""
-    return getattr(number, "value", number) if hasattr(number, "many_digits") else number
-
-
 def _over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
     import numpy as np
 

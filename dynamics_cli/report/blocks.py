@@ -65,7 +65,8 @@ STYLE = (
     "font-size:9pt;white-space:pre-wrap;overflow-wrap:anywhere}figure{margin:1em 0}svg{max-width:100%;height:auto}"
     "h2{border-bottom:1px solid #bbb;margin-top:2em}"
     "@page{margin:20mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages)}}"
-    "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2{break-before:page}h2:first-of-type{break-before:auto}h2,h3{break-after:avoid}"
+    "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2{break-before:page}"
+    "h2:first-of-type{break-before:auto}h2,h3{break-after:avoid}"
     "tr,figure{break-inside:avoid}thead{display:table-header-group}pre{break-inside:auto}}"
 )
 
