@@ -1,0 +1,113 @@
+"""Bounds of eigenvalues proved afterwards, by what is left of a matrix beside the diagonal along its vectors.
+
+Doubles are whole multiples of a power of two, so that the matrix along the vectors is had without rounding.
+"""
+
+from math import frexp, ldexp, sqrt
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dynamics_cli.numerics.symmetric import Rows, Triple
+
+UNIT_ROUNDOFF = 2.0**-53
+# Covers the rounding of the bound's own arithmetic, and that the vectors are unit ones to rounding only.
+_SLACK = 1.0 + 2.0**-30
+# What gradual underflow can take from a bound.
+_TINY = 5e-324
+_OTHERS = ((1, 2), (0, 2), (0, 1))
+
+
+def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Triple":
+    """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
+
+    Equation
+    --------
+    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
+
+    Parameters
+    ----------
+    matrix : tuple of rows
+        The symmetric matrix A, of finite numbers.
+    values : tuple of float
+        Its eigenvalues as they were found, the greatest first.
+    vectors : tuple of rows
+        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
+
+    Returns
+    -------
+    tuple of float
+        A bound for each, in the order of the values.
+
+    Notes
+    -----
+    The three terms are how far Rayleigh's quotient is from the value; how far it is from an eigenvalue, quadratic over
+    the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
+    (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
+    are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
+    order or a rounding of the value.
+
+    Examples
+    --------
+    >>> one = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    >>> [round(bound) for bound in residual_bounds(((9.0, 0.0, 0.0), (0.0, 5.0, 0.0), (0.0, 0.0, 1.0)), (9, 5, 2), one)]
+    [0, 0, 1]
+    """
+    size = frexp(max(abs(x) for row in matrix for x in row))[1]
+    rows, unit = _whole((*matrix, values))
+    lines, _ = _whole(vectors)
+    half = [[_dot(row, line) for row in rows[:3]] for line in lines]
+    along = [[_dot(part, line) for line in lines] for part in half]
+    grams = [[_dot(one, line) for line in lines] for one in lines]
+    # numbers as shares of 2^size, within the range of doubles
+    scale = unit << size if size > 0 else unit
+    more = 1 << -size if size < 0 else 1
+    own = [grams[k][k] * scale for k in range(3)]
+    quotients = [more * along[k][k] / own[k] for k in range(3)]
+    away = [more * abs(along[k][k] - rows[3][k] * grams[k][k]) / own[k] for k in range(3)]
+    beside = [more * abs(along[i][j]) / min(own) for i, j in _OTHERS]
+    skew = max(sum(abs(grams[k][j]) for j in range(3) if j != k) for k in range(3)) / min(grams[k][k] for k in range(3))
+    found = []
+    for k, spread in enumerate(_spreads(quotients, beside)):
+        found.append((away[k] + spread + skew * (abs(quotients[k]) + spread)) * _SLACK)
+    return _back(_paired(values, found, size), size)
+
+
+def _whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
+    """Numbers as whole multiples of one over a common power of two, and that power."""
+    ratios = [[number.as_integer_ratio() for number in row] for row in rows]
+    unit = max(down for row in ratios for _, down in row)
+    return [[up * (unit // down) for up, down in row] for row in ratios], unit
+
+
+def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _spreads(diagonal: "list[float]", beside: "list[float]") -> "list[float]":
+    """How far a matrix's eigenvalues are from its diagonal; element k of `beside` is the one off row and column k."""
+    found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
+    for one, (i, j) in enumerate(_OTHERS):
+        gap = min(abs(diagonal[one] - diagonal[i]), abs(diagonal[one] - diagonal[j])) - beside[one]
+        gap -= 4.0 * UNIT_ROUNDOFF * max(map(abs, diagonal))
+        if gap > 0.0:
+            # the element of its own, and the other two as a matrix
+            square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
+            found[one] = min(found[one], square)
+            found[i], found[j] = min(found[i], square + beside[one]), min(found[j], square + beside[one])
+    return found
+
+
+def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]":
+    """Bounds of values that may be one another's: the larger of the two."""
+    for _ in range(2):
+        for k in range(2):
+            if ldexp(values[k] - values[k + 1], -size) <= (bounds[k] + bounds[k + 1]) * _SLACK:
+                bounds[k] = bounds[k + 1] = max(bounds[k], bounds[k + 1])
+    return bounds
+
+
+def _back(bounds: "list[float]", size: int) -> "Triple":
+    a, b, c = (ldexp(bound, size) for bound in bounds)
+    return a + _TINY, b + _TINY, c + _TINY
