@@ -55,30 +55,55 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Tripl
     [0, 0, 1]
     """
     size = frexp(max(abs(x) for row in matrix for x in row))[1]
-    rows, unit = _whole((*matrix, values))
-    lines, _ = _whole(vectors)
-    half = [[_dot(row, line) for row in rows[:3]] for line in lines]
-    along = [[_dot(part, line) for line in lines] for part in half]
-    grams = [[_dot(one, line) for line in lines] for one in lines]
+    rows, unit = whole((*matrix, values))
+    lines, _ = whole(vectors)
+    cells, products = along(rows[:3], lines), grams(lines)
     # numbers as shares of 2^size, within the range of doubles
     scale = unit << size if size > 0 else unit
     more = 1 << -size if size < 0 else 1
-    own = [grams[k][k] * scale for k in range(3)]
-    quotients = [more * along[k][k] / own[k] for k in range(3)]
-    away = [more * abs(along[k][k] - rows[3][k] * grams[k][k]) / own[k] for k in range(3)]
-    beside = [more * abs(along[i][j]) / min(own) for i, j in _OTHERS]
-    skew = max(sum(abs(grams[k][j]) for j in range(3) if j != k) for k in range(3)) / min(grams[k][k] for k in range(3))
+    own = [products[k][k] * scale for k in range(3)]
+    quotients = [more * cells[k][k] / own[k] for k in range(3)]
+    away = [more * abs(cells[k][k] - rows[3][k] * products[k][k]) / own[k] for k in range(3)]
+    beside = [more * abs(cells[i][j]) / min(own) for i, j in _OTHERS]
+    skew = max(sum(abs(products[k][j]) for j in range(3) if j != k) / products[k][k] for k in range(3)) * _SLACK
     found = []
     for k, spread in enumerate(_spreads(quotients, beside)):
         found.append((away[k] + spread + skew * (abs(quotients[k]) + spread)) * _SLACK)
     return _back(_paired(values, found, size), size)
 
 
-def _whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
-    """Numbers as whole multiples of one over a common power of two, and that power."""
+def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
+    """Finite numbers as whole multiples of one over a common power of two, and that power.
+
+    Parameters
+    ----------
+    rows : sequence of rows
+        The numbers.
+
+    Returns
+    -------
+    tuple
+        The multiples, in rows, and the power of two.
+
+    Examples
+    --------
+    >>> whole(((0.5, 3.0), (0.25, 0.0)))
+    ([[2, 12], [1, 0]], 4)
+    """
     ratios = [[number.as_integer_ratio() for number in row] for row in rows]
     unit = max(down for row in ratios for _, down in row)
     return [[up * (unit // down) for up, down in row] for row in ratios], unit
+
+
+def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
+    """V A Vᵀ: a matrix along vectors, which are rows."""
+    half = [[_dot(row, line) for row in matrix] for line in lines]
+    return [[_dot(part, line) for line in lines] for part in half]
+
+
+def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
+    """V Vᵀ: the products of vectors with one another."""
+    return [[_dot(one, line) for line in lines] for one in lines]
 
 
 def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:

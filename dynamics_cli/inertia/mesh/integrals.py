@@ -89,6 +89,37 @@ class Moments:
         offset = self.centre if self.frame is None else self.frame.T @ self.centre
         return self.reference + offset
 
+    @property
+    def centroid_error(self) -> "Array":
+        """How far each coordinate of the mass centre may be off, with the rounding of the sum that it is."""
+        error = self.centre_error
+        if self.frame is not None:
+            error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
+        return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]
+
+    def in_file(self) -> "tuple[Array, Array]":
+        """Second moments in the axes of the file, and how far they may be off."""
+        matrix, error = self.second, self.second_error
+        if self.frame is None:
+            return matrix, error
+        turn, size = abs(self.frame.T), abs(matrix)
+        # axes that are not quite across one another do not turn back by their transpose
+        apart = abs(departure(self.frame))
+        # what weights are off by is told as well by how far the body reaches along the axes of the file
+        error = np.minimum(turn @ error @ turn.T, self.terms * np.outer(self.box, self.box))
+        error = error + turn @ (8.0 * UNIT_ROUNDOFF * size + apart @ size + size @ apart) @ turn.T
+        return self.frame.T @ matrix @ self.frame, error + UNIT_ROUNDOFF**2 * size.sum()
+
+    def spread_error(self, k: int, value: float) -> float:
+        """How far the k-th eigenvalue of `second` may be off: errors of its own row, independent of one another."""
+        if self.frame is None:
+            return float(self.second_error.sum(axis=1).max())
+        scale = np.sqrt(np.abs(np.diag(self.second)))
+        i = np.argsort(-scale)[k]
+        shares = np.array([min(1.0, float(scale[i] / scale[j])) if scale[j] else 1.0 for j in range(3)])
+        error = float(np.hypot.reduce(self.second_error[i] * shares))
+        return error + 2.0 * UNIT_ROUNDOFF * max(float(scale[i] * scale[i]), abs(value))
+
 
 class Sums:
     """Everything that one pass over the triangles adds up."""
