@@ -30,6 +30,8 @@ class Composed:
 
     def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, asked: bool) -> None:
         self.sloped = bool(walk.width)
+        # whether its numbers are floats, of which nothing has to be taken off
+        self.bare = walk.width is None
         self.unbounded = asked and walk.width is None
         self.leaves = walk.leaves
         self.origins = walk.origins

@@ -13,17 +13,15 @@ EQUAL = 8.0
 class Principal:
     """Second moments along the principal axes, the moments about them, the axes as rows, and what is undetermined.
 
-    The moments are in ascending order, so the second moments descend. `bounds` are absolute errors of the second
-    moments from the solution of the eigenproblem alone.
+    The moments are in ascending order, so the second moments descend.
     """
 
-    __slots__ = ("axes", "bounds", "degeneracy", "seconds")
+    __slots__ = ("axes", "degeneracy", "seconds")
 
-    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str, bounds: "Vector") -> None:
+    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str) -> None:
         self.seconds = seconds
         self.axes = axes
         self.degeneracy = degeneracy
-        self.bounds = bounds
 
     @property
     def moments(self) -> "Vector":
@@ -77,7 +75,7 @@ def principal(second_moments: "Matrix", uncertainty: float = 0.0, frame: "Matrix
     tolerance = max(EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b), uncertainty)
     vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
     axes, words = _axes(vectors, a - b <= tolerance, b - c <= tolerance, beyond=uncertainty >= tolerance > 0.0)
-    return Principal(seconds, axes, words, found.bounds)  # type: ignore[arg-type]
+    return Principal(seconds, axes, words)  # type: ignore[arg-type]
 
 
 def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tuple[Matrix, str]":
