@@ -1,8 +1,8 @@
 """Principal second moments of numbers that may carry derivatives: axes from the doubles, moments along them."""
 
 from dynamics_cli.inertia.lump import each, turned
-from dynamics_cli.inertia.principal import principal
-from dynamics_cli.numerics.elementary import only_in_doubles, sqrt
+from dynamics_cli.inertia.principal import principal, principal_of_many_digits
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
@@ -30,6 +30,11 @@ def plain(x: float) -> float:
     return getattr(x, "value", x)
 
 
+def in_many_digits(matrix: "Matrix") -> bool:
+    """Whether any number of a matrix is of many digits."""
+    return any(hasattr(x, "many_digits") for row in matrix for x in row)
+
+
 def root(x: float) -> float:
     """√x, zero where rounding made a zero negative."""
     return sqrt(x) if x > 0.0 else 0.0
@@ -49,7 +54,9 @@ def spread_of(second: "Matrix") -> Spread:
     A tracked matrix gives tracked moments: their slopes are those of vᵀ S v along the fixed axis v (Hellmann and
     Feynman), their bound is that of the same sum and of the eigenvalues' own.
     """
-    only_in_doubles(*second[0], *second[1], *second[2])
+    if in_many_digits(second):
+        precise = principal_of_many_digits(second)
+        return Spread(precise.seconds, precise.axes, precise.degeneracy)
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
     found = principal(matrix)  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in second for x in row):
