@@ -16,6 +16,7 @@ from dynamics_cli.inertia.amount import OfArealDensity, OfDensity, OfLinearDensi
 from dynamics_cli.inertia.mesh import measured as reading
 from dynamics_cli.inertia.mesh.closure import vertex_hashes
 from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
+from dynamics_cli.inertia.mesh.lift import Lift
 from dynamics_cli.inertia.mesh.opening import open_mesh
 from dynamics_cli.inertia.mesh.pictures import DRAWN, mesh_picture, outlines
 from dynamics_cli.inertia.mesh.stl import BLOCK, BinaryStl, Corners
@@ -479,6 +480,22 @@ class TestBlocks:
         assert sums.boundary is not None
         assert sums.boundary.empty
         assert moments.measure > 0.0
+
+    @pytest.mark.parametrize("few", [reading.FEW, 0])
+    def test_a_volume_that_all_but_underflows_states_no_bound_that_is_none(
+        self, few: int, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(reading, "FEW", few)
+        points = np.array([
+            (-980.8921229130134, 5e-324, -4348.781855060251), (-1057.3344982206313, 0.0, -4336.692743671449),
+            (-1057.3148873253658, 0.0, 4336.692743671448), (-1057.314887325366, 0.0, -4336.6393438970945),
+        ])  # fmt: skip
+        source = Corners("", "", points, np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1), (2, 1, 3)]))
+        centroid: Any = Lift(reading.Measured(source, shell=False), LengthUnit("m"), 0).centroid()
+        middle = points.mean(axis=0)
+        for own, true in zip(centroid, middle, strict=True):
+            assert abs(own.value - true) <= own.error
+            assert own.error <= 1e-12 if few else own.error == np.inf
 
 
 class TestInvariants:

@@ -27,6 +27,8 @@ UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
 # sums themselves are compensated from block to block.
 ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.0
+# What gradual underflow can take from a product.
+TINY = 5e-324
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
 # What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
@@ -66,6 +68,8 @@ class Moments:
         # turned axes stretch a shell by a few roundings, which are not given back
         weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
         unit = ROUNDINGS * UNIT_ROUNDOFF
+        # what underflow may have taken from each product, before others made it larger
+        weight += sums.count * 32.0 * TINY * (1.0 + float(extent.max())) / unit
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
         if self.measure == 0.0:
@@ -78,7 +82,9 @@ class Moments:
         self.centre = centre
         second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
         self.second = second * (1.0 - (longer[:, None] + longer))
-        self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
+        with np.errstate(over="ignore"):
+            # a volume that all but underflowed leaves its centroid anywhere
+            self.centre_error = unit * weight * extent / scale[1] / abs(self.measure)
         self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2])
         reach = np.sqrt(sums.spread) + sums.grain if sums.grain else extent
         self.second_error = self.terms * np.outer(reach, reach)
@@ -93,6 +99,8 @@ class Moments:
     def centroid_error(self) -> "Array":
         """How far each coordinate of the mass centre may be off, with the rounding of the sum that it is."""
         error = self.centre_error
+        if not np.isfinite(error).all():
+            return np.full(3, np.inf)
         if self.frame is not None:
             error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
         return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]

@@ -1,5 +1,7 @@
 """Integrals in the unit of a file turned into tracked numbers in SI."""
 
+from math import inf
+
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.mesh.measured import rows
 from dynamics_cli.inertia.principal import principal
@@ -30,7 +32,9 @@ class Lift:
         tracked = Tracked(float(value), float(error), self.slopes)
         for _ in range(abs(power)):
             up, down = up * self.ratio[0], down * self.ratio[1]
-        return tracked * (up / self.ratio[0]) / (down / self.ratio[1])  # type: ignore[return-value]
+        made = tracked * (up / self.ratio[0]) / (down / self.ratio[1])
+        # of an error without bound nothing is known either
+        return made if made.error < inf else Tracked(made.value, inf, made.slopes)  # type: ignore[return-value]
 
     def in_file_unit(self, length: "float | None") -> float:
         """A length in the unit of the file; none is zero."""
