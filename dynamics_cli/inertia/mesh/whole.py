@@ -56,7 +56,7 @@ class WholeMoments:
         self.measure = total / (shares[0] * scale)
         # what the cut roots are short of, and how far its weight is from any point of the body
         self._cut = len(rows) * 2.0**-ROOT_BITS / unit / unit + TINY if shell else 0.0
-        self._size = float(np.ptp(corners))
+        self._size = float(np.ptp(corners.reshape(3, 3, -1), axis=(0, 2)).max())
         self.measure_error = _ONCE * abs(self.measure) + (self._cut + TINY)
         self.centroid = np.zeros(3)
         self.second = self._in_file = np.zeros((3, 3))
@@ -89,7 +89,7 @@ class WholeMoments:
 
     def in_file(self) -> "tuple[Array, Array]":
         """Second moments in the axes of the file, and how far they may be off."""
-        return self._in_file, _ONCE * abs(self._in_file) + (self._cut * (1.0 + self._size * self._size) + TINY)
+        return self._in_file, _ONCE * abs(self._in_file) + (self._cut * self._size * self._size + TINY)
 
     def spread_error(self, k: int, value: float) -> float:
         """How far the k-th eigenvalue `value` of `second` may be from the body's.
@@ -98,7 +98,7 @@ class WholeMoments:
         what axes not quite across one another stretch every eigenvalue (Ostrowski).
         """
         own = float(np.sort(np.abs(np.diag(self.second)))[2 - k])
-        cut = self._cut * (1.0 + self._size * self._size) + TINY
+        cut = self._cut * self._size * self._size + TINY
         return _ONCE * (own + 16.0 * abs(abs(value) - own)) + self._stretch * abs(value) + cut
 
 
