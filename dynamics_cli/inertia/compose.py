@@ -17,7 +17,6 @@ from dynamics_cli.inertia.lump import (
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.rotation import departure
 from dynamics_cli.inertia.spread import Spread, bounded, in_many_digits, plain, spread_of
-from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -137,7 +136,7 @@ def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     seconds = found.seconds
     if not any(hasattr(x, "slopes") for row in whole.second for x in row):
         return Spread(seconds, product(found.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, eigen(matrix).vectors)  # type: ignore[arg-type]
+    seconds = bounded(whole.second, seconds, found.vectors)  # type: ignore[arg-type]
     # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]

@@ -19,15 +19,17 @@ _LAST_TWO = "axes 2 and 3 are any two in the plane across axis 1"
 class Principal:
     """Second moments along the principal axes, the moments about them, the axes as rows, and what is undetermined.
 
-    The moments are in ascending order, so the second moments descend.
+    The moments are in ascending order, so the second moments descend. `vectors` are the eigenvectors that they were
+    found with, in the axes of the matrix, also where the axes are not determined.
     """
 
-    __slots__ = ("axes", "degeneracy", "seconds")
+    __slots__ = ("axes", "degeneracy", "seconds", "vectors")
 
-    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str) -> None:
+    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str, vectors: "Matrix") -> None:
         self.seconds = seconds
         self.axes = axes
         self.degeneracy = degeneracy
+        self.vectors = vectors
 
     @property
     def moments(self) -> "Vector":
@@ -81,7 +83,7 @@ def principal(second_moments: "Matrix", uncertainty: float = 0.0, frame: "Matrix
     tolerance = max(EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b), uncertainty)
     vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
     axes, words = _axes(vectors, a - b <= tolerance, b - c <= tolerance, beyond=uncertainty >= tolerance > 0.0)
-    return Principal(seconds, axes, words)  # type: ignore[arg-type]
+    return Principal(seconds, axes, words, found.vectors)  # type: ignore[arg-type]
 
 
 def principal_of_many_digits(second_moments: "Matrix") -> Principal:
@@ -92,7 +94,7 @@ def principal_of_many_digits(second_moments: "Matrix") -> Principal:
     values, vectors = eigen_of_many_digits(second_moments)  # type: ignore[arg-type]
     upper, lower = (near.degeneracy.startswith((_EVERY, words)) for words in (_FIRST_TWO, _LAST_TWO))
     axes, _ = _axes(vectors, upper, lower, beyond=False)  # type: ignore[arg-type]
-    return Principal(values, tuple(map(_alike, axes, near.axes)), near.degeneracy)  # type: ignore[arg-type]
+    return Principal(values, tuple(map(_alike, axes, near.axes)), near.degeneracy, vectors)  # type: ignore[arg-type]
 
 
 def _alike(axis: "Vector", near: "Vector") -> "Vector":

@@ -249,7 +249,8 @@ def require_tensor(
         When no body can have it.
     """
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
-    found = eigen(bare)  # type: ignore[arg-type]
+    # the least moment of a needle is a small difference of the tensor's elements
+    found = eigen(bare).refined()  # type: ignore[arg-type]
     least, middle, most = values = found.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="a body has mass away from any axis")
     room = plain(tolerance) * most

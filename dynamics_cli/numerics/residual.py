@@ -19,7 +19,7 @@ _TINY = 5e-324
 _OTHERS = ((1, 2), (0, 2), (0, 1))
 
 
-def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Triple":
+def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
 
     Equation
@@ -31,9 +31,11 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Tripl
     matrix : tuple of rows
         The symmetric matrix A, of finite numbers.
     values : tuple of float
-        Its eigenvalues as they were found, the greatest first.
+        Its eigenvalues as they were found, in order of size.
     vectors : tuple of rows
         Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
+    errors : tuple of rows
+        How far each element of the matrix may be off; nothing when not given.
 
     Returns
     -------
@@ -46,7 +48,7 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Tripl
     the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
     (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
     are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
-    order or a rounding of the value.
+    order or a rounding of the value. Errors E of the matrix add |V| E |V|ᵀ to T.
 
     Examples
     --------
@@ -66,10 +68,49 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows") -> "Tripl
     away = [more * abs(cells[k][k] - rows[3][k] * products[k][k]) / own[k] for k in range(3)]
     beside = [more * abs(cells[i][j]) / min(own) for i, j in _OTHERS]
     skew = max(sum(abs(products[k][j]) for j in range(3) if j != k) / products[k][k] for k in range(3)) * _SLACK
+    blur = [0.0] * 3
+    if errors is not None:
+        blur, others = _blurred(errors, vectors, size)
+        beside = [one + other for one, other in zip(beside, others, strict=True)]
     found = []
-    for k, spread in enumerate(_spreads(quotients, beside)):
-        found.append((away[k] + spread + skew * (abs(quotients[k]) + spread)) * _SLACK)
+    for k, spread in enumerate(_spreads(quotients, beside, blur)):
+        found.append((away[k] + blur[k] + spread + skew * (abs(quotients[k]) + blur[k] + spread)) * _SLACK)
     return _back(_paired(values, found, size), size)
+
+
+def _blurred(errors: "Rows", vectors: "Rows", size: int) -> "tuple[list[float], list[float]]":
+    """|V| E |V|ᵀ as shares of 2^size: on the diagonal, and off row and column k."""
+    e = [[ldexp(x, -size) for x in row] for row in errors]
+    v = [[abs(x) for x in row] for row in vectors]
+    half = [[sum(x * y for x, y in zip(line, row, strict=True) if x) for row in e] for line in v]
+    full = [[sum(x * y for x, y in zip(line, part, strict=True) if x) for line in v] for part in half]
+    return [full[k][k] for k in range(3)], [full[i][j] for i, j in _OTHERS]
+
+
+def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
+    """Rayleigh's quotients vᵀ A v/vᵀ v of a symmetric 3 × 3 matrix, each rounded once.
+
+    Parameters
+    ----------
+    matrix : tuple of rows
+        The symmetric matrix A, of finite numbers.
+    vectors : tuple of rows
+        Vectors v.
+
+    Returns
+    -------
+    tuple of float
+        A quotient for each vector: its eigenvalue but for the square of what the vector is off.
+
+    Examples
+    --------
+    >>> quotients(((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0)), ((1, 1, 0), (1, -1, 0), (0, 0, 1)))
+    (3.0, 1.0, 5.0)
+    """
+    rows, unit = whole(matrix)
+    lines, _ = whole(vectors)
+    a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
+    return a, b, c
 
 
 def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
@@ -110,11 +151,11 @@ def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _spreads(diagonal: "list[float]", beside: "list[float]") -> "list[float]":
-    """How far a matrix's eigenvalues are from its diagonal; element k of `beside` is the one off row and column k."""
+def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
+    """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
     found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
     for one, (i, j) in enumerate(_OTHERS):
-        gap = min(abs(diagonal[one] - diagonal[i]), abs(diagonal[one] - diagonal[j])) - beside[one]
+        gap = min(abs(diagonal[one] - diagonal[k]) - blur[k] for k in (i, j)) - blur[one] - beside[one]
         gap -= 4.0 * UNIT_ROUNDOFF * max(map(abs, diagonal))
         if gap > 0.0:
             # the element of its own, and the other two as a matrix
@@ -128,7 +169,7 @@ def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]"
     """Bounds of values that may be one another's: the larger of the two."""
     for _ in range(2):
         for k in range(2):
-            if ldexp(values[k] - values[k + 1], -size) <= (bounds[k] + bounds[k + 1]) * _SLACK:
+            if not abs(ldexp(values[k] - values[k + 1], -size)) > (bounds[k] + bounds[k + 1]) * _SLACK:
                 bounds[k] = bounds[k + 1] = max(bounds[k], bounds[k + 1])
     return bounds
 

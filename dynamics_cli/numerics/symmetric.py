@@ -40,6 +40,17 @@ class Eigen:
             self._bounds = residual_bounds(self._matrix, self.values, self.vectors)
         return self._bounds
 
+    def refined(self) -> "Eigen":
+        """The same with every eigenvalue to its own last bits, be it ever so small beside the others."""
+        if self._matrix is None:
+            return self
+        from dynamics_cli.numerics.residual import quotients
+
+        found = quotients(self._matrix, self.vectors)
+        order = sorted(range(3), key=lambda k: (-found[k], k))
+        values, vectors = (tuple(part[k] for k in order) for part in (found, self.vectors))
+        return Eigen(values, vectors, self._matrix)  # type: ignore[arg-type]
+
 
 def eigen(matrix: "Rows") -> Eigen:
     """Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, as its doubles stand.
