@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
 # sums themselves are compensated from block to block.
-ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.0
+ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.5
 # What gradual underflow can take from a product.
 TINY = 5e-324
 # Coordinates whose fifth powers would leave the range of a double.
