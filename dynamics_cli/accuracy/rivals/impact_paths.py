@@ -20,14 +20,22 @@ MOST_STEPS = 200_000
 
 
 class Contact:
-    """K, velocities, friction and restitution of a case, and the law that ends it."""
+    """K, velocities, friction and restitution of a contact, and the law that ends it."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(
+        self, k: "tuple[float, float, float]", u: "tuple[float, float]", mu: float, e: float, law: str
+    ) -> None:
+        self.kt, self.kx, self.kn = k
+        self.ut, self.un = u
+        self.mu, self.e, self.law = mu, e, law
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
         given = case.inputs
-        self.kt, self.kx, self.kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
-        self.ut, self.un = float(given["slip"]), float(given["approach"])
-        self.mu, self.e = float(given["friction"]), float(given["restitution"])
-        self.law: str = given["law"]["word"]
+        kt, kx, kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
+        u = float(given["slip"]), float(given["approach"])
+        return cls((kt, kx, kn), u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
 
     def ratio(self, ut: float) -> float:
         """Friction per normal impulse now, with stick where the slip is zero and friction holds."""
@@ -40,7 +48,7 @@ def closed_form(case: Case) -> "Callable[[], tuple[float, float]]":
     """The program's own."""
     from dynamics_cli.impact.path import Mobility, determinant, travel
 
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         k = Mobility(c.kt, c.kx, c.kn, determinant(c.kt, c.kx, c.kn))
@@ -54,7 +62,7 @@ def plain_sums(case: Case) -> "Callable[[], tuple[float, float]]":
     """The program's own for whole maps, in plain sums; here one at a time."""
     from dynamics_cli.impact.path_arrays import planar_impacts
 
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         pn, pt = planar_impacts(c.kt, c.kx, c.kn, c.ut, c.un, c.mu, c.e, law=c.law)
@@ -69,7 +77,7 @@ def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
 
     from dynamics_cli.impact.path_arrays import planar_impacts
 
-    c = Contact(case)
+    c = Contact.of(case)
     kt, kx, kn, ut, un = (np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un))
     friction = np.linspace(0.0, 1.0, rows)
     return lambda: planar_impacts(kt, kx, kn, ut, un, friction, c.e, law=c.law)
@@ -77,7 +85,7 @@ def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
 
 def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
     """The textbook: it slides to the end, or else it sticks at the end; slip that turns round is not thought of."""
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         ratio, rise = c.ratio(c.ut), -(1.0 + c.e) * c.un
@@ -96,7 +104,7 @@ def steps(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
     """Equal steps of normal impulse, so many to the compression without friction; slip may stop after each."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
-        c = Contact(case)
+        c = Contact.of(case)
 
         def answer() -> "tuple[float, float]":
             step = -c.un / c.kn / count
@@ -129,36 +137,37 @@ def _over(c: Contact, un: float, pn: float, work: float, compression: float, don
 
 
 def integrated(case: Case) -> "Callable[[], tuple[float, float]]":
-    """Scipy's solve_ivp in normal impulse, with events where slip stops, compression ends and the law ends it."""
-    c = Contact(case)
+    """Scipy's solve_ivp in normal impulse."""
+    c = Contact.of(case)
+    return lambda: integral(c)
 
-    def answer() -> "tuple[float, float]":
-        from scipy.integrate import solve_ivp
 
-        y, p = [c.ut, c.un, 0.0, 0.0], 0.0
-        compression = done = 0.0
-        longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
-        for _ in range(8):
-            ratio = c.ratio(y[0])
-            rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
+def integral(c: Contact) -> "tuple[float, float]":
+    """Normal and tangential impulse by scipy's solve_ivp, with events where slip stops and where the law ends it."""
+    from scipy.integrate import solve_ivp
 
-            def rhs(_: float, y: "Any", rates: "Any" = rates, ratio: float = ratio) -> "list[float]":
-                return [rates[0], rates[1], ratio, y[1]]
+    y, p = [c.ut, c.un, 0.0, 0.0], 0.0
+    compression = done = 0.0
+    longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
+    for _ in range(8):
+        ratio = c.ratio(y[0])
+        rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
 
-            ends = _events(c, y, compression, done)
-            found = solve_ivp(rhs, [p, p + longest], y, events=ends, rtol=1e-12, atol=1e-15 * -c.un)
-            if found.status != 1:
-                raise ArithmeticError
-            y, p = [float(value) for value in found.y[:, -1]], float(found.t[-1])
-            if len(found.t_events[0]):
-                y[0] = 0.0
-            if len(found.t_events[1]):
-                if compression or c.e == 0.0:
-                    return p, y[2]
-                compression, done = p, -y[3]
-        raise ArithmeticError
+        def rhs(_: float, y: "Any", rates: "Any" = rates, ratio: float = ratio) -> "list[float]":
+            return [rates[0], rates[1], ratio, y[1]]
 
-    return answer
+        ends = _events(c, y, compression, done)
+        found = solve_ivp(rhs, [p, p + longest], y, events=ends, rtol=1e-12, atol=1e-15 * -c.un)
+        if found.status != 1:
+            raise ArithmeticError
+        y, p = [float(value) for value in found.y[:, -1]], float(found.t[-1])
+        if len(found.t_events[0]):
+            y[0] = 0.0
+        if len(found.t_events[1]):
+            if compression or c.e == 0.0:
+                return p, y[2]
+            compression, done = p, -y[3]
+    raise ArithmeticError
 
 
 def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "list[Callable[[float, Any], float]]":
@@ -185,7 +194,7 @@ def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
     """A spring, stiffer by 1/e² when it opens, and smoothed friction, in so many steps of RK4: Stronge's law."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
-        c = Contact(case)
+        c = Contact.of(case)
         if c.law != "stronge" or c.e == 0.0:
             raise ArithmeticError
         # of unit stiffness: the path does not depend on it
@@ -230,12 +239,12 @@ RIVALS = (
     Rival("slides or sticks, as in textbooks", two_cases),
     Rival("100 steps of normal impulse", steps(100)),
     Rival("1,000 steps of normal impulse", steps(1000)),
-    Rival("scipy solve_ivp with events", integrated, needs="scipy"),
+    Rival("scipy solve_ivp with events", integrated),
     Rival("spring and smoothed friction, RK4", spring(200)),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Normal and tangential impulse by every method."""
     cases = [case for case in load(FILE) if case.task == "path" and (case.hard or not hard)]
-    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed, peers=peers)
+    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed)

@@ -27,16 +27,21 @@ MOST_STEPS = 100_000
 
 
 class Contact:
-    """K, velocity, friction and restitution of a case, and the law that ends it."""
+    """K, velocity, friction and restitution of a contact, and the law that ends it."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(self, k: "Any", u: "Vector", mu: float, e: float, law: str) -> None:
+        self.k = k
+        self.u = u
+        self.mu, self.e, self.law = mu, e, law
+        self.least = STOPPED * max(hypot(u[0], u[1]), -u[2])
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
         given = case.inputs
         rows = tuple(tuple(map(float, row)) for row in given["mobility"])
-        self.k: Any = rows
-        self.u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
-        self.mu, self.e = float(given["friction"]), float(given["restitution"])
-        self.law: str = given["law"]["word"]
-        self.least = STOPPED * max(hypot(self.u[0], self.u[1]), -self.u[2])
+        u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
+        return cls(rows, u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
 
     def held(self, slip: float) -> bool:
         """Whether the slip has stopped."""
@@ -78,7 +83,7 @@ def taylor(order: int, stride: float) -> "Callable[[Case], Callable[[], Vector]]
     def prepare(case: Case) -> "Callable[[], Vector]":
         from dynamics_cli.impact.hodograph import travel
 
-        c = Contact(case)
+        c = Contact.of(case)
         return lambda: travel(c.k, c.u, c.mu, c.e, c.law, order, stride).impulse
 
     return prepare
@@ -89,7 +94,7 @@ def stated(case: Case) -> float:
     from dynamics_cli.impact.hodograph import travel
     from dynamics_cli.impact.spatial_results import ROUNDINGS
 
-    c = Contact(case)
+    c = Contact.of(case)
     end = travel(c.k, c.u, c.mu, c.e, c.law)
     most: float = max(c.k[0][0], c.k[1][1], c.k[2][2])
     return ROUNDINGS * max(1.0, most * sqrt(sum(part * part for part in end.impulse)) / -c.u[2])
@@ -111,7 +116,7 @@ def steps(advance: "Callable[[Contact, State, float], State]", count: int) -> "C
     """Equal steps of normal impulse, so many to the compression without friction; ends by secants within a step."""
 
     def prepare(case: Case) -> "Callable[[], Vector]":
-        c = Contact(case)
+        c = Contact.of(case)
 
         def answer() -> "Vector":
             y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
@@ -155,50 +160,51 @@ def _within(
 
 
 def dop853(tolerance: float) -> "Callable[[Case], Callable[[], Vector]]":
-    """Scipy's solve_ivp by normal impulse, with events where slip has stopped, compression ends and the law ends it."""
+    """Scipy's solve_ivp by normal impulse, to a tolerance."""
 
     def prepare(case: Case) -> "Callable[[], Vector]":
-        c = Contact(case)
-
-        def answer() -> "Vector":
-            from scipy.integrate import solve_ivp
-
-            y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
-            compression = done = 0.0
-            longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
-            for _ in range(4):
-                straight = c.held(hypot(y[0], y[1]))
-                fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
-
-                def rhs(_: float, y: "Any", fixed: "Any" = fixed) -> "State":
-                    return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
-
-                def stops(_: float, y: "Any", straight: bool = straight) -> float:
-                    return 1.0 if straight else float(hypot(y[0], y[1]) - c.least)
-
-                def ends(_: float, y: "Any", compression: float = compression, done: float = done) -> float:
-                    return float(c.aim(y, compression, done))
-
-                stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
-                ends.direction = 1.0  # type: ignore[attr-defined]
-                found = solve_ivp(
-                    rhs, [0.0, longest], y, method="DOP853", events=[stops, ends], rtol=tolerance,
-                    atol=1e-3 * tolerance * -c.u[2],
-                )  # fmt: skip
-                if found.status != 1:
-                    raise ArithmeticError
-                y = [float(value) for value in found.y[:, -1]]
-                if len(found.t_events[0]):
-                    y[0] = y[1] = 0.0
-                if len(found.t_events[1]):
-                    if compression or c.e == 0.0:
-                        return y[3], y[4], y[5]
-                    compression, done = y[5], -y[6]
-            raise ArithmeticError
-
-        return answer
+        c = Contact.of(case)
+        return lambda: integral(c, tolerance)
 
     return prepare
+
+
+def integral(c: Contact, tolerance: float) -> "Vector":
+    """The impulse by scipy's DOP853, with events where slip has stopped, compression ends and the law ends it."""
+    from scipy.integrate import solve_ivp
+
+    y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
+    compression = done = 0.0
+    longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
+    for _ in range(4):
+        straight = c.held(hypot(y[0], y[1]))
+        fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
+
+        def rhs(_: float, y: "Any", fixed: "Any" = fixed) -> "State":
+            return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
+
+        def stops(_: float, y: "Any", straight: bool = straight) -> float:
+            return 1.0 if straight else float(hypot(y[0], y[1]) - c.least)
+
+        def ends(_: float, y: "Any", compression: float = compression, done: float = done) -> float:
+            return float(c.aim(y, compression, done))
+
+        stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
+        ends.direction = 1.0  # type: ignore[attr-defined]
+        found = solve_ivp(
+            rhs, [0.0, longest], y, method="DOP853", events=[stops, ends], rtol=tolerance,
+            atol=1e-3 * tolerance * -c.u[2],
+        )  # fmt: skip
+        if found.status != 1:
+            raise ArithmeticError
+        y = [float(value) for value in found.y[:, -1]]
+        if len(found.t_events[0]):
+            y[0] = y[1] = 0.0
+        if len(found.t_events[1]):
+            if compression or c.e == 0.0:
+                return y[3], y[4], y[5]
+            compression, done = y[5], -y[6]
+    raise ArithmeticError
 
 
 CHOSEN = 24, 0.1353352832366127
@@ -207,16 +213,16 @@ RIVALS = (
     Rival("Taylor of order 16", taylor(16, CHOSEN[1])),
     Rival("Taylor of order 10", taylor(10, CHOSEN[1])),
     Rival("Taylor of order 24, strides of half the radius", taylor(24, 0.5)),
-    Rival("scipy DOP853, 1e-12", dop853(1e-12), needs="scipy"),
-    Rival("scipy DOP853, 1e-6", dop853(1e-6), needs="scipy"),
+    Rival("scipy DOP853, 1e-12", dop853(1e-12)),
+    Rival("scipy DOP853, 1e-6", dop853(1e-6)),
     Rival("RK4, 40 steps", steps(_rk4, 40)),
     Rival("RK4, 10 steps", steps(_rk4, 10)),
     Rival("Euler, 1,000 steps", steps(_euler, 1000)),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """The impulse by every method; Euler, which takes seconds, in the full report alone."""
     cases = [case for case in load(FILE) if case.task == "keller" and (case.hard or not hard)]
     rivals = RIVALS if full else RIVALS[:-1]
-    return compared(name, cases, rivals, NAMES, full=full, timed=timed, peers=peers)
+    return compared(name, cases, rivals, NAMES, full=full, timed=timed)
