@@ -1,5 +1,7 @@
 """A chain of bodies: velocities pair by pair and the contact problem by LAPACK, and as physics engines iterate it."""
 
+from itertools import pairwise
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -15,7 +17,7 @@ SWEEPS = 400
 
 
 def _closing(speeds: "list[float]") -> "list[float]":
-    return [one - other for one, other in zip(speeds, speeds[1:], strict=False)]
+    return [one - other for one, other in pairwise(speeds)]
 
 
 def _by_differences(

@@ -1,5 +1,6 @@
 """Crush and yaw inertia: formulas as printed, the force summed over the face, mean depths, radii of gyration."""
 
+from itertools import pairwise
 from math import cos, sin, sqrt, tan
 
 from dynamics_cli.accuracy.rivals.impact_plane import mass_of
@@ -36,14 +37,14 @@ def printed(depths: "tuple[float, ...]", a: float, b: float) -> float:
     pieces = len(depths) - 1
     first = depths[0] + 2.0 * sum(depths[1:-1]) + depths[-1]
     squares = depths[0] ** 2 + 2.0 * sum(c**2 for c in depths[1:-1]) + depths[-1] ** 2
-    products = sum(c * d for c, d in zip(depths, depths[1:], strict=False))
+    products = sum(c * d for c, d in pairwise(depths))
     return (0.5 * a * first + b / 6.0 * (squares + products)) / pieces + a**2 / (2.0 * b)
 
 
 def strips(depths: "tuple[float, ...]", a: float, b: float) -> float:
     """Energy per width of fifty strips between two stations, each as deep as in its middle."""
     total, pieces = 0.0, len(depths) - 1
-    for c, d in zip(depths, depths[1:], strict=False):
+    for c, d in pairwise(depths):
         for k in range(STRIPS):
             depth = c + (d - c) * (k + 0.5) / STRIPS
             total += a * depth + 0.5 * b * depth**2
@@ -82,7 +83,7 @@ def _damage(
     if hasattr(vehicle.profile, "stations"):
         moment = sum(
             (k + (c + 2.0 * d) / (3.0 * (c + d))) * 0.5 * (c + d) if c + d else 0.0
-            for k, (c, d) in enumerate(zip(depths, depths[1:], strict=False))
+            for k, (c, d) in enumerate(pairwise(depths))
         )
         found["crush_centre"] = width * moment / (pieces * (pieces * middle))
     return {f"{name}.{key}": value for key, value in found.items()}
@@ -91,7 +92,7 @@ def _damage(
 def _crush(
     energy: "Callable[[tuple[float, ...], float, float], float]", first: "Any", second: "Any", e: float, gravity: float
 ) -> "dict[str, float]":
-    """u = √(2E/(m_r·(1 − e²))), p = m_r·(1 + e)·u, ΔV = p/m."""
+    """Closing speed u = √(2E/(m_r·(1 − e²))), p = m_r·(1 + e)·u, ΔV = p/m."""
     mass = mass_of(first.bulk, gravity)
     assert mass is not None
     found = _damage("first", first, mass, energy)

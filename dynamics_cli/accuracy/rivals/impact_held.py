@@ -156,7 +156,7 @@ def step_by_equations(
     *, radius: float, height: float, wheel: "Any", gravity: float, speed: "float | None" = None,
     mass: "float | None" = None,
 ) -> "dict[str, float]":  # fmt: skip
-    """Spin after and impulses as one system of three equations; the least speed by Brent's method on the energy left."""
+    """Spin after and impulses by three equations at once; the least speed by Brent's method on the energy left."""
     import numpy as np
     from scipy.optimize import brentq
 

@@ -118,7 +118,7 @@ def drop(
 def drop_by_bounces(
     *, evidence: "Any", height: "float | None" = None, bounces: int, gravity: float, mass: "float | None" = None
 ) -> "dict[str, float]":
-    """From bounce to bounce: fall, rebound, rise v²/2g, until another adds nothing to the time, or there are too many."""
+    """From bounce to bounce: fall, rebound, rise v²/2g, until one adds nothing to the time, or too many."""
     e, h = _restitution(evidence, height, gravity)
     fall = sqrt(2.0 * h / gravity)
     found = {"restitution": e, "drop_height": h, "fall_time": fall}

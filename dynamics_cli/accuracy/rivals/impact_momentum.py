@@ -1,4 +1,4 @@
-"""Momentum before a crash by components along x and y, and by a solver for any two unknowns; all else as differences."""
+"""Momentum before a crash by components along x and y, and by a solver for two unknowns; all else as differences."""
 
 from math import atan2, cos, hypot, pi, sin, sqrt, tan
 

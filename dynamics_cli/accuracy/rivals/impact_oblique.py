@@ -1,4 +1,4 @@
-"""Oblique impact as textbooks teach it: components along and across the line of impact, or all of them as one system."""
+"""Oblique impact as textbooks teach it: components along and across the line of impact, or one system."""
 
 from math import asin, atan2, cos, sin
 
@@ -95,7 +95,7 @@ def by_matrix(**given: "Any") -> "dict[str, float]":
     import numpy as np
 
     m = Meeting(given)
-    (a, s), (b, t) = (m.along(v) for v in m.before)
+    (a, s), (b, _) = (m.along(v) for v in m.before)
     one, two = m.masses
     rows: list[list[float]] = [[*m.t, 0.0, 0.0], [-m.n[0], -m.n[1], *m.n]]
     right = [s, m.e * (a - b)]

@@ -47,9 +47,7 @@ def kinetic(mass: float, velocity: "Pair") -> float:
     return 0.5 * mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1])
 
 
-def change(
-    name: str, before: "Pair", after: "Pair", nose: "float | None", axes: str, zero: str
-) -> "dict[str, float]":
+def change(name: str, before: "Pair", after: "Pair", nose: "float | None", axes: str, zero: str) -> "dict[str, float]":
     """ΔV = v' − v, its parts along and across the nose by cos and sin of the angle between, PDOF by angles."""
     x, y = after[0] - before[0], after[1] - before[1]
     travel = atan2(before[1], before[0]) if any(before) else angle_of(0.0, axes)

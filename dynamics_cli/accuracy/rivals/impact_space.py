@@ -24,6 +24,8 @@ NAMES = ("impulse[0]", "impulse[1]", "impulse[2]")
 # Slip below this share of the speeds at the start has stopped, for those that march by impulse.
 STOPPED = 1e-9
 MOST_STEPS = 100_000
+# Where the slip's direction turns ever faster an integrator's steps shrink; this many slopes are a second's work.
+MOST_SLOPES = 30_000
 
 
 class Contact:
@@ -175,12 +177,17 @@ def integral(c: Contact, tolerance: float) -> "Vector":
 
     y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
     compression = done = 0.0
+    slopes = 0
     longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
     for _ in range(4):
         straight = c.held(hypot(y[0], y[1]))
         fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
 
         def rhs(_: float, y: "Any", fixed: "Any" = fixed) -> "State":
+            nonlocal slopes
+            slopes += 1
+            if slopes > MOST_SLOPES:
+                raise ArithmeticError
             return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
 
         def stops(_: float, y: "Any", straight: bool = straight) -> float:
