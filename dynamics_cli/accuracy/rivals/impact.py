@@ -32,7 +32,7 @@ QUESTIONS = (
     _task(
         "pendulum",
         ("textbook: 1 − cos θ, energies subtracted", "lines:pendulum"),
-        ("swing by scipy DOP853, 2×2 system", "lines:pendulum_by_swing"),
+        ("swing by Dormand–Prince steps, 2×2 system", "lines:pendulum_by_swing"),
     ),
     _task(
         "seize",
@@ -42,7 +42,7 @@ QUESTIONS = (
     _task(
         "step",
         ("textbook: energies subtracted", "held:step_by_book"),
-        ("3×3 system, scipy brentq", "held:step_by_equations"),
+        ("3×3 system, Brent's method", "held:step_by_equations"),
     ),
     _task(
         "chain",
@@ -52,12 +52,12 @@ QUESTIONS = (
     _task(
         "momentum",
         ("textbook: components, Cramer's rule", "momentum:by_components"),
-        ("scipy root on the components", "momentum:by_solver"),
+        ("Newton on both components", "momentum:by_solver"),
     ),
     _task(
         "momentum",
         ("textbook: quadratic for one speed", "momentum:energy_by_quadratic"),
-        ("scipy root on momentum and energy", "momentum:energy_by_solver"),
+        ("Newton on momentum and energy", "momentum:energy_by_solver"),
         cases="momentum_and_energy",
     ),
     _task(
@@ -82,14 +82,14 @@ QUESTIONS = (
         "impact", "planar", "impact planar", RIGID, "planar",
         Method("the same velocities, then differences", BODIES + "planar"),
         Method("textbook: slides or sticks, 8×8 system by LAPACK", SYSTEMS + "by_system"),
-        Method("scipy solve_ivp along the impulse", SYSTEMS + "by_integration"),
+        Method("Dormand–Prince along the impulse", SYSTEMS + "by_integration"),
         Method("pycrash, Kudlich–Slibar without spin before", BODIES + "planar_by_pycrash", needs="pycrash"),
     ),
     Question(
         "impact", "spatial", "impact spatial", IN_SPACE, "spatial",
         Method("textbook: slides or sticks, LAPACK", SPATIAL + "by_system"),
-        Method("scipy DOP853 along the impulse, 1e-10", SPATIAL + "by_integration"),
+        Method("Dormand–Prince along the impulse, 1e-10", SPATIAL + "by_integration"),
     ),
-    Comparison("impact", "planar", "planar path, by its impulse", RIVALS + "paths:compare"),
-    Comparison("impact", "spatial", "path in space, by its impulse", RIVALS + "space:compare"),
+    Comparison("impact", "planar", "planar path, by its impulse", RIVALS + "paths:compare", peers=("scipy",)),
+    Comparison("impact", "spatial", "path in space, by its impulse", RIVALS + "space:compare", peers=("scipy",)),
 )  # fmt: skip

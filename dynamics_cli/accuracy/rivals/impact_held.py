@@ -2,6 +2,8 @@
 
 from math import sqrt
 
+from dynamics_cli.accuracy.rivals.solvers import brent
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -158,7 +160,6 @@ def step_by_equations(
 ) -> "dict[str, float]":  # fmt: skip
     """Spin after and impulses by three equations at once; the least speed by Brent's method on the energy left."""
     import numpy as np
-    from scipy.optimize import brentq
 
     w = Wheel(radius, height, wheel, mass)
     down, aside = radius - height, sqrt(radius**2 - (radius - height) ** 2)
@@ -174,7 +175,7 @@ def step_by_equations(
 
     # the edge takes less than all, so that this is too fast for any wheel
     most = 2.0 * sqrt(2.0 * gravity * height) / min(kept, 1.0)
-    least = brentq(short, 0.0, most, xtol=1e-300, rtol=9e-16)
+    least = brent(short, 0.0, most)
     found = _climbs(w, speed, kept, least, gravity)
     if speed is not None and mass is not None:
         found |= {"impulse_forward": mass * forward, "impulse_upward": mass * upward}

@@ -1,8 +1,9 @@
 """Impacts on a line as textbooks print them: central impact, bounces, the ballistic pendulum, a chain of bodies."""
 
-from math import cos, isfinite, sin, sqrt
+from math import cos, sin, sqrt
 
 from dynamics_cli.accuracy.rivals.impact_plane import mass_of
+from dynamics_cli.accuracy.rivals.solvers import dormand_prince
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -208,19 +209,10 @@ def pendulum_by_swing(
 
 
 def _fallen(angle: float, stiffness: float) -> float:
-    """Angular speed at the lowest point of a pendulum let go at an angle, by scipy's DOP853 to 1e-12."""
-    from scipy.integrate import solve_ivp
-
-    def below(_: float, y: "Any") -> float:
-        return float(y[0])
-
-    below.terminal = True  # type: ignore[attr-defined]
+    """Angular speed at the lowest point of a pendulum let go at an angle, by Dormand–Prince steps to 1e-12."""
     start = abs(angle)
-    # in quarter periods of small swings, and shares of the angle
-    found = solve_ivp(
-        lambda _, y: [y[1], -sin(start * y[0]) / start], [0.0, 100.0], [1.0, 0.0], method="DOP853", events=below,
-        rtol=1e-12, atol=1e-13,
-    )  # fmt: skip
-    if found.status != 1 or not isfinite(found.y[1, -1]):
-        raise ArithmeticError
-    return float(-found.y[1, -1]) * start * sqrt(stiffness)
+    # in radians of small swings, and shares of the angle
+    _, (_, speed), _ = dormand_prince(
+        lambda _, y: (y[1], -sin(start * y[0]) / start), [1.0, 0.0], [lambda _, y: -y[0]], 1e-12, 1e-14, first=0.01
+    )
+    return -speed * start * sqrt(stiffness)

@@ -3,6 +3,7 @@
 from math import atan2, cos, hypot, pi, sin, sqrt, tan
 
 from dynamics_cli.accuracy.rivals.impact_plane import angle_of, change, heading_of, mass_of, polar
+from dynamics_cli.accuracy.rivals.solvers import newton_of_two
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -109,9 +110,7 @@ def by_components(**given: "Any") -> "dict[str, float]":
 
 
 def by_solver(**given: "Any") -> "dict[str, float]":
-    """The two equations given to scipy's `root` with whatever is unknown in them, from the mean of what is known."""
-    from scipy.optimize import root
-
+    """Newton's method on the two equations with whatever is unknown in them, from the mean of what is known."""
     c = Crash(given)
     unknown = [(c.speeds, k) for k in range(4) if c.speeds[k] is None]
     unknown += [(c.angles, k) for k in range(4) if c.angles[k] is None]
@@ -121,22 +120,21 @@ def by_solver(**given: "Any") -> "dict[str, float]":
     if all(where is c.speeds for where, _ in unknown):
         found["angle_condition"] = _condition(c.angles[unknown[0][1]], c.angles[unknown[1][1]])
     known = [v for v in c.speeds if v is not None]
-    start = [sum(known) / len(known) if where is c.speeds else c.closing(k) for where, k in unknown]
-    scale = sum(c.masses) * max(sum(known) / len(known), 1e-300)
+    speed = sum(known) / len(known)
+    one, two = (speed if where is c.speeds else c.closing(k) for where, k in unknown)
+    sizes = [speed if where is c.speeds else 1.0 for where, _ in unknown]
 
-    def left(values: "Any") -> "list[float]":
+    def left(*values: float) -> "tuple[float, float]":
         for (where, k), value in zip(unknown, values, strict=True):
-            where[k] = float(value)
+            where[k] = value
         parts = [(c.amount(k) * c.speeds[k], c.angles[k]) for k in range(4)]
-        return [sum(p * f(a) for p, a in parts) / scale for f in (cos, sin)]
+        x, y = (sum(p * f(a) for p, a in parts) / (sum(c.masses) * speed) for f in (cos, sin))
+        return x, y
 
-    values = root(left, start, tol=1e-15).x
-    if max(map(abs, left(values))) > 1e-9:
-        raise ArithmeticError
-    for (where, k), value in zip(unknown, values, strict=True):
+    for (where, k), value in zip(unknown, newton_of_two(left, one, two, (sizes[0], sizes[1])), strict=True):
         if where is c.speeds and value < 0.0:
             raise ArithmeticError
-        where[k] = float(value) if where is c.speeds else atan2(sin(value), cos(value))
+        where[k] = value if where is c.speeds else atan2(sin(value), cos(value))
     return _results(c) | found
 
 
@@ -185,23 +183,17 @@ def energy_by_quadratic(**given: "Any") -> "dict[str, float]":
 
 
 def energy_by_solver(**given: "Any") -> "dict[str, float]":
-    """Momentum and energy given to scipy's `root`, from speeds of energies shared by halves."""
-    from scipy.optimize import root
-
+    """Newton's method on momentum and energy together, from speeds apart by half the energy."""
     one = Line(given)
     (m1, m2), (u1, u2) = one.crash.masses, one.after
     energy = one.damage + 0.5 * m1 * u1**2 + 0.5 * m2 * u2**2
     speed = sqrt(2.0 * energy / (m1 + m2))
 
-    def left(values: "Any") -> "list[float]":
-        v1, v2 = map(float, values)
-        return [
+    def left(v1: float, v2: float) -> "tuple[float, float]":
+        return (
             (m1 * (v1 - u1) + m2 * (v2 - u2)) / ((m1 + m2) * speed),
             (0.5 * m1 * v1 * v1 + 0.5 * m2 * v2 * v2 - energy) / energy,
-        ]
+        )
 
-    common, apart = (m1 * u1 + m2 * u2) / (m1 + m2), sqrt(one.damage / m1)
-    values = root(left, [common + apart, common - apart], tol=1e-15).x
-    if max(map(abs, left(values))) > 1e-9:
-        raise ArithmeticError
-    return one.results(*map(float, values))
+    common, apart = (m1 * u1 + m2 * u2) / (m1 + m2), sqrt(energy / m1)
+    return one.results(*newton_of_two(left, common + apart, common - apart, (speed, speed)))

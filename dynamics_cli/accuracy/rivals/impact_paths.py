@@ -3,6 +3,7 @@
 from math import copysign, sqrt, tanh
 
 from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals.impact_march import own, scipy
 from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
 
 TYPE_CHECKING = False
@@ -10,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.rivals.impact_march import March, State
     from dynamics_cli.accuracy.rows import Row
 
 FILE = "impact_rigid.json"
@@ -17,6 +19,8 @@ NAMES = ("normal", "tangential")
 # What the closed form promises, in shares of the impulse.
 PROMISE = 2e-15
 MOST_STEPS = 200_000
+# A spring that has not thrown the bodies apart after so many is taken for a jam.
+MOST_OF_SPRING = 20_000
 
 
 class Contact:
@@ -136,57 +140,54 @@ def _over(c: Contact, un: float, pn: float, work: float, compression: float, don
     return work >= (c.e * c.e - 1.0) * done
 
 
-def integrated(case: Case) -> "Callable[[], tuple[float, float]]":
-    """Scipy's solve_ivp in normal impulse."""
-    c = Contact.of(case)
-    return lambda: integral(c)
+def integrated(march: "March") -> "Callable[[Case], Callable[[], tuple[float, float]]]":
+    """The path integrated in normal impulse."""
+
+    def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
+        c = Contact.of(case)
+        return lambda: integral(c, march)
+
+    return prepare
 
 
-def integral(c: Contact) -> "tuple[float, float]":
-    """Normal and tangential impulse by scipy's solve_ivp, with events where slip stops and where the law ends it."""
-    from scipy.integrate import solve_ivp
-
-    y, p = [c.ut, c.un, 0.0, 0.0], 0.0
+def integral(c: Contact, march: "March") -> "tuple[float, float]":
+    """Normal and tangential impulse, the march stopping where slip stops, compression ends and the law ends it."""
+    # slip, approach, tangential impulse, work and normal impulse
+    y = [c.ut, c.un, 0.0, 0.0, 0.0]
     compression = done = 0.0
     longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
     for _ in range(8):
         ratio = c.ratio(y[0])
         rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
 
-        def rhs(_: float, y: "Any", rates: "Any" = rates, ratio: float = ratio) -> "list[float]":
-            return [rates[0], rates[1], ratio, y[1]]
+        def slope(_: float, y: "State", rates: "Any" = rates, ratio: float = ratio) -> "State":
+            return [rates[0], rates[1], ratio, y[1], 1.0]
 
-        ends = _events(c, y, compression, done)
-        found = solve_ivp(rhs, [p, p + longest], y, events=ends, rtol=1e-12, atol=1e-15 * -c.un)
-        if found.status != 1:
-            raise ArithmeticError
-        y, p = [float(value) for value in found.y[:, -1]], float(found.t[-1])
-        if len(found.t_events[0]):
+        y, (stopped, ended) = march(slope, y, _events(c, y[0], compression, done), 1e-15 * -c.un, longest)
+        if stopped:
             y[0] = 0.0
-        if len(found.t_events[1]):
+        if ended:
             if compression or c.e == 0.0:
-                return p, y[2]
-            compression, done = p, -y[3]
+                return y[4], y[2]
+            compression, done = y[4], -y[3]
     raise ArithmeticError
 
 
-def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "list[Callable[[float, Any], float]]":
-    side = y[0]
+def _events(c: Contact, side: float, compression: float, done: float) -> "list[Callable[[float, State], float]]":
+    """What rises to zero where slip stops, and where compression or, after it, the impact is over."""
 
-    def stops(_: float, y: "Any") -> float:
-        return float(y[0]) if side else 1.0
+    def stops(_: float, y: "State") -> float:
+        return -copysign(1.0, side) * y[0] if side else -1.0
 
-    def ends(p: float, y: "Any") -> float:
+    def ends(_: float, y: "State") -> float:
         if not compression:
-            return float(y[1])
+            return y[1]
         if c.law == "newton":
-            return float(y[1] + c.e * c.un)
+            return y[1] + c.e * c.un
         if c.law == "poisson":
-            return p - (1.0 + c.e) * compression
-        return float(y[3] + (1.0 - c.e * c.e) * done)
+            return y[4] - (1.0 + c.e) * compression
+        return y[3] + (1.0 - c.e * c.e) * done
 
-    stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
-    ends.direction = 1.0  # type: ignore[attr-defined]
     return [stops, ends]
 
 
@@ -210,7 +211,7 @@ def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
         def answer() -> "tuple[float, float]":
             y: tuple[float, ...] = (c.ut, c.un, 0.0, 0.0, 0.0)
             deepest = 0.0
-            for _ in range(MOST_STEPS):
+            for _ in range(MOST_OF_SPRING):
                 a = rates(y, deepest)
                 b = rates(_ahead(y, a, 0.5 * step), deepest)
                 d = rates(_ahead(y, b, 0.5 * step), deepest)
@@ -239,12 +240,13 @@ RIVALS = (
     Rival("slides or sticks, as in textbooks", two_cases),
     Rival("100 steps of normal impulse", steps(100)),
     Rival("1,000 steps of normal impulse", steps(1000)),
-    Rival("scipy solve_ivp with events", integrated),
+    Rival("Dormand–Prince 5(4) to 1e-12, events by Brent", integrated(own(1e-12))),
+    Rival("scipy solve_ivp with events", integrated(scipy("RK45", 1e-12)), needs="scipy"),
     Rival("spring and smoothed friction, RK4", spring(200)),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Normal and tangential impulse by every method."""
     cases = [case for case in load(FILE) if case.task == "path" and (case.hard or not hard)]
-    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed)
+    return compared(name, cases, RIVALS, NAMES, full=full, timed=timed, peers=peers)

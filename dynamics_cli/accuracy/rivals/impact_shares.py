@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 class Rival:
     """A method: its name, what makes its call, and what it states for its error in a case, if anything.
 
-    `many` makes a call that answers a case so many times at once, where the method takes arrays.
+    `many` makes a call that answers a case so many times at once, where the method takes arrays; `needs` names the
+    library it comes from.
     """
 
     def __init__(
@@ -30,11 +31,13 @@ class Rival:
         prepare: "Prepared",
         stated: "Callable[[Case], float] | None" = None,
         many: "Callable[[Case, int], Callable[[], object]] | None" = None,
+        needs: str = "",
     ) -> None:
         self.name = name
         self.prepare = prepare
         self.stated = stated
         self.many = many
+        self.needs = needs
 
 
 def share(case: "Case", parts: "Parts", names: "Sequence[str]") -> float:
@@ -48,9 +51,11 @@ def share(case: "Case", parts: "Parts", names: "Sequence[str]") -> float:
 
 
 def compared(
-    name: str, cases: "Sequence[Case]", rivals: "Sequence[Rival]", names: "Sequence[str]", *, full: bool, timed: bool
-) -> "list[Row]":
+    name: str, cases: "Sequence[Case]", rivals: "Sequence[Rival]", names: "Sequence[str]", *, full: bool, timed: bool,
+    peers: "tuple[str, ...]",
+) -> "list[Row]":  # fmt: skip
     """Rows of the rivals, the chosen one first; times are the mean over some of the cases each can answer."""
+    rivals = [rival for rival in rivals if not rival.needs or rival.needs in peers]
     pace = Pace(full=full)
     made: list[Row] = []
     base: float | None = None

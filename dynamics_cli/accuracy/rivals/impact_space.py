@@ -1,4 +1,4 @@
-"""Keller's equations of an impact in space: Taylor series in τ, beside other orders, DOP853, RK4 and Euler by impulse.
+"""Keller's equations of an impact in space: Taylor series in τ beside other orders, Dormand–Prince, RK4 and Euler.
 
 By normal impulse the slip's direction is singular where the slip stops, so the rivals stop it below a share of the
 start and go on straight, as the program does.
@@ -7,6 +7,7 @@ start and go on straight, as the program does.
 from math import hypot, sqrt
 
 from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals.impact_march import own, scipy
 from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
 
 TYPE_CHECKING = False
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.rivals.impact_march import March
     from dynamics_cli.accuracy.rows import Row
 
     Vector = tuple[float, float, float]
@@ -161,20 +163,18 @@ def _within(
     return new
 
 
-def dop853(tolerance: float) -> "Callable[[Case], Callable[[], Vector]]":
-    """Scipy's solve_ivp by normal impulse, to a tolerance."""
+def integrated(march: "March") -> "Callable[[Case], Callable[[], Vector]]":
+    """Keller's equations integrated by normal impulse."""
 
     def prepare(case: Case) -> "Callable[[], Vector]":
         c = Contact.of(case)
-        return lambda: integral(c, tolerance)
+        return lambda: integral(c, march)
 
     return prepare
 
 
-def integral(c: Contact, tolerance: float) -> "Vector":
-    """The impulse by scipy's DOP853, with events where slip has stopped, compression ends and the law ends it."""
-    from scipy.integrate import solve_ivp
-
+def integral(c: Contact, march: "March") -> "Vector":
+    """The impulse, the march stopping where slip has stopped, compression ends and the law ends it."""
     y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
     compression = done = 0.0
     slopes = 0
@@ -183,31 +183,23 @@ def integral(c: Contact, tolerance: float) -> "Vector":
         straight = c.held(hypot(y[0], y[1]))
         fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
 
-        def rhs(_: float, y: "Any", fixed: "Any" = fixed) -> "State":
+        def slope(_: float, y: "State", fixed: "Any" = fixed) -> "State":
             nonlocal slopes
             slopes += 1
             if slopes > MOST_SLOPES:
                 raise ArithmeticError
             return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
 
-        def stops(_: float, y: "Any", straight: bool = straight) -> float:
-            return 1.0 if straight else float(hypot(y[0], y[1]) - c.least)
+        def stops(_: float, y: "State", straight: bool = straight) -> float:
+            return -1.0 if straight else c.least - hypot(y[0], y[1])
 
-        def ends(_: float, y: "Any", compression: float = compression, done: float = done) -> float:
-            return float(c.aim(y, compression, done))
+        def ends(_: float, y: "State", compression: float = compression, done: float = done) -> float:
+            return c.aim(y, compression, done)
 
-        stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
-        ends.direction = 1.0  # type: ignore[attr-defined]
-        found = solve_ivp(
-            rhs, [0.0, longest], y, method="DOP853", events=[stops, ends], rtol=tolerance,
-            atol=1e-3 * tolerance * -c.u[2],
-        )  # fmt: skip
-        if found.status != 1:
-            raise ArithmeticError
-        y = [float(value) for value in found.y[:, -1]]
-        if len(found.t_events[0]):
+        y, (stopped, ended) = march(slope, y, [stops, ends], 1e-15 * -c.u[2], longest)
+        if stopped:
             y[0] = y[1] = 0.0
-        if len(found.t_events[1]):
+        if ended:
             if compression or c.e == 0.0:
                 return y[3], y[4], y[5]
             compression, done = y[5], -y[6]
@@ -220,16 +212,17 @@ RIVALS = (
     Rival("Taylor of order 16", taylor(16, CHOSEN[1])),
     Rival("Taylor of order 10", taylor(10, CHOSEN[1])),
     Rival("Taylor of order 24, strides of half the radius", taylor(24, 0.5)),
-    Rival("scipy DOP853, 1e-12", dop853(1e-12)),
-    Rival("scipy DOP853, 1e-6", dop853(1e-6)),
+    Rival("Dormand–Prince 5(4), 1e-10", integrated(own(1e-10))),
+    Rival("Dormand–Prince 5(4), 1e-6", integrated(own(1e-6))),
+    Rival("scipy DOP853, 1e-12", integrated(scipy("DOP853", 1e-12)), needs="scipy"),
     Rival("RK4, 40 steps", steps(_rk4, 40)),
     Rival("RK4, 10 steps", steps(_rk4, 10)),
     Rival("Euler, 1,000 steps", steps(_euler, 1000)),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """The impulse by every method; Euler, which takes seconds, in the full report alone."""
     cases = [case for case in load(FILE) if case.task == "keller" and (case.hard or not hard)]
     rivals = RIVALS if full else RIVALS[:-1]
-    return compared(name, cases, rivals, NAMES, full=full, timed=timed)
+    return compared(name, cases, rivals, NAMES, full=full, timed=timed, peers=peers)

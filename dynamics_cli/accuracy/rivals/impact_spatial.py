@@ -1,8 +1,9 @@
-"""Impacts in space with matrices of numpy: slides or sticks, or DOP853 by impulse; all else as differences."""
+"""Impacts in space with matrices of numpy: slides or sticks, or integrated by impulse; all else as differences."""
 
 from math import atan2, hypot, pi
 
 from dynamics_cli.accuracy.rivals import impact_space
+from dynamics_cli.accuracy.rivals.impact_march import own
 from dynamics_cli.accuracy.rivals.impact_plane import mass_of
 
 TYPE_CHECKING = False
@@ -132,11 +133,11 @@ def by_system(**given: "Any") -> "dict[str, float]":
 
 
 def by_integration(**given: "Any") -> "dict[str, float]":
-    """Keller's equations by scipy's DOP853 to 1e-10, with events, on K of numpy."""
+    """Keller's equations by Dormand–Prince steps to 1e-10, on K of numpy."""
     import numpy as np
 
     m = Meeting(given)
     k = tuple(tuple(row) for row in m.k.tolist())
     x, y, z = m.u.tolist()
     contact = impact_space.Contact(k, (x, y, z), m.mu, m.e, m.law)
-    return _results(m, np.array(impact_space.integral(contact, 1e-10)))
+    return _results(m, np.array(impact_space.integral(contact, own(1e-10))))

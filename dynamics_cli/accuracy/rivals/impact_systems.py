@@ -3,6 +3,7 @@
 from math import cos, hypot, sin
 
 from dynamics_cli.accuracy.rivals import impact_paths
+from dynamics_cli.accuracy.rivals.impact_march import own
 from dynamics_cli.accuracy.rivals.impact_plane import angle_of, change, heading_of, kinetic, mass_of, state, velocity_of
 
 TYPE_CHECKING = False
@@ -136,7 +137,7 @@ def by_system(**given: "Any") -> "dict[str, float]":
 
 
 def by_integration(**given: "Any") -> "dict[str, float]":
-    """The path in normal impulse by scipy's solve_ivp with events, on K = Σ (1/m + r²/J); Newton, Poisson, Stronge."""
+    """The path in normal impulse by Dormand–Prince steps, on K = Σ (1/m + r²/J); Newton, Poisson, Stronge."""
     m = Meeting(given)
     if m.law not in ("newton", "poisson", "stronge"):
         raise ArithmeticError
@@ -149,7 +150,7 @@ def by_integration(**given: "Any") -> "dict[str, float]":
             kn + 1.0 / body.mass + rt**2 / body.inertia
         )  # fmt: skip
     contact = impact_paths.Contact((kt, kx, kn), (m.slip, m.approach), m.mu, m.e, m.law)
-    pn, pt = impact_paths.integral(contact)
+    pn, pt = impact_paths.integral(contact, own(1e-12))
     after: After = []
     for body, sign in zip(m.bodies, (1.0, -1.0), strict=True):
         x, y = (sign * (pn * n + pt * t) for n, t in zip(m.n, m.t, strict=True))
