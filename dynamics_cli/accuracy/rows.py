@@ -75,6 +75,8 @@ class Row:
         The true value of the worst result, in SI units: where it all but vanishes, a share of it says little.
     share : Ratio
         How many of the chosen method's results it gives, over the cases that it answers.
+    loosest : Ratio
+        The stated bound over the true error where that is largest, counted as in the median.
     """
 
     family: Text
@@ -101,6 +103,7 @@ class Row:
     front: bool = False
     worst_reference: Text = ""
     share: Ratio | None = None
+    loosest: Ratio | None = None
 
     @property
     def is_proved(self) -> bool:
@@ -149,6 +152,7 @@ def row(
         entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
         share=_share(errors, own) if own else None,
+        loosest=max(errors.looseness, default=None),
     )
 
 
