@@ -217,7 +217,7 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
         for method in methods
     ]
     common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in found)]
-    rows = []
+    rows: list[Row] = []
     for method, errors in zip(methods, found, strict=True):
         time = base = many = None
         if wanted.timed and errors.cases:

@@ -134,9 +134,9 @@ def _sweeps(k: "Any", closing: "Any") -> "Any":
 
 def by_velocities(*, bodies: "Any", restitution: float, law: str) -> "dict[str, float]":
     """Pairs by the textbook's velocities; all contacts at once by an active set and `numpy.linalg.solve`."""
-    return _by_differences(bodies, restitution, law, _pair_by_pair, lambda *given: _rounds(*given, _active))
+    return _by_differences(bodies, restitution, law, _pair_by_pair, lambda m, v, e: _rounds(m, v, e, _active))
 
 
 def by_sweeps(*, bodies: "Any", restitution: float, law: str) -> "dict[str, float]":
     """Pairs as systems of two equations; all contacts at once by 400 sweeps of projected Gauss–Seidel."""
-    return _by_differences(bodies, restitution, law, _pair_by_system, lambda *given: _rounds(*given, _sweeps))
+    return _by_differences(bodies, restitution, law, _pair_by_system, lambda m, v, e: _rounds(m, v, e, _sweeps))

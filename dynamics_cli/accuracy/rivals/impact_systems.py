@@ -108,10 +108,12 @@ def _solved(m: Meeting, last: "list[float]", value: float) -> "tuple[After, floa
         moves = np.array([*body.velocity, body.spin])
         pulls = np.array([[m.n[0], m.t[0]], [m.n[1], m.t[1]], [0.0, 0.0]])
         pulls[2] = body.lever[0] * pulls[1] - body.lever[1] * pulls[0]
-        weights = [1.0, 1.0, 1.0] if body.mass is None else [body.mass, body.mass, body.inertia]
+        weights = np.ones(3)
+        if body.mass is not None and body.inertia is not None:
+            weights = np.array([body.mass, body.mass, body.inertia])
         whole[at : at + 3, at : at + 3] = np.diag(weights)
         whole[at : at + 3, 6:] = 0.0 if body.mass is None else -sign * pulls
-        right[at : at + 3] = np.array(weights) * moves
+        right[at : at + 3] = weights * moves
         # the velocity at the contact is what the impulse's pulls are to velocity and spin
         ends[:, at : at + 3] = sign * pulls.T
     whole[6], right[6] = ends[0], -m.e * m.approach

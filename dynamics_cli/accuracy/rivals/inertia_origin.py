@@ -16,9 +16,10 @@ def properties(pieces: "Sequence[Piece]", mass: float, measure: str) -> "dict[st
     """Measure, mass centre, tensor and principal moments (LAPACK) of pieces of one density."""
     import numpy as np
 
-    whole = sum(piece[0] for piece in pieces)
-    centre = sum(piece[0] * np.array(piece[1]) for piece in pieces) / whole
-    xx, yy, zz, xy, yz, zx = sum(piece[0] * np.array(piece[2]) for piece in pieces) / whole
+    sizes = np.array([piece[0] for piece in pieces])
+    whole = float(sizes.sum())
+    centre = sizes @ np.array([piece[1] for piece in pieces]) / whole
+    xx, yy, zz, xy, yz, zx = (sizes @ np.array([piece[2] for piece in pieces]) / whole).tolist()
     second = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) - np.outer(centre, centre)
     tensor = mass * (np.trace(second) * np.eye(3) - second)
     found = {measure: whole, "mass": mass} | {f"centroid[{k}]": float(x) for k, x in enumerate(centre)}

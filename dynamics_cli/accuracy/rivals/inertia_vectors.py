@@ -93,7 +93,7 @@ def _whole(found: "dict[str, Any]") -> "tuple[float, Array, Array, list[float]]"
 def _lapack_axes(tensor: "Array") -> "Array":
     import numpy as np
 
-    return np.linalg.eigh(tensor)[1].T  # type: ignore[no-any-return]
+    return np.linalg.eigh(tensor)[1].T
 
 
 def _book_axes(tensor: "Array") -> "Array":
@@ -112,7 +112,7 @@ def compared(
 
         pair = groups(case)["scene"]
         sides = [one(SimpleNamespace(scene=side)) for side in (pair.first, pair.second)]
-        return lambda: _differences(*(_whole(side()) for side in sides), axes)
+        return lambda: _differences(_whole(sides[0]()), _whole(sides[1]()), axes)
 
     return prepare
 
