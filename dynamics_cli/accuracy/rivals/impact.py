@@ -80,8 +80,8 @@ QUESTIONS = (
     ),
     Question(
         "impact", "planar", "impact planar", RIGID, "planar",
-        Method("the same velocities, then differences", BODIES + "planar"),
         Method("textbook: slides or sticks, 8×8 system by LAPACK", SYSTEMS + "by_system"),
+        Method("the same velocities, then differences", BODIES + "planar"),
         Method("Dormand–Prince along the impulse", SYSTEMS + "by_integration"),
         Method("pycrash, Kudlich–Slibar without spin before", BODIES + "planar_by_pycrash", needs="pycrash"),
     ),
