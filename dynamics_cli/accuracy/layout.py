@@ -18,7 +18,8 @@ LEAST_NAME = 24
 FEW_DIGITS = 1e-10
 # What columns, by their first words, and marks mean; said of those that are there.
 LEGEND = {
-    "ratio": "ratio: time over that of the program's own method (▸) in the same cases, which also checks its answer",
+    "ratio": "ratio: time over that of the program's own method (▸) in the same cases; it also gives results that have "
+    "no reference, and checks its answer",
     "gives": "gives: the share of our own method's results that this one gives",
     "arrays": "arrays: time for each case of one call on arrays",
     "worst": "worst, median: errors, as shares of the reference unless said otherwise",
