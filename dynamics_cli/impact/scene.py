@@ -239,11 +239,8 @@ def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
     seen = _Seen(scene, gravity)
-    one, two = (
-        SolidInSpace(body.mass, None, nothing(body.velocity[0]),
-                     body.velocity if body.mass is not None else body.contact_velocity(), body.spin, body.nose)
-        for body in seen.bodies
-    )  # fmt: skip
+    # with inertia left out nothing turns; with its lever a spin still moves the contact
+    one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
     k = mobility((one, two), seen.frame)
     before = approach((one, two), seen.frame)
     e = seen.restitution
@@ -259,7 +256,7 @@ def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
         work_back=e * e * work,
         heat=zero,
         history="slip without friction" if before[0] or before[1] else "no slip",
-        slip_impulse=impulse,
+        slip_impulse=impulse if seen.friction == 0 else zero,
     )
     return Solved((one, two), seen.frame, k, before, end, zero, e, seen.law, f"closed form of a {name}, in decimals")
 

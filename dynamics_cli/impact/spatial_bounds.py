@@ -32,8 +32,6 @@ LEFT = {24: Decimal("1e-7"), 42: Decimal("1e-12")}
 DOUBTFUL = "singular", "no-impact"
 # Angles are taken of doubles, by a function of the C library.
 ANGLES = ("pdof", "elevation")
-# Digits beyond those of the path to which differences of its numbers are nothing.
-SPARE = 8
 
 
 def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advice, ...] = ()) -> SpatialImpact:
@@ -124,7 +122,7 @@ def _left(before: "dict[str, Any]", after: "dict[str, Any]", digits: int) -> dic
         # what is zero in both is zero
         if value or before[name]:
             apart = LEFT[digits] * abs(Decimal(value) - Decimal(before[name]))
-            apart += sizes[_kind(name)].scaleb(-digits - SPARE)
+            apart += sizes[_kind(name)].scaleb(-digits)
         shared[vector] = max(apart, shared.get(vector, apart))
     return {name: shared[name.partition("[")[0]] for name in after}
 
