@@ -215,7 +215,7 @@ def _answered(
     from dynamics_cli.impact.spatial_bounds import answered, beside
 
     found = answered(solver, scene, gravity, *more, advice=advice)
-    if advice or not _left_out(scene, gravity, plane=solver is _in_plane):
+    if advice or found.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
         return found
     return beside(found, answered(_in_space, scene, gravity))
 
