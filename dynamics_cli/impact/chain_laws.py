@@ -193,7 +193,7 @@ SMALLEST = 5e-324
 
 
 class Told:
-    """A number as a double, with a bound on its error: half a bit here, half in another unit, what two runs leave open."""
+    """A number as a double, with a bound on its error: rounding here and in another unit, what two runs leave."""
 
     __slots__ = ("error", "value")
 
