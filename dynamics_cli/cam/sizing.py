@@ -7,7 +7,7 @@ import numpy as np
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.pieces import over_pieces, turning_places
+from dynamics_cli.cam.pieces import Cover
 from dynamics_cli.cam.profile import concave, convex
 from dynamics_cli.cam.roundness import FINEST, Round, best_offset
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
@@ -17,15 +17,16 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.cam.pieces import Ends
+
 ROOM = 1e-11
 CURVATURE = "least radius of curvature"
 ROLLER = "the roller itself: a base circle cannot be negative"
 
 
-def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Any]":
+def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]":
     """Certified extremes of functions of s, s′, s″."""
-    made = over_pieces(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions]))
-    return [turning_places(motion, made, index) for index in range(len(functions))]
+    return Cover(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions])).ends()
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:

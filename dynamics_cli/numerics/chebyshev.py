@@ -48,6 +48,8 @@ class Proxies:
         What the coefficients left out may come to.
     proved : bool
         Whether `error` is a proof, with all roundings, or an estimate.
+    steep : array (q, m)
+        Bound of the derivative of what is left out, over the half width of each piece; none where nothing is proved.
     """
 
     owner: "Any"
@@ -56,6 +58,7 @@ class Proxies:
     coefficients: "Any"
     error: "Any"
     proved: bool = False
+    steep: "Any" = None
 
 
 @record
@@ -75,6 +78,12 @@ class Extremes:
     error : float
         The function's greatest and least value on the pieces are within it of the greatest and least here: proved
         where the error of the proxies is.
+    rows : array
+        The proxies' piece each place lies in.
+    units : array
+        Where in that piece, between -1 and 1.
+    off : array of m
+        What a value may be off the largest or least of the polynomial that was searched, by pieces.
     """
 
     owner: "Any"
@@ -82,6 +91,9 @@ class Extremes:
     values: "Any"
     inside: "Any"
     error: float
+    rows: "Any" = None
+    units: "Any" = None
+    off: "Any" = None
 
     def largest(self) -> tuple[float, float]:
         """The largest value, and the first of the places whose values rounding cannot tell from it."""
@@ -188,7 +200,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
+def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
     """Find the greatest and the least value of one of the functions, or every place where it turns.
 
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
@@ -202,6 +214,8 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         Which of them.
     every : bool
         Whether places are wanted that decide neither the greatest nor the least value.
+    margin : array of m
+        How far below the greatest or above the least value a place may be and is wanted all the same, by pieces.
 
     Returns
     -------
@@ -260,7 +274,8 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
             tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            decides = (high >= most) | (low <= least)
+            room = 0.0 if margin is None else margin[owner][:, None]
+            decides = (high >= most - room) | (low <= least + room)
             turning &= decides
             unsure &= decides
         found, cells = np.nonzero(turning)
@@ -292,13 +307,15 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
-    owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
+    rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
+    units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
+    owners = made.owner[rows]
     order = np.lexsort((places, owners))
     # a piece that stays below the greatest value by more than its error has no part in the error of that
     room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(made.error[which] + off + room) * UP, 0.0)),
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], off,
     )  # fmt: skip
 
 
