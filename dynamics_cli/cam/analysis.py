@@ -6,7 +6,7 @@ from math import inf, pi
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
-from dynamics_cli.cam.followers import OscillatingFlat
+from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
 from dynamics_cli.cam.pieces import Cover, Ends, pieces, within
 from dynamics_cli.errors import require
 from dynamics_cli.records import ErrorBound, record
@@ -110,9 +110,16 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift may be off by rounding, with the lift it is added to."""
+    """What the height or angle of the follower at zero lift is off by rounding.
+
+    Heights are roots of products of sums that are rounded once: 3 u. Angles are arc tangents, within two units in the
+    last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves of it.
+    """
     f = geometry.follower
-    return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    if isinstance(f, FlatFace):
+        return 0.0
+    first = abs(geometry.start + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    return 2.0**-53 * ((10.0 if geometry.oscillating else 3.0) * first + abs(geometry.start)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:

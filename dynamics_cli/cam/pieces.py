@@ -112,6 +112,7 @@ class Cover:
             self.made = _estimated(motion, function, derivatives)
             return
         self.owner = made.owner
+        self.still = np.array([part.law_piece is None for part in self.parts])[self.rows.which[made.owner]]
         self.made = Proxies(
             owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved, made.steep
         )
@@ -154,7 +155,7 @@ class Cover:
         if self.owner is None:
             return [self._loose(index) for index in which]
         with np.errstate(all="ignore"):
-            found = [top for index in which for top in summits(self.made, index)]
+            found = [top for index in which for top in summits(self.made, index, self.still)]
             rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
             values = self.function(*self.state(rows, units))
             shape = np.broadcast_shapes(values.centre.shape, (1, rows.size))

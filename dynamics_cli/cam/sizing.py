@@ -31,11 +31,11 @@ def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]"
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:
     """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
-    both, lift, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s, lambda s, s1, s2: s1)
+    both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = both.smallest()
     base = least_radius - low
     # a base circle has no negative radius, and the lowest face stays above the axis
-    floor = max(0.0, -lift.smallest()[0])
+    floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
@@ -143,10 +143,8 @@ class Wedge:
     def __init__(self, motion: "Any", limits: tuple[float, float]) -> None:
         c1, c2 = self.cotangents = (1.0 / tan(limits[0]), 1.0 / tan(limits[1]))
         # the clockwise cam is the anticlockwise one run backwards: its rise is a return there, its offset reversed
-        rise, back, lift = extremes_of(
-            motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s, lambda s, s1, s2: s
-        )
-        self.a, self.b, self.floor = rise.largest()[0], back.largest()[0], -lift.smallest()[0]
+        rise, back = extremes_of(motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s)
+        self.a, self.b, self.floor = rise.greatest, back.greatest, -motion.stroke[0]
         self.error = c1 * rise.error + c2 * back.error
 
     def height(self, e: float) -> float:

@@ -82,6 +82,9 @@ class Extremes:
         The proxies' piece each place lies in.
     units : array
         Where in that piece, between -1 and 1.
+    about : array
+        How far about its place, over the half width of the piece, the function may turn: zero but in cells in which it
+        hardly moves.
     off : array of m
         What a value may be off the largest or least of the polynomial that was searched, by pieces.
     """
@@ -93,6 +96,7 @@ class Extremes:
     error: float
     rows: "Any" = None
     units: "Any" = None
+    about: "Any" = None
     off: "Any" = None
 
     def largest(self) -> tuple[float, float]:
@@ -256,7 +260,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     off = 2.0 * np.abs(whole - c).sum(axis=1) + 0.5 * ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-48 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
-    calm: list[tuple[Any, Any]] = []
+    calm: list[tuple[Any, Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
     ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
     most, least = ends.max(), ends.min()
@@ -289,7 +293,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
         moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
         still = (moves <= CALM * scale[rows]) | (level == LEVELS)
         np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
-        calm.append((rows[still], left[still] - 0.5 * step))
+        calm.append((rows[still], left[still] - 0.5 * step, np.full(rows[still].size, step)))
         owner, left = rows[~still], left[~still]
         if not owner.size:
             break
@@ -308,6 +312,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
+    about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
     units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
     owners = made.owner[rows]
     order = np.lexsort((places, owners))
@@ -315,7 +320,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], off,
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
     )  # fmt: skip
 
 

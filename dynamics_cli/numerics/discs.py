@@ -198,6 +198,8 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
     first = (np.abs(x.centre) * y.radius + np.abs(y.centre) * x.radius) / np.where(away > 0.0, away * away, 1.0)
     wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
+    # along the axis there is nothing to turn by
+    wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
     return Disc(centre, np.where(clear, (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
 
 

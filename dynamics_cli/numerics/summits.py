@@ -18,6 +18,10 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+# cells of a piece, in which nothing moves, that are looked into
+CALM = 8
+# more places than these are not compared with one another
+COVERED = 256
 # what the derivatives of a polynomial of 24 terms round by, of Σ k²|c| and Σ k⁴|c|
 SLACK = (2.0**-44, 2.0**-43)
 
@@ -40,6 +44,8 @@ class Summits:
         What the proxies leave out on each piece.
     level : array of m
         Values of the proxy that places were looked for from, by pieces.
+    loose : array of m, of bool
+        Pieces about whose places nothing is known.
     """
 
     rows: "Any"
@@ -48,6 +54,7 @@ class Summits:
     tops: "Any"
     errors: "Any"
     level: "Any"
+    loose: "Any"
 
 
 @lru_cache(maxsize=2)
@@ -60,7 +67,7 @@ def _derivative(count: int) -> "Any":
     return made
 
 
-def summits(made: Proxies, which: int = 0) -> "tuple[Summits, Summits]":
+def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summits, Summits]":
     """Find the places that may hold the greatest value of a function, and those that may hold its least.
 
     Parameters
@@ -69,6 +76,8 @@ def summits(made: Proxies, which: int = 0) -> "tuple[Summits, Summits]":
         The functions, their error proved.
     which : int
         Which of them.
+    still : array of m, of bool
+        Pieces on which the functions are known to be constant.
 
     Returns
     -------
@@ -85,7 +94,8 @@ def summits(made: Proxies, which: int = 0) -> "tuple[Summits, Summits]":
     On a piece, f = p + e, |e| ≤ E, |e′| ≤ D. Where p turns (its slope σ at most) and p″ ≤ −m/2 as far as r on either
     side, f is above its value there by (σ + D)h − ¼mh² ≤ (σ + D)²/m at most; at an end of the piece that p falls away
     from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
-    from there to one of the places, and is below that level at r already. Pieces without such a proof keep p + E.
+    from there to one of the places, and is below that level at r already. Where p hardly moves within a cell, r has to
+    reach beyond the cell. Pieces without such a proof keep p + E.
 
     Examples
     --------
@@ -99,7 +109,9 @@ def summits(made: Proxies, which: int = 0) -> "tuple[Summits, Summits]":
     best = float(np.where(np.isfinite(small), small, 0.0)[_reaching(whole, small)].max(initial=0.0))
     with np.errstate(invalid="ignore"):
         margin = np.where(np.isfinite(small), 2.0 * small + 4.0 * best, 0.0)
-    found = extremes(made, which, margin=margin)
+    # on a piece that varies by less than that, every place is as good as any other
+    even = (np.abs(whole[:, 1:]).sum(axis=1) <= margin) & ~np.broadcast_to(still, margin.shape)
+    found = extremes(made, which, margin=np.where(even, 0.0, margin))
     # the polynomial that was searched has no coefficients that are rounding alone
     sizes = np.abs(whole)
     searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], whole, 0.0)
@@ -113,20 +125,28 @@ def summits(made: Proxies, which: int = 0) -> "tuple[Summits, Summits]":
         level = values.max() - margin
         tops = np.full(errors.shape, -inf)
         np.maximum.at(tops, found.rows, values)
-        parts.append((sign, values, np.flatnonzero(values >= level[found.rows]), level, tops + errors))
+        near = values >= level[found.rows]
+        # many places in which it hardly moves are no better than one
+        calm = even | (np.bincount(found.rows[near & (found.about > 0.0)], minlength=even.size) > CALM)
+        near &= ~calm[found.rows] | (values == values.max())
+        tops = np.where(even, values.max(), tops) + errors
+        parts.append((sign, values, np.flatnonzero(near), level, tops, calm))
     near = np.concatenate([part[2] for part in parts])
     signs, values, levels = (
         np.concatenate([np.broadcast_to(column(part), part[2].shape) for part in parts])
         for column in (lambda part: part[0], lambda part: part[1][part[2]], lambda part: part[3][found.rows[part[2]]])
     )
-    rows, units = found.rows[near], found.units[near]
-    gains = _gains(signs[:, None] * searched[rows], units, values + errors[rows] - levels, steep[rows])
-    count = parts[0][2].size
-    first, second = (
-        Summits(rows[own], units[own], gains[own], part[4], errors, part[3])
-        for own, part in zip((slice(count), slice(count, None)), parts, strict=True)
-    )
-    return first, second
+    rows, own = found.rows[near], signs[:, None] * searched[found.rows[near]]
+    units, about = _nearer(own, found.units[near], found.about[near])
+    gains, wide = _gains(own, units, values + errors[rows] - levels, steep[rows], about)
+    gains = _covered(gains, wide, about, signs * (1.0 + rows), units, values)
+    gains = np.where(np.broadcast_to(still, small.shape)[rows], 0.0, gains)
+    count, made_ = parts[0][2].size, []
+    for own, part in zip((slice(count), slice(count, None)), parts, strict=True):
+        loose = part[5] | ~np.isfinite(errors)
+        loose[rows[own][np.isinf(gains[own])]] = True
+        made_.append(Summits(rows[own], units[own], gains[own], part[4], errors, part[3], loose))
+    return made_[0], made_[1]
 
 
 def _reaching(whole: "Any", error: "Any") -> "Any":
@@ -139,8 +159,30 @@ def _reaching(whole: "Any", error: "Any") -> "Any":
     return (high >= some.max()) | (low <= some.min())
 
 
-def _gains(own: "Any", units: "Any", above: "Any", steep: "Any") -> "Any":
-    """How much greater a function may be about places than at them, its proxy being `above` the level looked for."""
+def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
+    """Places in cells in which a function hardly moves brought to where its slope vanishes, by two steps of Newton's."""
+    calm = about > 0.0
+    if not calm.any():
+        return units, about
+    matrix, k = _derivative(own.shape[1]), np.arange(own.shape[1])
+    first = own[calm] @ matrix
+    second, place = first @ matrix, units[calm]
+    for _ in range(2):
+        basis = np.cos(k * np.arccos(place)[:, None])
+        bend = (second * basis).sum(axis=1)
+        step = np.where(bend < 0.0, -(first * basis).sum(axis=1) / np.where(bend < 0.0, bend, 1.0), 0.0)
+        place = np.clip(place + np.clip(step, -about[calm], about[calm]), -1.0, 1.0)
+    made, wide = units.copy(), about.copy()
+    wide[calm] += np.abs(place - units[calm])
+    made[calm] = place
+    return made, wide
+
+
+def _gains(own: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
+    """How much greater a function may be about places than at them, and how far that is known to each side.
+
+    Its proxy is `above` the level looked for there.
+    """
     count = own.shape[1]
     matrix, k = _derivative(count), np.arange(count, dtype=float)
     first = own @ matrix
@@ -156,12 +198,24 @@ def _gains(own: "Any", units: "Any", above: "Any", steep: "Any") -> "Any":
         m = -bend - slack[1]
         r = np.minimum(m / (2.0 * twisted), 2.0)
         up = np.maximum(slope, 0.0)
-        smooth = (m > 0.0) & (above + up * r < 0.25 * m * r * r)
+        smooth = (m > 0.0) & (r > about) & (above + up * r < 0.25 * m * r * r)
         gain = np.where(smooth, (up + steep) ** 2 / np.where(m > 0.0, m, 1.0), inf)
         a = -slope
-        r = np.minimum(a / (2.0 * bent), 2.0)
-        ending = (np.abs(units) == 1.0) & (a > 2.0 * steep) & (above < 0.5 * a * r)
-    return np.where(ending, 0.0, np.where(np.isfinite(gain), gain, inf))
+        fall = np.minimum(a / (2.0 * bent), 2.0)
+        ending = (np.abs(units) == 1.0) & (a > 2.0 * steep) & (above < 0.5 * a * fall)
+    gain = np.where(np.isfinite(gain), gain, inf)
+    return np.where(ending, 0.0, gain), np.where(gain < inf, r, 0.0)
+
+
+def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any", values: "Any") -> "Any":
+    """The same gains, but none where a place lies in what is known about the best of its piece: that one's counts."""
+    if not 1 < gains.size <= COVERED:
+        return gains
+    same = rows[:, None] == rows
+    # only what is known about the best of a piece counts: it is in no other's care
+    first = ~(same & (values[:, None] > values)).any(axis=0)
+    within = np.abs(units[:, None] - units) + about < wide[:, None]
+    return np.where((same & first[:, None] & within).any(axis=0) & ~first, 0.0, gains)
 
 
 def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
@@ -203,15 +257,11 @@ def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, 
     index = int(np.argmax(values >= best - min(ALIKE * abs(best), float(found.errors[found.rows[values.argmax()]]))))
     sure = float((values - errors).max())
     # pieces whose proxy stays below what is certain hold nothing greater
-    open_ = found.tops >= sure
-    loose = np.zeros(found.tops.shape, dtype=bool)
-    loose[found.rows[np.isinf(found.gains)]] = True
     # places were looked for from a level that has to be below what is certain, by the error of the piece
-    loose |= found.level > sure - found.errors
-    loose |= ~np.isfinite(found.errors)
+    loose = (found.tops >= sure) & (found.loose | (found.level > sure - found.errors))
     with np.errstate(invalid="ignore"):
-        reach = float((values + errors + np.where(np.isinf(found.gains), -inf, found.gains)).max())
-    rest = found.tops[open_ & loose]
+        reach = float((values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)).max())
+    rest = found.tops[loose]
     if rest.size:
         reach = max(reach, float(rest.max()))
     return best, index, max(reach - best, best - sure) * UP
