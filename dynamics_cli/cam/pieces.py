@@ -147,7 +147,13 @@ class Cover:
         share = np.where(units == 1.0, made.ends[pieces_], middle + half * units)
         share = np.where(units == -1.0, made.starts[pieces_], share)
         owner = made.owner[pieces_]
-        return starts[owner] + share * (ends - starts)[owner]
+        return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
+
+    def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
+        """The functions (q, n) at places of the proxies' pieces, and what they round by."""
+        found = self.function(*self.state(pieces_, units))
+        shape = np.broadcast_shapes(found.centre.shape, (1, np.size(units)))
+        return np.broadcast_to(found.centre, shape), np.broadcast_to(found.radius, shape)
 
     def ends(self, *which: int) -> "list[Ends]":
         """The certified extremes of some of the functions, or of all."""
@@ -157,9 +163,7 @@ class Cover:
         with np.errstate(all="ignore"):
             found = [top for index in which for top in summits(self.made, index, self.still)]
             rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
-            values = self.function(*self.state(rows, units))
-            shape = np.broadcast_shapes(values.centre.shape, (1, rows.size))
-            centres, radii = (np.broadcast_to(part, shape) for part in (values.centre, values.radius))
+            centres, radii = self.values(rows, units)
             made, low = [], 0
             for number, top in enumerate(found):
                 own = slice(low, low + top.rows.size)

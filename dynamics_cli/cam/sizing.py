@@ -9,7 +9,7 @@ from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.pieces import Cover
 from dynamics_cli.cam.profile import concave, convex
-from dynamics_cli.cam.roundness import FINEST, Round, best_offset
+from dynamics_cli.cam.roundness import Round, best_offset
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
 TYPE_CHECKING = False

@@ -8,8 +8,8 @@ from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import concave, convex
-from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, extremes_of, kept, no_limit, share, signs, undercut
 from dynamics_cli.cam.roundness import sure_about
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, extremes_of, kept, no_limit, share, signs, undercut
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import Disc
 from dynamics_cli.records import ErrorBound, Numerics, record
