@@ -182,6 +182,8 @@ class Wedge:
             up = (first * c2 + second * c1) / whole + 8.0 * UNIT * (abs(self.a) * c2 + abs(self.b) * c1) / whole
             radius = hypot(e, d)
             slip = (abs(e) * across + abs(d) * up) / radius if radius else across + up
+            # an offset that cannot be told from none is none
+            e = e if abs(e) > across else 0.0
         if d < self.floor:
             # the lift may fall below the limits' apex
             d, slip = self.floor, slip + 4.0 * UNIT * self.floor
