@@ -150,9 +150,7 @@ class Wedge:
         self.a, self.b, self.floor = rise.greatest, back.greatest, -motion.stroke[0]
         # a cotangent is within three roundings of that of its limit
         most = max(map(abs, motion.stroke))
-        self.errors = tuple(
-            end.greatest_error + COTANGENT * (abs(end.greatest) + most) for end in (rise, back)
-        )
+        self.errors = tuple(end.greatest_error + COTANGENT * (abs(end.greatest) + most) for end in (rise, back))
 
     def height(self, e: float) -> float:
         """The least height."""

@@ -169,7 +169,7 @@ def _reaching(whole: "Any") -> "Any":
 
 
 def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
-    """Places in cells in which a function hardly moves brought to where its slope vanishes, by two steps of Newton's."""
+    """Places in cells in which a function hardly moves, brought nearer to a turn by two steps of Newton's."""
     calm = about > 0.0
     if not calm.any():
         return units, about

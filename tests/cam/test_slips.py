@@ -5,12 +5,12 @@ import random
 import numpy as np
 import pytest
 from mpmath import mp, mpf
+from references import generate_cam_motion_references as references
 from test_enclosures import ALL
 
 from dynamics_cli.cam.laws import law_named
 from dynamics_cli.cam.peaks import extremes, peak, peak_bound
 from dynamics_cli.cam.slips import HALVES_OF_FLOATS, of_law, slips
-from references import generate_cam_motion_references as references
 
 U = 2.0**-53
 
@@ -71,7 +71,9 @@ def test_peaks_keep_their_bounds(name: str) -> None:
             bound = peak_bound(law, order)
             assert bound <= 60.0 * U
             # about a peak the law is flat, and at a joint one of its sides
-            near = [abs(exact(min(max(mpf(place) + shift * mpf(10) ** -30, mpf(0)), mpf(1)))[order]) for shift in (-1, 1)]
+            near = [
+                abs(exact(min(max(mpf(place) + shift * mpf(10) ** -30, mpf(0)), mpf(1)))[order]) for shift in (-1, 1)
+            ]
             assert abs(max(near) - mpf(top)) <= mpf(bound) * mpf(top) + mpf(10) ** -28 * mpf(top)
 
 

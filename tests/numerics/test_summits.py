@@ -96,6 +96,8 @@ def test_what_is_not_proved_has_no_gain() -> None:
     made = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
     found = summits(made)[0]
     assert np.isinf(found.gains).all()
-    values = np.sin(0.5 * (made.starts + made.ends)[found.rows] + 0.5 * (made.ends - made.starts)[found.rows] * found.units)
+    values = np.sin(
+        0.5 * (made.starts + made.ends)[found.rows] + 0.5 * (made.ends - made.starts)[found.rows] * found.units
+    )
     value, _, error = settled(found, values, np.full(values.shape, U))
     assert abs(value - 1.0) <= error < 1e-13
