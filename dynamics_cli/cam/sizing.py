@@ -164,7 +164,7 @@ class Wedge:
             for error, one, cotangent in zip(self.errors, (self.a, self.b), self.cotangents, strict=True)
         ] + [4.0 * UNIT * abs(self.floor)]
         best = max(height - error for height, error in zip(heights, errors, strict=True))
-        return max(error for height, error in zip(heights, errors, strict=True) if height + error >= best)
+        return max(float(error) for height, error in zip(heights, errors, strict=True) if height + error >= best)
 
     def best(self) -> "tuple[float, float, str, float]":
         """Offset and height nearest to the axis, the limits that bind, and what the start radius may be off."""

@@ -11,6 +11,7 @@ from dynamics_cli.records import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from dynamics_cli.cam.laws import Law
     from dynamics_cli.cam.motion import Motion
@@ -124,7 +125,8 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
     total = slipped = 0.0
     for piece in law.pieces:
         start, end = piece.ends
-        quickest = max((w for _, w, _ in piece.shape.parts[1]), default=0.0)
+        shape: "Any" = piece.shape
+        quickest = max((w for _, w, _ in shape.parts[1]), default=0.0)
         count = 1 + int(quickest * (end - start) / MOST_TURNED)
         edges = np.linspace(start, end, count + 1)
         half = 0.5 * np.diff(edges)
