@@ -88,16 +88,19 @@ QUESTIONS = (
     Question(
         "gear", "identify", "gear identify", MESHES, "identify",
         Method("closed form", PROFILES + "identify", chosen=True, tracked=True),
-        Method("involutes of six decimals, spur, best shift only", PROFILES + "identify_by_table"),
+        Method("textbook: tan α − α, spur, best shift only", PROFILES + "identify_by_book"),
+        Method("involutes of six decimals, likewise", PROFILES + "identify_by_table"),
     ),
     Question(
         "gear", "data-block", "gear data-block", MESHES, "data_block",
         Method("closed forms, rounded last", PROFILES + "data_block", chosen=True),
-        Method("involutes of six decimals, external, some only", PROFILES + "block_by_table"),
+        Method("textbook: tan α − α, external, some only", PROFILES + "block_by_book"),
+        Method("involutes of six decimals, likewise", PROFILES + "block_by_table"),
     ),
     Question(
         "gear", "profile", "gear profile", MESHES, "profile",
         Method("closed forms, junction bracketed", PROFILES + "profile", chosen=True),
-        Method("end of the rack's flank, external only", PROFILES + "profile_by_book"),
+        Method("textbook: end of the rack's flank, external", PROFILES + "profile_by_book"),
+        Method("trochoid and involute by halving, external", PROFILES + "profile_by_halving"),
     ),
 )  # fmt: skip
