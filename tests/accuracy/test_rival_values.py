@@ -41,7 +41,14 @@ COARSE = {
     "mean sine by degrees": (1e-5, 1e-4),
     # angles up to 72°, where five terms are far too few
     "power series": (1e-5, 0.1),
+    # a shift of a hundredth is what six decimals leave of a reading's size
+    "six decimals, likewise": (1e-3, 0.1),
     "six decimals": (1e-5, 1e-3),
+    "best shift only": (1e-13, 1e-6),
+    # printed with a few decimals
+    "external, some only": (1e-8, 1e-3),
+    # points a ten-thousandth of a module apart, beside distances that may be as small
+    "distances between points": (0.01, 1.0),
     "50 strips": (1e-15, 1e-4),
     "mean depth squared": (1e-15, 0.2),
     "1e-10": (1e-11, 1e-7),
