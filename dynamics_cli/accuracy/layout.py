@@ -18,7 +18,9 @@ LEAST_NAME = 24
 FEW_DIGITS = 1e-10
 # What columns, by their first words, and marks mean; said of those that are there.
 LEGEND = {
-    "ratio": "ratio: time over that of the program's own method (▸), which gives every result; others may give fewer",
+    "ratio": "ratio: time over that of the program's own method (▸) in the same cases; it also gives results that have "
+    "no reference, and checks its answer",
+    "gives": "gives: the share of our own method's results that this one gives",
     "arrays": "arrays: time for each case of one call on arrays",
     "worst": "worst, median: errors, as shares of the reference unless said otherwise",
     "truly": "truly: the true value, in SI units, where few digits are right: a small error is a large share of a "
@@ -99,6 +101,7 @@ def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
         Column("ours", figure("own_worst", error), 3),
         Column("bound", _bound),
         Column("pieces", figure("entities", whole)),
+        Column("gives", _gives, 4),
         Column("cases", _cases),
     ]
 
@@ -130,6 +133,12 @@ def _bound(row: "Entry") -> str:
         return f"{word}held"
     loose = row["looseness"]["value"]
     return f"{word}held ×{loose:.0f}" if loose < 9.95e3 else f"{word}held ×{loose:.0e}"
+
+
+def _gives(row: "Entry") -> str:
+    """How much of it all a method gives, where that is less."""
+    share = row.get("share", {"value": 1.0})["value"]
+    return f"{100.0 * share:.0f}%" if share < 0.995 else ""
 
 
 def _cases(row: "Entry") -> str:

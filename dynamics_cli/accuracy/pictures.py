@@ -17,21 +17,23 @@ if TYPE_CHECKING:
     from dynamics_cli.accuracy.report import Accuracy
     from dynamics_cli.accuracy.rows import Row
 
-    # A method's error, its time and its words.
-    Point = tuple[float, float, str]
+    # A method's error, its time, its name, and how many cases it left.
+    Point = tuple[float, float, str, int]
 
 # What is more exact stands at the left end, what has no digit right at the right one.
 EXACT, WRONG = 1e-17, 1.0
 ENDS = (2e-18, 5.0)
 PIECES = (10.0, 1e6)
-# A panel's axes in points of print, and its letters.
-WIDTH, HEIGHT, LETTER, LINE = 335.0, 165.0, 4.9, 10.0
-# Words beside a point need half a panel at most, so that one side of it has room for them.
-MOST_LETTERS = 40
+# A panel's axes in points of print, alone and where two stand side by side, and its letters.
+ALONE, WIDTH, HEIGHT, LETTER, LINE = 400.0, 220.0, 165.0, 4.3, 10.0
+LEAST_LETTERS = 16
+# Beside bars, which have a margin for their words.
+MOST_OF_BAR = 46
+# How far words stand above a point or below it, the nearest first.
+ASIDES = tuple((-1) ** step * (step // 2) * 0.75 * LINE + (3.0 if step % 2 == 0 else -LINE) for step in range(36))
 # The last of the colours, black.
 OWN = 6
-TITLE = "work–precision: left is more exact, down is quicker"
-MOST_OF_TWO = 12
+TITLE = "work–precision: left is more exact, down is quicker (−n: n cases without an answer)"
 PAGE = 8
 ERROR = "worst error (1: no digit is right)"
 
@@ -47,10 +49,11 @@ def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
         if len(rows) == 1:
             alone.setdefault(rows[0].family, []).append(rows[0])
     panels = [overview(several)] if len({rows[0].family for rows in several}) > 1 else []
-    panels += [question_panel(rows) for rows in several]
-    panels += [_alone(family, rows) for family, rows in alone.items()]
-    columns = 1 if len(panels) == 1 else 2 if len(panels) <= MOST_OF_TWO else 3
-    return Picture(tuple(panels), TITLE, columns, PAGE)
+    width = ALONE if len(panels) + len(several) + len(alone) == 1 else WIDTH
+    panels += [question_panel(rows, width) for rows in several]
+    panels += [_alone(family, rows, width) for family, rows in alone.items()]
+    # in more columns words would not fit beside their points
+    return Picture(tuple(panels), TITLE, 1 if len(panels) == 1 else 2, PAGE)
 
 
 def by_question(made: "Accuracy") -> "list[list[Row]]":
@@ -69,7 +72,11 @@ def errors_alone(made: "Accuracy") -> Picture:
         questions.setdefault((row.family, row.question), []).append(row)
     panels = []
     for (_, question), rows in questions.items():
-        bars = Bars(tuple(map(_words, rows)), [ENDS[0]] * len(rows), [_error(row, rows) for row in rows])
+        bars = Bars(
+            tuple(_words(*_named(row), MOST_OF_BAR) for row in rows),
+            [ENDS[0]] * len(rows),
+            [_error(row, rows) for row in rows],
+        )
         panels.append(Panel(_errors_in(rows[0].measure), Axis(""), (bars,), question))
     return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
 
@@ -115,26 +122,27 @@ def overview(several: "list[list[Row]]") -> Panel:
     return Panel(Axis(ERROR, None, True, ends=ENDS), axis, tuple(curves), "all questions with several methods")
 
 
-def question_panel(rows: "list[Row]") -> Panel:
+def question_panel(rows: "list[Row]", width: float = WIDTH) -> Panel:
     """One question: its methods by name, and the front."""
     base = rows[0].time or 1.0
     pieces = rows[0].entities is not None
     x = Axis("pieces needed", None, True, ends=PIECES) if pieces else _errors_in(rows[0].measure)
     points = [
-        (float(row.entities or PIECES[1]) if pieces else _error(row, rows), (row.time or 0.0) / base, _words(row))
+        (float(row.entities or PIECES[1]) if pieces else _error(row, rows), (row.time or 0.0) / base, *_named(row))
         for row in rows
     ]
-    y = _ratios([ratio for _, ratio, _ in points])
-    return Panel(x, y, (_front(points, x, y), *_marks(points, x, y)), f"{rows[0].question} (1 = {_amount(base)})")
+    y = _ratios([ratio for _, ratio, *_ in points])
+    marks = _marks(points, x, y, width)
+    return Panel(x, y, (_front(points, x, y), *marks), f"{rows[0].question} (1 = {_amount(base)})")
 
 
-def _alone(family: str, rows: "list[Row]") -> Panel:
+def _alone(family: str, rows: "list[Row]", width: float) -> Panel:
     """Questions that only the program's own method answers, with times as they are."""
-    points = [(_error(row, [row]), row.time or 0.0, row.question.removeprefix(family).lstrip(", ")) for row in rows]
-    times = [time for _, time, _ in points]
+    points = [(_error(row, [row]), row.time or 0.0, row.question.removeprefix(family).lstrip(", "), 0) for row in rows]
+    times = [time for _, time, *_ in points]
     ends = (10.0 ** floor(log10(min(times)) - 0.3), 10.0 ** ceil(log10(max(times)) + 0.3))
     x, y = _errors_in("relative"), Axis("time of one evaluation", EvaluationTime, True, ends=ends)
-    return Panel(x, y, tuple(_marks(points, x, y)), f"{family}: one method each")
+    return Panel(x, y, tuple(_marks(points, x, y, width)), f"{family}: one method each")
 
 
 def _errors_in(measure: str) -> Axis:
@@ -146,14 +154,17 @@ def _error(row: "Row", rows: "list[Row]") -> float:
     return min(max(compared_worst(row, rows), EXACT), WRONG)
 
 
-def _words(row: "Row") -> str:
+def _named(row: "Row") -> "tuple[str, int]":
+    """A method's name, marked where it is the program's own, and how many cases it left."""
     name = row.method.removesuffix(CHOSEN)
-    left = f" (no answer: {row.refused})" if row.refused else ""
-    return _shortened(f"▸ {name}" if name != row.method else name, MOST_LETTERS - len(left)) + left
+    return (f"▸ {name}" if name != row.method else name), row.refused
 
 
-def _shortened(text: str, most: int) -> str:
-    return text if len(text) <= most else text[: most - 1].rstrip(" ,") + "…"
+def _words(name: str, left: int, most: int) -> str:
+    """The words beside a point, no longer than there is room."""
+    more = f" (−{left})" if left else ""
+    room = max(most, LEAST_LETTERS) - len(more)
+    return (name if len(name) <= room else name[: room - 1].rstrip(" ,") + "…") + more
 
 
 def _amount(seconds: float) -> str:
@@ -177,34 +188,31 @@ def _front(points: "list[Point]", x: Axis, y: Axis) -> Curve:
     assert y.ends is not None
     across: list[float] = []
     up = [y.ends[1]]
-    for error, time, _ in sorted(points):
+    for error, time, *_ in sorted(points):
         if time < up[-1]:
             across += [error, error]
             up += [up[-1], time] if len(up) > 1 else [time]
     return Curve([*across, x.ends[1]], [*up, up[-1]], "", "dashed", 0)
 
 
-def _marks(points: "list[Point]", across: Axis, up: Axis) -> "list[Mark]":
-    """Points with their words where no other words or points are: beside, above or below them."""
+def _marks(points: "list[Point]", across: Axis, up: Axis, width: float) -> "list[Mark]":
+    """Points with their words to the side that has more room, where the fewest other words and points are."""
     assert across.ends is not None
     assert up.ends is not None
-    places = [
-        (WIDTH * _share(error, across.ends), HEIGHT * _share(time, up.ends), LETTER * len(words))
-        for error, time, words in points
-    ]
-    taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y, _ in places]
+    places = [(width * _share(error, across.ends), HEIGHT * _share(time, up.ends)) for error, time, *_ in points]
+    taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y in places]
     made = []
-    for (x, y, width), (error, time, words) in zip(places, points, strict=True):
-        left = x + 5.0 + width > WIDTH and x > 0.5 * WIDTH
-        start = x - 5.0 - width if left else x + 5.0
-        aside = 3.0
-        for step in range(24):
-            aside = (-1) ** step * (step // 2) * LINE * 0.75 + (3.0 if step % 2 == 0 else -LINE)
-            box = (start, start + width, y + aside - 1.0, y + aside + LINE - 1.0)
-            inside = box[2] >= 0.0 and box[3] <= HEIGHT
-            if inside and not any(_meet(box, own) for own in taken):
-                break
-        taken.append((start, start + width, y + aside - 1.0, y + aside + LINE - 1.0))
+    for own, ((x, y), (error, time, name, less)) in enumerate(zip(places, points, strict=True)):
+        left = x > 0.5 * width
+        room = x - 5.0 if left else width - x - 5.0
+        words = _words(name, less, int(room / LETTER))
+        start = x - 5.0 - LETTER * len(words) if left else x + 5.0
+        ends = start, start + LETTER * len(words)
+        others = [box for place, box in enumerate(taken) if place != own]
+        boxes = [(aside, (*ends, y + aside - 1.0, y + aside + LINE - 1.0)) for aside in ASIDES]
+        inside = [pair for pair in boxes if pair[1][2] >= 0.0 and pair[1][3] <= HEIGHT] or boxes
+        aside, box = min(inside, key=lambda pair: sum(_common(pair[1], other) for other in others))
+        taken.append(box)
         made.append(Mark(error, time, words, (-5.0 if left else 5.0, aside)))
     return made
 
@@ -214,5 +222,8 @@ def _share(value: float, ends: "tuple[float, float]") -> float:
     return log10(value / ends[0]) / log10(ends[1] / ends[0])
 
 
-def _meet(one: "tuple[float, ...]", other: "tuple[float, ...]") -> bool:
-    return one[0] < other[1] and other[0] < one[1] and one[2] < other[3] and other[2] < one[3]
+def _common(one: "tuple[float, ...]", other: "tuple[float, ...]") -> float:
+    """The area that two boxes share."""
+    across = min(one[1], other[1]) - max(one[0], other[0])
+    up = min(one[3], other[3]) - max(one[2], other[2])
+    return across * up if across > 0.0 and up > 0.0 else 0.0

@@ -7,7 +7,7 @@ from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import CHOSEN, Row, finished, row
+from dynamics_cli.accuracy.rows import CHOSEN, Row, beats, finished, row
 from dynamics_cli.core.rows.progress import Progress
 from dynamics_cli.core.task import load as imported
 from dynamics_cli.core.terminal import Terminal
@@ -146,7 +146,7 @@ def accuracy(
         None if untimed else this_machine(),
         tuple(found.values()) or None,
         _checks(rows),
-        tuple(_missing(one) for one in found.values() if not one.installed),
+        tuple(_missing(one) for one in found.values() if not one.installed) + _beaten(rows),
     )
 
 
@@ -168,6 +168,20 @@ def _names(asked: "Sequence[Question | Comparison]") -> "list[str]":
 def _missing(one: Peer) -> Advice:
     how = "cannot be imported" if one.version else "is not installed"
     return Advice("not-installed", f"{one.name} {how} and was left out", "note", f"pip install {one.name}")
+
+
+def _beaten(rows: "Sequence[Row]") -> "tuple[Advice, ...]":
+    """Where a rival is more exact than the method that the program uses, it is said."""
+    return tuple(
+        Advice(
+            "rival-more-exact",
+            f"{one.question}: {one.method} is off by {one.worst:.1e} at most, the program's own method by "
+            f"{one.own_worst:.1e} over the same results",
+            "note",
+        )
+        for one in rows
+        if not one.question.startswith("uncertainty") and beats(one)
+    )
 
 
 def _checks(rows: "Sequence[Row]") -> "tuple[Check, ...]":
@@ -196,28 +210,32 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     cases = [case for case in load(question.file) if case.task == question.cases and (case.hard or not wanted.hard)]
     if not cases:
         return []
+    methods = [method for method in question.methods if not method.needs or wanted.takes(method.needs)]
+    groups = catalogue.groups(question.family)
+    found = [
+        errors_of(method.call(), cases, groups, tracked=method.tracked, foreign=bool(method.needs))
+        for method in methods
+    ]
+    common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in found)]
     rows: list[Row] = []
-    own: Errors | None = None
-    base: float | None = None
-    for method in question.methods:
-        if method.needs and not wanted.takes(method.needs):
-            continue
-        errors, time, many = _measured(question, method, cases, wanted)
-        base = base or time
+    for method, errors in zip(methods, found, strict=True):
+        time = base = many = None
+        if wanted.timed and errors.cases:
+            # times are of the same cases; where no case is everybody's, of those that this method answers
+            some = common or [cases[index] for index in sorted(_answers(errors))]
+            time = scalar_time(method.call(), some, groups, wanted.pace)
+            base = _base(methods[0], some, question, wanted) if rows and not common else rows[0].time if rows else time
+            many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays else None
         name = f"{method.name}{CHOSEN}" if method.chosen else method.name
-        rows.append(row(question.name, name, errors, time, base, array_time=many, own=own))
-        own = own or errors
+        rows.append(row(question.name, name, errors, time, base, array_time=many, own=found[0] if rows else None))
     return rows
 
 
-def _measured(
-    question: "Question", method: "Method", cases: "list[Case]", wanted: Asked
-) -> "tuple[Errors, float | None, float | None]":
-    """A method's errors, its time, and its time for each case of arrays."""
-    function = method.call()
-    groups = catalogue.groups(question.family)
-    errors = errors_of(function, cases, groups, tracked=method.tracked, foreign=bool(method.needs))
-    timed = wanted.timed and errors.cases > 0
-    time = scalar_time(function, cases, groups, wanted.pace) if timed else None
-    many = array_time(function, cases, groups, wanted.pace) if timed and method.arrays else None
-    return errors, time, many
+def _answers(errors: "Errors") -> "set[int]":
+    """Which of the cases a method has answered."""
+    return {int(where.partition(" ")[0]) for where in errors.found}
+
+
+def _base(method: "Method", cases: "list[Case]", question: "Question", wanted: Asked) -> "float | None":
+    """The chosen method's time over the cases that another answers."""
+    return scalar_time(method.call(), cases, catalogue.groups(question.family), wanted.pace)

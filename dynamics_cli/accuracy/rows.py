@@ -14,6 +14,10 @@ if TYPE_CHECKING:
 CHOSEN = " (chosen)"
 # Stated errors that are proved; an estimate is not, and may fall short of a few cases.
 ESTIMATE = "estimate"
+# Errors within this factor of one another are a tie: which is less hangs on how the last bits fall.
+TIE = 2.0
+# A few last bits, below which nobody is worse than another.
+LAST_BITS = 1e-15
 
 
 @record
@@ -69,6 +73,8 @@ class Row:
         Whether no other method of the question is as quick and as exact.
     worst_reference : Text
         The true value of the worst result, in SI units: where it all but vanishes, a share of it says little.
+    share : Ratio
+        How many of the chosen method's results it gives, over the cases that it answers.
     loosest : Ratio
         The stated bound over the true error where that is largest, counted as in the median.
     """
@@ -96,6 +102,7 @@ class Row:
     entities: Count | None = None
     front: bool = False
     worst_reference: Text = ""
+    share: Ratio | None = None
     loosest: Ratio | None = None
 
     @property
@@ -144,8 +151,16 @@ def row(
         array_time,
         entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
+        share=_share(errors, own) if own else None,
         loosest=max(errors.looseness, default=None),
     )
+
+
+def _share(errors: "Errors", own: "Errors") -> "float | None":
+    """The part of the chosen method's results that another gives, in the cases that it answers."""
+    cases = {where.partition(" ")[0] for where in errors.found}
+    whole = sum(where.partition(" ")[0] in cases for where in own.found)
+    return min(len(errors.found) / whole, 1.0) if whole else None
 
 
 def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
@@ -159,6 +174,16 @@ def compared_worst(one: Row, rows: "Sequence[Row]") -> float:
     if not one.method.endswith(CHOSEN):
         return one.worst
     return max((other.own_worst for other in rows if other.own_worst is not None), default=one.worst)
+
+
+def beats(one: Row) -> bool:
+    """Whether a rival that answers every case is clearly more exact than the chosen method over the same results.
+
+    An error of one and more says that no digit is right, however large it is.
+    """
+    if one.own_worst is None or one.refused or one.measure != "relative":
+        return False
+    return min(one.own_worst, 1.0) > max(TIE * one.worst, LAST_BITS)
 
 
 def quality(one: Row, rows: "Sequence[Row]") -> float:

@@ -1,26 +1,30 @@
 """Certified extremes of curvature, pressure angle and contact of a whole cam, and what its plate weighs."""
 
 from functools import lru_cache
-from math import inf, pi
+from math import ceil, hypot, inf, pi
 
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
-from dynamics_cli.cam.followers import OscillatingFlat
-from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
+from dynamics_cli.cam.followers import FlatFace
+from dynamics_cli.cam.pieces import Cover, Ends, pieces, widths, within
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import Extremes
 from dynamics_cli.records import ErrorBound, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-GAUSS = 20
-"""Nodes of a quadrature on a piece of 15 degrees at most."""
+GAUSS = 16
+"""Nodes of a quadrature on a piece of 15 degrees at most and its halves."""
 
+PIECE = pi / 12.0
 # Roundings of a quadrature, as a share of a size that does not cancel.
-QUADRATURE = 1e-14
+QUADRATURE = 8e-15
+# A piece is short enough when halving it moves the whole by this share at most; so often at most, and so many.
+GOOD = 4e-17
+DEPTH = 24
+MOST = 4096
 
 
 @record
@@ -29,17 +33,17 @@ class Analysis:
 
     Parameters
     ----------
-    curvature : Extremes
+    curvature : Ends
         Curvature of the pitch curve, or under a flat face the radius of curvature of the cam.
-    pressure : Extremes
+    pressure : Ends
         Pressure angle.
-    along : Extremes
+    along : Ends
         Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.
     """
 
-    curvature: Extremes
-    pressure: Extremes
-    along: Extremes | None
+    curvature: Ends
+    pressure: Ends
+    along: Ends | None
 
 
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
@@ -60,30 +64,34 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     Raises
     ------
     InadmissibleError
-        When a centre of the roller passes through the cam's axis, or a flat rocker turns as fast as the cam.
+        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
+        rocker turns as fast as the cam.
 
     Notes
     -----
-    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane; see
-    `numerics.remainders` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
+    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, tell where; the
+    values are those of the formulas there, with their own roundings followed. See `numerics.remainders`,
+    `numerics.summits` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their errors.
     """
     slip = start_slip(geometry)
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        touch = geometry.touch(s.widened(slip), s1, s2)
-        rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
-        if geometry.flat:
-            rows.append(along_face(geometry, touch))
-        return np.stack(np.broadcast_arrays(*rows))
+        return np.stack(np.broadcast_arrays(*geometry.bends(s.widened(slip), s1, s2)))
 
     try:
         with np.errstate(all="ignore"):
-            made = over_pieces(motion, functions)
+            made = Cover(motion, functions)
     except ValueError:
         refuse_size()
         raise
-    found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
+    found = made.ends()
+    require(
+        found[1].error < inf,
+        "the pressure angle passes 180 deg: the cam would have to pull the follower through",
+        code="pulled",
+        hint="take another base circle, or let an arm start farther from the line of pivot and axis",
+    )
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
 
 
@@ -110,29 +118,30 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift may be off by rounding, with the lift it is added to."""
+    """What the height or angle of the follower at zero lift is off by rounding.
+
+    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
+    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    """
     f = geometry.follower
-    return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    if isinstance(f, FlatFace):
+        return 0.0
+    left = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
+    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + left)
+    return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
+    own = found.pressure
     return tuple(
-        ErrorBound(name, found.pressure.error / abs(value))
-        for name, (value, _) in (
-            ("largest_pressure_angle", found.pressure.largest()),
-            ("least_pressure_angle", found.pressure.smallest()),
+        ErrorBound(name, error / abs(value))
+        for name, value, error in (
+            ("largest_pressure_angle", own.greatest, own.greatest_error),
+            ("least_pressure_angle", own.least, own.least_error),
         )
-        if value and found.pressure.error < inf
+        if value and error < inf
     )
-
-
-def along_face(geometry: Geometry, touch: "Any") -> "Any":
-    """Where the face is touched, along it."""
-    if isinstance(geometry.follower, OscillatingFlat):
-        (x, y), (nx, ny) = touch.point, touch.normal
-        return (geometry.follower.pivot_distance - x) * ny + y * nx
-    return touch.point[0]
 
 
 @record
@@ -150,7 +159,11 @@ class Plate:
     polar : float
         Second moment of the area about the cam's axis [m⁴].
     area_error, perimeter_error : float
-        What halving the pieces of the quadrature moved, twice, and rounding, as shares of the sizes.
+        Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes.
+    centroid_error : float
+        The same of the centroid [m].
+    polar_error : float
+        The same of the second moment, as a share of it.
     """
 
     area: float
@@ -160,6 +173,8 @@ class Plate:
     polar: float
     area_error: float
     perimeter_error: float
+    centroid_error: float
+    polar_error: float
 
 
 @lru_cache(maxsize=2)
@@ -193,41 +208,65 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
 
     Notes
     -----
-    Gauss-Legendre of 20 nodes on pieces of 7.5 degrees or less, held against pieces twice as long: near the axis a
-    curve turns fast. A curve that cuts itself counts loops twice.
+    Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
+    short steep rise, a curve turns fast. A curve that cuts itself counts loops twice.
     """
-    coarse, fine = (_integrals(geometry, motion, start_angle, piece) for piece in (pi / 12.0, pi / 24.0))
-    area, perimeter, x, y, polar = (float(part) for part in fine)
+    spans = widths(motion)
+    zone, low, high = (np.array(column) for column in zip(*_shares(spans), strict=True))
+    frame = geometry, motion, start_angle, np.array(spans)
+    values = _integrals(*frame, zone, low, high)
+    sums, left, most = np.zeros(5), np.zeros(5), np.zeros(2)
+    for depth in range(DEPTH):
+        middle = 0.5 * (low + high)
+        rows = (np.concatenate(pair) for pair in ((zone, zone), (low, middle), (middle, high)))
+        halves = _integrals(*frame, *rows).reshape(5, 2, -1)
+        both = halves.sum(axis=1)
+        moved = np.abs(both - values)
+        most = np.maximum(most, np.abs(sums + both.sum(axis=1))[:2])
+        good = (moved[:2] <= GOOD * most[:, None]).all(axis=0) | (depth == DEPTH - 1) | (zone.size > MOST)
+        sums += both[:, good].sum(axis=1)
+        left += 2.0 * moved[:, good].sum(axis=1)
+        bad = ~good
+        if not bad.any():
+            break
+        zone = np.concatenate((zone[bad], zone[bad]))
+        low, high = np.concatenate((low[bad], middle[bad])), np.concatenate((middle[bad], high[bad]))
+        values = halves[:, :, bad].reshape(5, -1)
+    area, perimeter, x, y, polar = sums.tolist()
     third = 1.0 / (3.0 * area) if area else 0.0
-    errors = [
-        2.0 * abs(float(a) - float(b)) / abs(float(b)) + QUADRATURE if b else 0.0
-        for a, b in zip(coarse[:2], fine[:2], strict=True)
+    shares = [
+        off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
     ]
-    return Plate(area, perimeter, third * x, third * y, polar, *errors)
+    away = abs(third) * hypot(x, y)
+    # first moments are sums of a mean radius times the area
+    centroid = abs(third) * float(left[2] + left[3]) + away * shares[0] + QUADRATURE * perimeter / (2.0 * pi)
+    return Plate(area, perimeter, third * x, third * y, polar, shares[0], shares[1], centroid, shares[4])
 
 
-def _integrals(geometry: Geometry, motion: "Any", start_angle: float, piece: float) -> "tuple[Any, ...]":
-    """Area, length, first moments (thrice) and polar second moment, on pieces of so much cam angle at most."""
-    starts, ends = pieces(motion)
-    parts = np.maximum(np.ceil((ends - starts) / piece), 1.0).astype(int)
-    owner = np.repeat(np.arange(parts.size), parts)
-    share = 1.0 / parts[owner]
-    index = np.arange(owner.size) - (np.cumsum(parts) - parts)[owner]
+def _shares(spans: "list[float]") -> "list[tuple[int, float, float]]":
+    """Zones cut into pieces of 15 degrees or less: zone, and the shares of it that each reaches from and to."""
+    made = []
+    for zone, span in enumerate(spans):
+        parts = max(1, ceil(span / PIECE - 1e-9))
+        made += [(zone, index / parts, (index + 1) / parts) for index in range(parts)]
+    return made
+
+
+def _integrals(
+    geometry: Geometry, motion: "Any", start_angle: float, spans: "Any", zone: "Any", low: "Any", high: "Any"
+) -> "Any":
+    """Area, length, first moments (thrice) and polar second moment of pieces, (5, n)."""
+    starts, _ = pieces(motion)
     nodes, weights = _gauss(GAUSS)
-    place = (index[:, None] + 0.5 * (1.0 + nodes)) * share[:, None]
-    width = (ends - starts)[owner]
-    theta = starts[owner][:, None] + width[:, None] * place
-    weight = 0.5 * (width * share)[:, None] * weights
-    s, s1, s2 = within(motion, place, owner)
+    half = 0.5 * (high - low)
+    place = 0.5 * (low + high)[:, None] + half[:, None] * nodes
+    theta = starts[zone][:, None] + spans[zone][:, None] * place
+    weight = (spans[zone] * half)[:, None] * weights
+    s, s1, s2 = within(motion, place, zone)
     check_speed(geometry, s1)
     touch = geometry.touch(s, s1, s2)
     (x, y), (nx, ny) = touch.point, touch.normal
     swept = (x * nx + y * ny) * touch.run * weight
     zx, zy = geometry.turned((x, y), theta, start_angle)
-    return (
-        0.5 * swept.sum(),
-        (np.abs(touch.run) * weight).sum(),
-        (zx * swept).sum(),
-        (zy * swept).sum(),
-        0.25 * ((x * x + y * y) * swept).sum(),
-    )
+    rows = (0.5 * swept, np.abs(touch.run) * weight, zx * swept, zy * swept, 0.25 * ((x * x + y * y) * swept))
+    return np.stack([row.sum(axis=1) for row in rows])

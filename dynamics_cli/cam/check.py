@@ -205,7 +205,7 @@ def check(
     crossings of its envelope, found by halving and Newton's method however small the undercut and however many run into
     each other; the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is
     seen to fall off. The lift lost is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to
-    4e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
+    3e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
 
     References
     ----------
@@ -223,7 +223,7 @@ def check(
     from dynamics_cli.cam.contact import Geometry
     from dynamics_cli.cam.jump import asked_jump
     from dynamics_cli.cam.pieces import joint_jumps
-    from dynamics_cli.cam.profile import concave, convex
+    from dynamics_cli.cam.profile import concave, convex, radius_bounds
     from dynamics_cli.cam.undercut import lift_lost
 
     geometry = Geometry(follower, rotation, flank)
@@ -287,7 +287,12 @@ def check(
         advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every turning place certified",
-            (*pressure_bounds(found), *_lost_bound(geometry, loss), *_jump_bound(jump)),
+            (
+                *pressure_bounds(found),
+                *radius_bounds(geometry, found),
+                *_lost_bound(geometry, loss),
+                *_jump_bound(jump),
+            ),
         ),
     )
 

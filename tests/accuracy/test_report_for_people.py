@@ -103,7 +103,7 @@ class TestTable:
     def test_json_and_csv_keep_every_column(self, gears: dict) -> None:
         names = {"family", "task", "question", "method", "cases", "refused", "time", "slower", "worst", "median",
                  "worst_ulp", "median_ulp", "own_worst", "measure", "bound", "stated", "broken", "looseness",
-                 "worst_case", "array_time", "front", "worst_reference"}  # fmt: skip
+                 "worst_case", "array_time", "front", "worst_reference", "share"}  # fmt: skip
         assert names <= set().union(*gears["methods"])
         head = run("accuracy", "gear", "--format", "csv").out.splitlines()[0]
         assert names <= {name.partition("[")[0] for name in head.split(",")}

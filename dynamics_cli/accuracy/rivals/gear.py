@@ -3,8 +3,9 @@
 from dynamics_cli.accuracy.questions import Comparison, Method, Question
 
 RIVALS = "dynamics_cli.accuracy.rivals."
-INVOLUTE, ROOT, GEOMETRY, BOOK = (
-    RIVALS + name for name in ("gear_involute:", "gear_root:", "gear_geometry:", "gear_sizes:")
+INVOLUTE, ROOT, GEOMETRY, BOOK, SIZED, MEASURE = (
+    RIVALS + name
+    for name in ("gear_involute:", "gear_root:", "gear_geometry:", "gear_book:", "gear_sizes:", "gear_measure:")
 )
 SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.json"
 PROFILES = RIVALS + "gear_meshes:"
@@ -23,12 +24,14 @@ QUESTIONS = (
         Method("Newton in tan φ", INVOLUTE + "newton_in_tangent"),
         Method("halving", INVOLUTE + "bisection"),
         Method("Ridders, bracketed", INVOLUTE + "ridders"),
+        Method("Brent, bracketed", INVOLUTE + "brent_inverse"),
         Method("scipy brentq", INVOLUTE + "by_brentq", needs="scipy"),
     ),
     Question(
         "gear", "pair", "involute function", SIZES, "inv",
         Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True, arrays=True),
         Method("tan φ − φ", INVOLUTE + "textbook_involute"),
+        Method("power series, five terms", INVOLUTE + "power_series"),
     ),
     Question(
         "gear", "profile", "undercut junction", TRAINS, "root",
@@ -38,34 +41,44 @@ QUESTIONS = (
         Method("halving on half angles", ROOT + "halving"),
     ),
     Comparison("gear", "ratio", "gear ratio", RIVALS + "gear_ratio:compare"),
-    _sizes(
-        "spur", SIZES,
-        Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book"),
-        Method("involutes of six decimals", GEOMETRY + "spur_by_table"),
-    ),
-    _sizes(
-        "helical", SIZES,
-        Method("tan α − α, five sizes only", GEOMETRY + "spur_by_book"),
-        Method("involutes of six decimals", GEOMETRY + "spur_by_table"),
+    *(
+        _sizes(
+            task, SIZES,
+            Method("textbook: tan α − α, secant", BOOK + "spur"),
+            Method("the same by halving", BOOK + "spur_by_radii"),
+            Method("involutes of six decimals", BOOK + "spur_by_table"),
+        )
+        for task in ("spur", "helical")
     ),
     _sizes(
         "pair", SIZES,
-        Method("tan α − α and Newton, three sizes only", GEOMETRY + "pair_by_book"),
-        Method("involutes of six decimals", GEOMETRY + "pair_by_table"),
+        Method("textbook: tan α − α, Newton", BOOK + "pair"),
+        Method("the same by Brent", BOOK + "pair_by_brent"),
+        Method("involutes of six decimals", BOOK + "pair_by_table"),
         Method("py_gearworks, distance only", GEOMETRY + "pair_by_py_gearworks", needs="py_gearworks"),
     ),
     _sizes(
         "bevel", SIZES,
-        Method("second angle as a difference, cones only", BOOK + "bevel_by_book"),
-        Method("the same in 32 bits", BOOK + "bevel_single"),
+        Method("textbook: second angle as a difference", SIZED + "bevel_by_book"),
+        Method("Brent on z₁·sin δ₂ = z₂·sin δ₁", SIZED + "bevel_by_brent"),
+        Method("the textbook's in 32 bits", SIZED + "bevel_single"),
     ),
     _sizes(
         "worm", SIZES,
-        Method("efficiencies as printed, axial module", BOOK + "worm_by_book"),
-        Method("the same in 32 bits", BOOK + "worm_single"),
+        Method("textbook: efficiencies as printed", SIZED + "worm_by_book"),
+        Method("tangents of angles added", SIZED + "worm_by_angles"),
+        Method("the textbook's in 32 bits", SIZED + "worm_single"),
     ),
-    _sizes("crossed", SIZES, Method("virtual spur gears, working angle only", BOOK + "crossed_by_book")),
-    _sizes("measure", TRAINS, Method("tan α − α and Newton, external only", BOOK + "span_by_book")),
+    _sizes(
+        "crossed", SIZES,
+        Method("textbook: tan α − α, Newton", SIZED + "crossed_by_book"),
+        Method("the same by Brent", SIZED + "crossed_by_brent"),
+    ),
+    _sizes(
+        "measure", TRAINS,
+        Method("textbook: tan α − α, Newton", MEASURE + "by_newton"),
+        Method("the same by Brent", MEASURE + "by_brent"),
+    ),
     Question(
         "gear", "mesh", "gear mesh", MESHES, "mesh",
         Method("closed forms, edges placed by Newton", PROFILES + "mesh", chosen=True),
@@ -75,16 +88,19 @@ QUESTIONS = (
     Question(
         "gear", "identify", "gear identify", MESHES, "identify",
         Method("closed form", PROFILES + "identify", chosen=True, tracked=True),
-        Method("involutes of six decimals, spur, best shift only", PROFILES + "identify_by_table"),
+        Method("textbook: tan α − α, spur, best shift only", PROFILES + "identify_by_book"),
+        Method("involutes of six decimals, likewise", PROFILES + "identify_by_table"),
     ),
     Question(
         "gear", "data-block", "gear data-block", MESHES, "data_block",
         Method("closed forms, rounded last", PROFILES + "data_block", chosen=True),
-        Method("involutes of six decimals, external, some only", PROFILES + "block_by_table"),
+        Method("textbook: tan α − α, external, some only", PROFILES + "block_by_book"),
+        Method("involutes of six decimals, likewise", PROFILES + "block_by_table"),
     ),
     Question(
         "gear", "profile", "gear profile", MESHES, "profile",
         Method("closed forms, junction bracketed", PROFILES + "profile", chosen=True),
-        Method("end of the rack's flank, external only", PROFILES + "profile_by_book"),
+        Method("textbook: end of the rack's flank, external", PROFILES + "profile_by_book"),
+        Method("trochoid and involute by halving, external", PROFILES + "profile_by_halving"),
     ),
 )  # fmt: skip

@@ -1,13 +1,11 @@
-"""Gears and pairs: the program's functions in the words of the references, and a pair as textbooks calculate it."""
+"""Gears and pairs: the program's functions in the words of the references, and a pair by a library of others."""
 
 from math import atan, cos, tan
 
 from dynamics_cli.accuracy.cases import flat
-from dynamics_cli.accuracy.rivals.gear_involute import newton
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
 
 
@@ -25,44 +23,6 @@ def helical(**given: "Any") -> "Any":
     return own(**given)
 
 
-def _involute(angle: float) -> float:
-    return tan(angle) - angle
-
-
-def _tabulated(angle: float) -> float:
-    """The involute as tables print it: six decimals."""
-    return round(tan(angle) - angle, 6)
-
-
-def spur_by_table(**given: "Any") -> "dict[str, float]":
-    """The same, involutes looked up."""
-    return spur_by_book(**given, involute=_tabulated)
-
-
-def spur_by_book(
-    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float = 0.0,
-    involute: "Callable[[float], float]" = _involute,
-) -> "dict[str, float]":  # fmt: skip
-    """Thickness at the tip from tan α − α at both radii; external gears."""
-    from math import acos, pi
-
-    if internal:
-        raise ArithmeticError
-    transverse = atan(tan(pressure_angle) / cos(helix_angle))
-    reference = teeth * pitch.module / cos(helix_angle)
-    base = reference * cos(transverse)
-    tip = reference + 2.0 * pitch.module * (1.0 + profile_shift)
-    angle = acos(base / tip)
-    half = (0.5 * pi + 2.0 * profile_shift * tan(pressure_angle)) / teeth
-    return {
-        "reference_diameter": reference,
-        "base_diameter": base,
-        "tip_diameter": tip,
-        "tip_pressure_angle": angle,
-        "tip_thickness": tip * (half + involute(transverse) - involute(angle)),
-    }
-
-
 def pair(*, tips: str, **given: "Any") -> "dict[str, Any]":
     """A pair of gears, the results under the names of its references."""
     from dynamics_cli.gear.pair import pair as own
@@ -77,34 +37,6 @@ def pair(*, tips: str, **given: "Any") -> "dict[str, Any]":
         found["first_sliding_at_start"] = answer.points[0].first_sliding
         found["second_sliding_at_end"] = answer.points[-1].second_sliding
     return found
-
-
-def pair_by_table(**given: "Any") -> "dict[str, float]":
-    """The same, involutes looked up to six decimals and back."""
-    return pair_by_book(**given, look_up=_tabulated)
-
-
-def pair_by_book(
-    *, first: "Any", second: "Any", pitch: "Any", pressure_angle: float, helix_angle: float, internal: bool, tips: str,
-    centre_distance: "float | None" = None, look_up: "Callable[[float], float]" = _involute,
-) -> "dict[str, float]":  # fmt: skip
-    """The working angle from tan α − α by Newton, and a from it."""
-    if centre_distance is not None:
-        raise ArithmeticError
-    transverse = atan(tan(pressure_angle) / cos(helix_angle))
-    sign = -1.0 if internal else 1.0
-    teeth = second.teeth + sign * first.teeth
-    shift = second.profile_shift + sign * first.profile_shift
-    involute = 2.0 * tan(pressure_angle) * shift / teeth + look_up(transverse)
-    if look_up is _tabulated:
-        involute = round(involute, 6)
-    angle = newton(involute)["phi"]
-    module = pitch.module / cos(helix_angle)
-    return {
-        "working_pressure_angle": angle,
-        "centre_distance": 0.5 * module * teeth * cos(transverse) / cos(angle),
-        "first_working_diameter": first.teeth * module * cos(transverse) / cos(angle),
-    }
 
 
 def pair_by_py_gearworks(

@@ -2,6 +2,8 @@
 
 from math import atan, cbrt, copysign, inf, pi, tan
 
+from dynamics_cli.accuracy.rivals.solvers import brent
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -27,6 +29,14 @@ def chosen_involute(phi: "Any") -> "dict[str, Any]":
 def textbook_involute(phi: float) -> "dict[str, float]":
     """The definition, tan φ − φ: digits go as φ³."""
     return {"value": tan(phi) - phi}
+
+
+def power_series(phi: float) -> "dict[str, float]":
+    """Five terms of the power series, φ³/3 + 2·φ⁵/15 + 17·φ⁷/315 + 62·φ⁹/2835 + 1382·φ¹¹/155925."""
+    square, total = phi * phi, 0.0
+    for term in (1382 / 155925, 62 / 2835, 17 / 315, 2 / 15, 1 / 3):
+        total = term + square * total
+    return {"value": phi * square * total}
 
 
 def newton(value: float) -> "dict[str, float]":
@@ -96,6 +106,11 @@ def ridders(value: float) -> "dict[str, float]":
         else:
             high, above = place, there
     raise ArithmeticError
+
+
+def brent_inverse(value: float) -> "dict[str, float]":
+    """Brent's bracketed method, of numerical textbooks."""
+    return {"phi": brent(lambda phi: _residual(phi, value), 0.0, 0.5 * pi)}
 
 
 def by_brentq(value: float) -> "dict[str, float]":

@@ -128,9 +128,15 @@ def identify(**given: "Any") -> "Any":
     return own(**given)
 
 
+def identify_by_book(**given: "Any") -> "dict[str, float]":
+    """The same by tan α − α."""
+    return identify_by_table(**given, decimals=17)
+
+
 def identify_by_table(
-    *, teeth: int, spans: "Any", helix_angle: float, count: int, reading: float, tip_diameter: "float | None" = None
-) -> "dict[str, float]":
+    *, teeth: int, spans: "Any", helix_angle: float, count: int, reading: float, tip_diameter: "float | None" = None,
+    decimals: int = 6,
+) -> "dict[str, float]":  # fmt: skip
     """The shift of the best gear, whose size and angle are taken as found, by an involute of six decimals."""
     from dynamics_cli.gear.identify import identify as own
 
@@ -139,7 +145,7 @@ def identify_by_table(
     best = own(teeth=teeth, spans=spans, tip_diameter=tip_diameter, reading=reading, count=1).candidates[0]
     angle, shifts = best.pressure_angle, []
     for one in spans:
-        base = (one.over - 0.5) * pi + teeth * round(_involute(angle), 6)
+        base = (one.over - 0.5) * pi + teeth * round(_involute(angle), decimals)
         shifts.append((one.length / best.module - cos(angle) * base) / (2.0 * tan(angle) * cos(angle)))
     return {"candidates[0].profile_shift": sum(shifts) / len(shifts)}
 
@@ -162,9 +168,14 @@ def data_block(**given: "Any") -> Stated:
     return made
 
 
+def block_by_book(**given: "Any") -> "dict[str, float]":
+    """The same by tan α − α."""
+    return block_by_table(**given, digits=17)
+
+
 def block_by_table(
     *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float,
-    over: "int | None" = None, decimals: int = 4, **other: "Any",
+    over: "int | None" = None, decimals: int = 4, digits: int = 6, **other: "Any",
 ) -> "dict[str, float]":  # fmt: skip
     """Diameters and span with an involute of six decimals, as tables print it."""
     if internal or "addendum_factor" in other:
@@ -173,7 +184,7 @@ def block_by_table(
     d = teeth * m / cos(helix_angle)
     out = {"d": d, "d_b": d * cos(transverse), "d_a": d + 2.0 * m * (1.0 + profile_shift)}
     if over is not None:
-        base = (over - 0.5) * pi + teeth * round(tan(transverse) - transverse, 6)
+        base = (over - 0.5) * pi + teeth * round(tan(transverse) - transverse, digits)
         out["W_k"] = m * (cos(pressure_angle) * base + 2.0 * profile_shift * tan(pressure_angle) * cos(pressure_angle))
     return {name: round(1e3 * value, decimals) for name, value in out.items()}
 
@@ -204,3 +215,20 @@ def profile_by_book(
     base = d * cos(transverse)
     along = d * sin(transverse) - 2.0 * depth / sin(transverse)
     return {"base_diameter": base, "form_diameter": sqrt(base * base + along * along)}
+
+
+def profile_by_halving(
+    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float,
+    root_radius_factor: "float | None" = None, **other: "Any",
+) -> "dict[str, float]":  # fmt: skip
+    """The form circle where trochoid and involute meet, by halving of the textbook's equation of half angles."""
+    from dynamics_cli.accuracy.rivals.gear_root import halving
+
+    if internal or "addendum_factor" in other:
+        raise ArithmeticError
+    base = teeth * pitch.module / cos(helix_angle) * cos(_transverse(pressure_angle, helix_angle))
+    form = halving(
+        teeth=teeth, pressure_angle=pressure_angle, helix_angle=helix_angle, shift=profile_shift, dedendum=1.25,
+        tip_radius=0.38 if root_radius_factor is None else root_radius_factor,
+    )  # fmt: skip
+    return {"base_diameter": base, "form_diameter": 2.0 * pitch.module * form["form_radius"]}

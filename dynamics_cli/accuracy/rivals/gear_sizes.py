@@ -1,13 +1,17 @@
-"""Sizes of gears as textbooks print them: bevels by angles, worms by efficiencies, spans and pins by tan α − α."""
+"""Bevels, worms and crossed gears as textbooks print them: by angles, their differences and tan α − α."""
 
 import math
 
-from dynamics_cli.accuracy.rivals.gear_involute import newton
+from dynamics_cli.accuracy.rivals.gear_involute import brent_inverse, newton
 from dynamics_cli.accuracy.rivals.single import DOUBLES, single
+from dynamics_cli.accuracy.rivals.solvers import brent
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
+
+    Inverse = Callable[[float], dict[str, float]]
 
 
 def bevel_by_book(
@@ -18,80 +22,128 @@ def bevel_by_book(
     if first_teeth > second_teeth:
         raise ArithmeticError
     one = m.atan(m.sin(shaft_angle) / (second_teeth / first_teeth + m.cos(shaft_angle)))
-    other = shaft_angle - one
-    cone = module * second_teeth / (2 * m.sin(other))
+    return _bevel((first_teeth, second_teeth), module, (one, shaft_angle - one), kind, face_width, m)
+
+
+def bevel_by_brent(
+    *, first_teeth: int, second_teeth: int, module: float, shaft_angle: float, kind: str,
+    face_width: "float | None" = None, **_: "Any",
+) -> "dict[str, float]":  # fmt: skip
+    """The pitch angle from z₁·sin δ₂ = z₂·sin δ₁ with δ₂ = Σ − δ₁, by Brent's method."""
+
+    def apart(one: float) -> float:
+        return second_teeth * math.sin(one) - first_teeth * math.sin(shaft_angle - one)
+
+    one = brent(apart, 0.0, min(shaft_angle, 0.5 * math.pi))
+    return _bevel((first_teeth, second_teeth), module, (one, shaft_angle - one), kind, face_width, DOUBLES)
+
+
+def _bevel(
+    teeth: "tuple[int, int]", module: float, angles: "tuple[Any, Any]", kind: str, face: "float | None", m: "Any"
+) -> "dict[str, float]":
+    """Sizes from both pitch angles; addendum m and dedendum 1.25·m."""
+    (one, other), cone = angles, module * teeth[1] / (2 * m.sin(angles[1]))
     out = {
         "cone_distance": cone,
         "first.pitch_angle": one,
         "second.pitch_angle": other,
         "crown_teeth": 2 * cone / module,
     }
-    if face_width is not None:
-        out["mean_module"] = module * (cone - face_width / 2) / cone
+    if kind != "standard":
+        return out
+    rise, tip = m.atan(module / cone), one + m.atan(module / cone)
+    out |= {
+        "first.tip_angle": tip,
+        "second.root_angle": other - m.atan(1.25 * module / cone),
+        "second.tip_distance": cone * m.cos(other) - module * m.sin(other),
+    }
+    if face is not None:
+        outer = module * teeth[0] + 2 * module * m.cos(one)
+        out |= {
+            "mean_module": module * (cone - face / 2) / cone,
+            "first.inner_diameter": outer - 2 * face * m.sin(tip) / m.cos(rise),
+        }
     return out
 
 
 def worm_by_book(
     *, threads: int, teeth: int, size: "Any", worm: "Any", pressure_angle: float, profile_shift: float,
-    friction: float, m: "Any" = DOUBLES, **_: "Any",
+    friction: float, torque: "float | None" = None, m: "Any" = DOUBLES, **_: "Any",
 ) -> "dict[str, float]":  # fmt: skip
     """η = (cos α − μ·tan γ)/(cos α + μ·cot γ), and with −μ the other way: digits go at the limit."""
-    diameter = getattr(worm, "worm_diameter", None)
-    module = getattr(size, "module", None)
-    if diameter is None or module is None:
-        raise ArithmeticError
-    lead = m.atan(threads * module / diameter)
+    out, lead = _worm(threads, teeth, size, worm, profile_shift, m)
     tangent, cosine = m.tan(lead), m.cos(pressure_angle)
-    return {
-        "lead_angle": lead,
-        "centre_distance": (diameter + module * teeth) / 2 + profile_shift * module,
+    rho = m.atan(friction / cosine)
+    out |= {
         "efficiency": (cosine - friction * tangent) / (cosine + friction / tangent),
         "backward_efficiency": (cosine - friction / tangent) / (cosine + friction * tangent),
+        "locking_margin": rho - lead,
     }
-
-
-def crossed_by_book(
-    *, first: "Any", second: "Any", module: float, pressure_angle: float, m: "Any" = DOUBLES, **_: "Any"
-) -> "dict[str, float]":
-    """The working normal angle of the virtual spur gears, z/cos³β teeth each, from tan α − α by Newton."""
-    virtual = [one.teeth / m.cos(one.helix_angle) ** 3 for one in (first, second)]
-    slope = m.tan(pressure_angle)
-    shift = first.profile_shift + second.profile_shift
-    involute = 2 * slope * shift / (virtual[0] + virtual[1]) + slope - pressure_angle
-    return {"working_pressure_angle": newton(float(involute))["phi"]}
-
-
-def span_by_book(
-    *, teeth: int, module: float, pressure_angle: float, helix_angle: float, profile_shift: float, internal: bool,
-    over: int = 0, pin: "float | None" = None, tip_diameter: "float | None" = None, m: "Any" = DOUBLES, **_: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """W = m·cos α·(π·(k − ½) + z·(tan α_t − α_t)) + 2·x·m·sin α, pins by Newton on the involute; external gears."""
-    if internal or pin is None:
-        raise ArithmeticError
-    transverse = m.atan(m.tan(pressure_angle) / m.cos(helix_angle))
-    involute = m.tan(transverse) - transverse
-    sine, cosine = m.sin(pressure_angle), m.cos(pressure_angle)
-    thickness = module * (math.pi / 2 + 2 * profile_shift * m.tan(pressure_angle))
-    out = {
-        "normal_thickness": thickness,
-        "constant_chord.thickness": thickness * cosine * cosine,
-        "pins.centre_diameter": _pin_circle(
-            teeth, module, pressure_angle, helix_angle, profile_shift, pin, involute, transverse, m
-        ),
-    }
-    if over:
-        whole = math.pi * (over - 0.5) + teeth * involute
-        out["span.span"] = module * cosine * whole + 2 * profile_shift * module * sine
+    if torque is not None:
+        push = 2 * torque / worm.worm_diameter
+        share = cosine * m.sin(lead) + friction * m.cos(lead)
+        axial = push * (cosine * m.cos(lead) - friction * m.sin(lead)) / share
+        out |= {"worm_axial_force": axial, "radial_force": push * m.sin(pressure_angle) / share}
     return out
 
 
-def _pin_circle(
-    teeth: int, module: float, pressure_angle: float, helix_angle: float, shift: float, pin: float, involute: float,
-    transverse: float, m: "Any",
-) -> float:  # fmt: skip
-    cosine, tangent = m.cos(pressure_angle), m.tan(pressure_angle)
-    at = pin / (module * teeth * cosine) - math.pi / (2 * teeth) + involute + 2 * shift * tangent / teeth
-    return teeth * module / m.cos(helix_angle) * m.cos(transverse) / m.cos(newton(float(at))["phi"])  # type: ignore[no-any-return]
+def worm_by_angles(
+    *, threads: int, teeth: int, size: "Any", worm: "Any", pressure_angle: float, profile_shift: float,
+    friction: float, torque: "float | None" = None, m: "Any" = DOUBLES, **_: "Any",
+) -> "dict[str, float]":  # fmt: skip
+    """η = tan γ/tan(γ + ρ'), η' = tan(γ − ρ')/tan γ with tan ρ' = μ/cos α, as of a screw."""
+    out, lead = _worm(threads, teeth, size, worm, profile_shift, m)
+    rho = m.atan(friction / m.cos(pressure_angle))
+    out |= {
+        "efficiency": m.tan(lead) / m.tan(lead + rho),
+        "backward_efficiency": m.tan(lead - rho) / m.tan(lead),
+        "locking_margin": rho - lead,
+    }
+    if torque is not None:
+        push = 2 * torque / worm.worm_diameter
+        radial = push * m.tan(pressure_angle) * m.cos(rho) / m.sin(lead + rho)
+        out |= {"worm_axial_force": push / m.tan(lead + rho), "radial_force": radial}
+    return out
+
+
+def _worm(
+    threads: int, teeth: int, size: "Any", worm: "Any", profile_shift: float, m: "Any"
+) -> "tuple[dict[str, float], Any]":
+    """Lead angle and centre distance, of worms by axial module and diameter."""
+    diameter, module = getattr(worm, "worm_diameter", None), getattr(size, "module", None)
+    if diameter is None or module is None:
+        raise ArithmeticError
+    lead = m.atan(threads * module / diameter)
+    distance = (diameter + module * teeth) / 2 + profile_shift * module
+    return {"lead_angle": lead, "centre_distance": distance}, lead
+
+
+def crossed_by_book(*, first: "Any", second: "Any", module: float, pressure_angle: float) -> "dict[str, float]":
+    """The working normal angle of the virtual spur gears, z/cos³β teeth each, from tan α − α by Newton."""
+    return _crossed(first, second, module, pressure_angle, newton)
+
+
+def crossed_by_brent(*, first: "Any", second: "Any", module: float, pressure_angle: float) -> "dict[str, float]":
+    """The same by Brent's method."""
+    return _crossed(first, second, module, pressure_angle, brent_inverse)
+
+
+def _crossed(first: "Any", second: "Any", module: float, alpha: float, inverse: "Inverse") -> "dict[str, float]":
+    """Y = (z_v1 + z_v2)/2·(cos α/cos α_w − 1), a = (d₁ + d₂)/2 + y·m, tan β_w = (d_w/d)·tan β, Σ = β_w1 + β_w2."""
+    virtual = sum(one.teeth / math.cos(one.helix_angle) ** 3 for one in (first, second))
+    shift = first.profile_shift + second.profile_shift
+    working = inverse(2 * math.tan(alpha) * shift / virtual + math.tan(alpha) - alpha)["phi"]
+    more = virtual / 2 * (math.cos(alpha) / math.cos(working) - 1)
+    reference = sum(one.teeth * module / (2 * math.cos(one.helix_angle)) for one in (first, second))
+    distance = reference + more * module
+    helices = [math.atan(distance / reference * math.tan(one.helix_angle)) for one in (first, second)]
+    return {
+        "working_pressure_angle": working,
+        "distance_modification": more,
+        "centre_distance": distance,
+        "first_working_helix": helices[0],
+        "shaft_angle": abs(helices[0] + helices[1]),
+    }
 
 
 bevel_single = single(bevel_by_book)

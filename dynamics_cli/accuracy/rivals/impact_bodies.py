@@ -15,35 +15,6 @@ GRAVITY = 32.2
 DEGREE = 0.017453292519943295
 
 
-def _mass(bulk: "Any", gravity: float) -> float:
-    if hasattr(bulk, "fixed"):
-        raise ArithmeticError
-    return float(bulk.mass if hasattr(bulk, "mass") else bulk.weight / gravity)
-
-
-def central(
-    *, first: "Any", second: "Any", contact: "Any", gravity: float, closing_speed: "float | None" = None,
-    force: "Any" = None,
-) -> "dict[str, float]":  # fmt: skip
-    """Velocities from momentum and restitution; ΔV, impulse and loss as differences."""
-    if closing_speed is not None:
-        raise ArithmeticError
-    m1, m2, e = _mass(first.bulk, gravity), _mass(second.bulk, gravity), contact.restitution
-    v1, v2 = first.velocity or 0.0, second.velocity or 0.0
-    w1 = (m1 * v1 + m2 * v2 - m2 * e * (v1 - v2)) / (m1 + m2)
-    w2 = (m1 * v1 + m2 * v2 + m1 * e * (v1 - v2)) / (m1 + m2)
-    before, after = 0.5 * m1 * v1 * v1 + 0.5 * m2 * v2 * v2, 0.5 * m1 * w1 * w1 + 0.5 * m2 * w2 * w2
-    return {
-        "first.velocity": w1,
-        "second.velocity": w2,
-        "first.delta_v": w1 - v1,
-        "second.delta_v": w2 - v2,
-        "impulse": m2 * w2 - m2 * v2,
-        "separation_speed": w2 - w1,
-        "energy_lost": before - after,
-    }
-
-
 def planar(**given: "Any") -> "dict[str, float]":
     """The program's velocities after, and ΔV, impulse and energies as the differences that they are often taken as."""
     from dynamics_cli.impact.planar import planar as own

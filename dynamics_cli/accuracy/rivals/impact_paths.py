@@ -3,6 +3,7 @@
 from math import copysign, sqrt, tanh
 
 from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals.impact_march import own, scipy
 from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
 
 TYPE_CHECKING = False
@@ -10,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.rivals.impact_march import March, State
     from dynamics_cli.accuracy.rows import Row
 
 FILE = "impact_rigid.json"
@@ -17,17 +19,27 @@ NAMES = ("normal", "tangential")
 # What the closed form promises, in shares of the impulse.
 PROMISE = 2e-15
 MOST_STEPS = 200_000
+# A spring that has not thrown the bodies apart after so many is taken for a jam.
+MOST_OF_SPRING = 20_000
 
 
 class Contact:
-    """K, velocities, friction and restitution of a case, and the law that ends it."""
+    """K, velocities, friction and restitution of a contact, and the law that ends it."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(
+        self, k: "tuple[float, float, float]", u: "tuple[float, float]", mu: float, e: float, law: str
+    ) -> None:
+        self.kt, self.kx, self.kn = k
+        self.ut, self.un = u
+        self.mu, self.e, self.law = mu, e, law
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
         given = case.inputs
-        self.kt, self.kx, self.kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
-        self.ut, self.un = float(given["slip"]), float(given["approach"])
-        self.mu, self.e = float(given["friction"]), float(given["restitution"])
-        self.law: str = given["law"]["word"]
+        kt, kx, kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
+        u = float(given["slip"]), float(given["approach"])
+        return cls((kt, kx, kn), u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
 
     def ratio(self, ut: float) -> float:
         """Friction per normal impulse now, with stick where the slip is zero and friction holds."""
@@ -40,7 +52,7 @@ def closed_form(case: Case) -> "Callable[[], tuple[float, float]]":
     """The program's own."""
     from dynamics_cli.impact.path import Mobility, determinant, travel
 
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         k = Mobility(c.kt, c.kx, c.kn, determinant(c.kt, c.kx, c.kn))
@@ -54,7 +66,7 @@ def plain_sums(case: Case) -> "Callable[[], tuple[float, float]]":
     """The program's own for whole maps, in plain sums; here one at a time."""
     from dynamics_cli.impact.path_arrays import planar_impacts
 
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         pn, pt = planar_impacts(c.kt, c.kx, c.kn, c.ut, c.un, c.mu, c.e, law=c.law)
@@ -69,7 +81,7 @@ def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
 
     from dynamics_cli.impact.path_arrays import planar_impacts
 
-    c = Contact(case)
+    c = Contact.of(case)
     kt, kx, kn, ut, un = (np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un))
     friction = np.linspace(0.0, 1.0, rows)
     return lambda: planar_impacts(kt, kx, kn, ut, un, friction, c.e, law=c.law)
@@ -77,7 +89,7 @@ def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
 
 def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
     """The textbook: it slides to the end, or else it sticks at the end; slip that turns round is not thought of."""
-    c = Contact(case)
+    c = Contact.of(case)
 
     def answer() -> "tuple[float, float]":
         ratio, rise = c.ratio(c.ut), -(1.0 + c.e) * c.un
@@ -96,7 +108,7 @@ def steps(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
     """Equal steps of normal impulse, so many to the compression without friction; slip may stop after each."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
-        c = Contact(case)
+        c = Contact.of(case)
 
         def answer() -> "tuple[float, float]":
             step = -c.un / c.kn / count
@@ -128,56 +140,54 @@ def _over(c: Contact, un: float, pn: float, work: float, compression: float, don
     return work >= (c.e * c.e - 1.0) * done
 
 
-def integrated(case: Case) -> "Callable[[], tuple[float, float]]":
-    """Scipy's solve_ivp in normal impulse, with events where slip stops, compression ends and the law ends it."""
-    c = Contact(case)
+def integrated(march: "March") -> "Callable[[Case], Callable[[], tuple[float, float]]]":
+    """The path integrated in normal impulse."""
 
-    def answer() -> "tuple[float, float]":
-        from scipy.integrate import solve_ivp
+    def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
+        c = Contact.of(case)
+        return lambda: integral(c, march)
 
-        y, p = [c.ut, c.un, 0.0, 0.0], 0.0
-        compression = done = 0.0
-        longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
-        for _ in range(8):
-            ratio = c.ratio(y[0])
-            rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
-
-            def rhs(_: float, y: "Any", rates: "Any" = rates, ratio: float = ratio) -> "list[float]":
-                return [rates[0], rates[1], ratio, y[1]]
-
-            ends = _events(c, y, compression, done)
-            found = solve_ivp(rhs, [p, p + longest], y, events=ends, rtol=1e-12, atol=1e-15 * -c.un)
-            if found.status != 1:
-                raise ArithmeticError
-            y, p = [float(value) for value in found.y[:, -1]], float(found.t[-1])
-            if len(found.t_events[0]):
-                y[0] = 0.0
-            if len(found.t_events[1]):
-                if compression or c.e == 0.0:
-                    return p, y[2]
-                compression, done = p, -y[3]
-        raise ArithmeticError
-
-    return answer
+    return prepare
 
 
-def _events(c: Contact, y: "list[float]", compression: float, done: float) -> "list[Callable[[float, Any], float]]":
-    side = y[0]
+def integral(c: Contact, march: "March") -> "tuple[float, float]":
+    """Normal and tangential impulse, the march stopping where slip stops, compression ends and the law ends it."""
+    # slip, approach, tangential impulse, work and normal impulse
+    y = [c.ut, c.un, 0.0, 0.0, 0.0]
+    compression = done = 0.0
+    longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
+    for _ in range(8):
+        ratio = c.ratio(y[0])
+        rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
 
-    def stops(_: float, y: "Any") -> float:
-        return float(y[0]) if side else 1.0
+        def slope(_: float, y: "State", rates: "Any" = rates, ratio: float = ratio) -> "State":
+            return [rates[0], rates[1], ratio, y[1], 1.0]
 
-    def ends(p: float, y: "Any") -> float:
+        y, (stopped, ended) = march(slope, y, _events(c, y[0], compression, done), 1e-15 * -c.un, longest)
+        if stopped:
+            y[0] = 0.0
+        if ended:
+            if compression or c.e == 0.0:
+                return y[4], y[2]
+            compression, done = y[4], -y[3]
+    raise ArithmeticError
+
+
+def _events(c: Contact, side: float, compression: float, done: float) -> "list[Callable[[float, State], float]]":
+    """What rises to zero where slip stops, and where compression or, after it, the impact is over."""
+
+    def stops(_: float, y: "State") -> float:
+        return -copysign(1.0, side) * y[0] if side else -1.0
+
+    def ends(_: float, y: "State") -> float:
         if not compression:
-            return float(y[1])
+            return y[1]
         if c.law == "newton":
-            return float(y[1] + c.e * c.un)
+            return y[1] + c.e * c.un
         if c.law == "poisson":
-            return p - (1.0 + c.e) * compression
-        return float(y[3] + (1.0 - c.e * c.e) * done)
+            return y[4] - (1.0 + c.e) * compression
+        return y[3] + (1.0 - c.e * c.e) * done
 
-    stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
-    ends.direction = 1.0  # type: ignore[attr-defined]
     return [stops, ends]
 
 
@@ -185,7 +195,7 @@ def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
     """A spring, stiffer by 1/e² when it opens, and smoothed friction, in so many steps of RK4: Stronge's law."""
 
     def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
-        c = Contact(case)
+        c = Contact.of(case)
         if c.law != "stronge" or c.e == 0.0:
             raise ArithmeticError
         # of unit stiffness: the path does not depend on it
@@ -201,7 +211,7 @@ def spring(count: int) -> "Callable[[Case], Callable[[], tuple[float, float]]]":
         def answer() -> "tuple[float, float]":
             y: tuple[float, ...] = (c.ut, c.un, 0.0, 0.0, 0.0)
             deepest = 0.0
-            for _ in range(MOST_STEPS):
+            for _ in range(MOST_OF_SPRING):
                 a = rates(y, deepest)
                 b = rates(_ahead(y, a, 0.5 * step), deepest)
                 d = rates(_ahead(y, b, 0.5 * step), deepest)
@@ -230,7 +240,8 @@ RIVALS = (
     Rival("slides or sticks, as in textbooks", two_cases),
     Rival("100 steps of normal impulse", steps(100)),
     Rival("1,000 steps of normal impulse", steps(1000)),
-    Rival("scipy solve_ivp with events", integrated, needs="scipy"),
+    Rival("Dormand–Prince 5(4) to 1e-12, events by Brent", integrated(own(1e-12))),
+    Rival("scipy solve_ivp with events", integrated(scipy("RK45", 1e-12)), needs="scipy"),
     Rival("spring and smoothed friction, RK4", spring(200)),
 )
 

@@ -59,9 +59,10 @@ def compared(
     pace = Pace(full=full)
     made: list[Row] = []
     base: float | None = None
+    own: Errors | None = None
     for rival in rivals:
         errors, calls = Errors(), []
-        for case in cases:
+        for index, case in enumerate(cases):
             try:
                 call = rival.prepare(case)
                 error = share(case, call(), names)
@@ -73,6 +74,7 @@ def compared(
             calls.append(call)
             errors.cases += 1
             errors.note(case.name, error, rival.stated(case) if rival.stated else None)
+            errors.found[f"{index} impulse"] = error
         some = calls[:: max(1, len(calls) // 4)]
         time = None
         if timed and some:
@@ -81,5 +83,6 @@ def compared(
         array_time = None
         if timed and rival.many:
             array_time = seconds(rival.many(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
-        made.append(row(name, rival.name, errors, time, base, array_time=array_time))
+        made.append(row(name, rival.name, errors, time, base, array_time=array_time, own=own))
+        own = own or errors
     return made

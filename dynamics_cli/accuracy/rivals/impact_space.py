@@ -1,12 +1,13 @@
-"""Keller's equations of an impact in space: Taylor series in τ, beside other orders, DOP853, RK4 and Euler by impulse.
+"""Keller's equations of an impact in space: Taylor series in τ beside other orders, Dormand–Prince, RK4 and Euler.
 
 By normal impulse the slip's direction is singular where the slip stops, so the rivals stop it below a share of the
 start and go on straight, as the program does.
 """
 
-from math import hypot, sqrt
+from math import hypot
 
 from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.rivals.impact_march import own, scipy
 from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
 
 TYPE_CHECKING = False
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.rivals.impact_march import March
     from dynamics_cli.accuracy.rows import Row
 
     Vector = tuple[float, float, float]
@@ -24,19 +26,26 @@ NAMES = ("impulse[0]", "impulse[1]", "impulse[2]")
 # Slip below this share of the speeds at the start has stopped, for those that march by impulse.
 STOPPED = 1e-9
 MOST_STEPS = 100_000
+# Where the slip's direction turns ever faster an integrator's steps shrink; this many slopes are a second's work.
+MOST_SLOPES = 30_000
 
 
 class Contact:
-    """K, velocity, friction and restitution of a case, and the law that ends it."""
+    """K, velocity, friction and restitution of a contact, and the law that ends it."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(self, k: "Any", u: "Vector", mu: float, e: float, law: str) -> None:
+        self.k = k
+        self.u = u
+        self.mu, self.e, self.law = mu, e, law
+        self.least = STOPPED * max(hypot(u[0], u[1]), -u[2])
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
         given = case.inputs
         rows = tuple(tuple(map(float, row)) for row in given["mobility"])
-        self.k: Any = rows
-        self.u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
-        self.mu, self.e = float(given["friction"]), float(given["restitution"])
-        self.law: str = given["law"]["word"]
-        self.least = STOPPED * max(hypot(self.u[0], self.u[1]), -self.u[2])
+        u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
+        return cls(rows, u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
 
     def held(self, slip: float) -> bool:
         """Whether the slip has stopped."""
@@ -78,21 +87,30 @@ def taylor(order: int, stride: float) -> "Callable[[Case], Callable[[], Vector]]
     def prepare(case: Case) -> "Callable[[], Vector]":
         from dynamics_cli.impact.hodograph import travel
 
-        c = Contact(case)
+        c = Contact.of(case)
         return lambda: travel(c.k, c.u, c.mu, c.e, c.law, order, stride).impulse
 
     return prepare
 
 
-def stated(case: Case) -> float:
-    """The bound that the program states for a contact whose K and velocity are exact."""
-    from dynamics_cli.impact.hodograph import travel
-    from dynamics_cli.impact.spatial_results import ROUNDINGS
+def decimals(case: Case) -> "Callable[[], Vector]":
+    """The program's own, in the decimals that its answers are rounded from."""
+    from decimal import Context, localcontext
 
-    c = Contact(case)
-    end = travel(c.k, c.u, c.mu, c.e, c.law)
-    most: float = max(c.k[0][0], c.k[1][1], c.k[2][2])
-    return ROUNDINGS * max(1.0, most * sqrt(sum(part * part for part in end.impulse)) / -c.u[2])
+    from dynamics_cli.impact.decimals import widened
+    from dynamics_cli.impact.spatial import followed
+    from dynamics_cli.impact.spatial_bounds import EFFORTS
+
+    c = Contact.of(case)
+    k, u, mu, e, law = widened((c.k, c.u, c.mu, c.e, c.law))
+    order, digits, most = EFFORTS[0]
+
+    def answer() -> "Vector":
+        with localcontext(Context(prec=most)):
+            x, y, z = followed(k, u, mu, e, law, order=order, digits=digits).impulse
+            return float(x), float(y), float(z)
+
+    return answer
 
 
 def _euler(c: Contact, y: "State", step: float) -> "State":
@@ -111,7 +129,7 @@ def steps(advance: "Callable[[Contact, State, float], State]", count: int) -> "C
     """Equal steps of normal impulse, so many to the compression without friction; ends by secants within a step."""
 
     def prepare(case: Case) -> "Callable[[], Vector]":
-        c = Contact(case)
+        c = Contact.of(case)
 
         def answer() -> "Vector":
             y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
@@ -154,61 +172,61 @@ def _within(
     return new
 
 
-def dop853(tolerance: float) -> "Callable[[Case], Callable[[], Vector]]":
-    """Scipy's solve_ivp by normal impulse, with events where slip has stopped, compression ends and the law ends it."""
+def integrated(march: "March") -> "Callable[[Case], Callable[[], Vector]]":
+    """Keller's equations integrated by normal impulse."""
 
     def prepare(case: Case) -> "Callable[[], Vector]":
-        c = Contact(case)
-
-        def answer() -> "Vector":
-            from scipy.integrate import solve_ivp
-
-            y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
-            compression = done = 0.0
-            longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
-            for _ in range(4):
-                straight = c.held(hypot(y[0], y[1]))
-                fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
-
-                def rhs(_: float, y: "Any", fixed: "Any" = fixed) -> "State":
-                    return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
-
-                def stops(_: float, y: "Any", straight: bool = straight) -> float:
-                    return 1.0 if straight else float(hypot(y[0], y[1]) - c.least)
-
-                def ends(_: float, y: "Any", compression: float = compression, done: float = done) -> float:
-                    return float(c.aim(y, compression, done))
-
-                stops.terminal = ends.terminal = True  # type: ignore[attr-defined]
-                ends.direction = 1.0  # type: ignore[attr-defined]
-                found = solve_ivp(
-                    rhs, [0.0, longest], y, method="DOP853", events=[stops, ends], rtol=tolerance,
-                    atol=1e-3 * tolerance * -c.u[2],
-                )  # fmt: skip
-                if found.status != 1:
-                    raise ArithmeticError
-                y = [float(value) for value in found.y[:, -1]]
-                if len(found.t_events[0]):
-                    y[0] = y[1] = 0.0
-                if len(found.t_events[1]):
-                    if compression or c.e == 0.0:
-                        return y[3], y[4], y[5]
-                    compression, done = y[5], -y[6]
-            raise ArithmeticError
-
-        return answer
+        c = Contact.of(case)
+        return lambda: integral(c, march)
 
     return prepare
 
 
+def integral(c: Contact, march: "March") -> "Vector":
+    """The impulse, the march stopping where slip has stopped, compression ends and the law ends it."""
+    y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
+    compression = done = 0.0
+    slopes = 0
+    longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
+    for _ in range(4):
+        straight = c.held(hypot(y[0], y[1]))
+        fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
+
+        def slope(_: float, y: "State", fixed: "Any" = fixed) -> "State":
+            nonlocal slopes
+            slopes += 1
+            if slopes > MOST_SLOPES:
+                raise ArithmeticError
+            return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
+
+        def stops(_: float, y: "State", straight: bool = straight) -> float:
+            return -1.0 if straight else c.least - hypot(y[0], y[1])
+
+        def ends(_: float, y: "State", compression: float = compression, done: float = done) -> float:
+            return c.aim(y, compression, done)
+
+        y, (stopped, ended) = march(slope, y, [stops, ends], 1e-15 * -c.u[2], longest)
+        if stopped:
+            y[0] = y[1] = 0.0
+        if ended:
+            if compression or c.e == 0.0:
+                return y[3], y[4], y[5]
+            compression, done = y[5], -y[6]
+    raise ArithmeticError
+
+
 CHOSEN = 24, 0.1353352832366127
+# Half a last bit of the largest part.
+ROUNDED = 1.0001 * 2.0**-53
 RIVALS = (
-    Rival("Taylor of order 24 (chosen)", taylor(*CHOSEN), stated),
+    Rival("Taylor in decimals, rounded once (chosen)", decimals, lambda _: ROUNDED),
+    Rival("Taylor of order 24", taylor(*CHOSEN)),
     Rival("Taylor of order 16", taylor(16, CHOSEN[1])),
     Rival("Taylor of order 10", taylor(10, CHOSEN[1])),
     Rival("Taylor of order 24, strides of half the radius", taylor(24, 0.5)),
-    Rival("scipy DOP853, 1e-12", dop853(1e-12), needs="scipy"),
-    Rival("scipy DOP853, 1e-6", dop853(1e-6), needs="scipy"),
+    Rival("Dormand–Prince 5(4), 1e-10", integrated(own(1e-10))),
+    Rival("Dormand–Prince 5(4), 1e-6", integrated(own(1e-6))),
+    Rival("scipy DOP853, 1e-12", integrated(scipy("DOP853", 1e-12)), needs="scipy"),
     Rival("RK4, 40 steps", steps(_rk4, 40)),
     Rival("RK4, 10 steps", steps(_rk4, 10)),
     Rival("Euler, 1,000 steps", steps(_euler, 1000)),

@@ -10,6 +10,8 @@ QUESTIONS = (
     Question(
         "inertia", "shape", "inertia shape", "inertia_bodies.json", "shape",
         Method("closed form", BODIES + "shape", chosen=True, tracked=True),
+        Method("textbook: about the origin, parallel axes", RIVALS + "book:shape"),
+        Method("Gauss quadrature, 2 to 32 nodes each way", RIVALS + "quadrature:shape"),
     ),
     Comparison("inertia", "shape", "thin walls", WALLS + "compare"),
     Comparison("inertia", "body", "inertia body", BODIES + "compare_assemblies"),
@@ -20,6 +22,8 @@ QUESTIONS = (
     Question(
         "inertia", "torque", "inertia torque", "inertia_bodies.json", "torque",
         Method("differences of moments", "dynamics_cli.inertia.torque:torque", chosen=True, tracked=True),
+        Method("textbook: ω × (I·ω) as it stands", RIVALS + "vectors:torque_by_cross"),
+        Method("Euler's equations in principal axes, LAPACK", RIVALS + "vectors:torque_along_axes"),
     ),
     Comparison("inertia", "mesh", "mesh moments", MESH + "compare", peers=PEERS),
     Comparison("inertia", "mesh", "mesh moments, 32,768 triangles", MESH + "compare_large", peers=PEERS),

@@ -92,7 +92,12 @@ def tensor(**given: "Any") -> "Any":
     return one(**given)
 
 
-def placed(case: "Case") -> "list[tuple[float, Array, Array]]":
+def groups(case: "Any") -> "dict[str, Any]":
+    """What a case gives, or what has been made of it already."""
+    return {"scene": case.scene} if hasattr(case, "scene") else arguments(case)
+
+
+def placed(case: "Any") -> "list[tuple[float, Array, Array]]":
     """Mass, mass centre and tensor about it of every part, in the axes of the assembly."""
     import numpy as np
 
@@ -100,7 +105,7 @@ def placed(case: "Case") -> "list[tuple[float, Array, Array]]":
     from dynamics_cli.inertia.parts import Walk
 
     walk = Walk()
-    walk.into(arguments(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
+    walk.into(groups(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     found = []
     for leaf in walk.leaves:
         turn, second = np.array(leaf.rotation), np.array(leaf.lump.second)
@@ -125,7 +130,7 @@ def _middle(parts: "list[tuple[float, Array, Array]]") -> "tuple[float, Array]":
     return mass, np.sum([m * c for m, c, _ in parts], axis=0) / mass
 
 
-def from_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
+def from_origin(case: "Any") -> "Callable[[], dict[str, Any]]":
     """The textbook: tensors summed about the origin, I = I₀ − m (c²·1 − c cᵀ) at the end, LAPACK."""
     import numpy as np
 
@@ -138,7 +143,7 @@ def from_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
     return answer
 
 
-def from_centre(case: "Case") -> "Callable[[], dict[str, Any]]":
+def from_centre(case: "Any") -> "Callable[[], dict[str, Any]]":
     """The mass centre first, each tensor moved to it, LAPACK."""
     import numpy as np
 
@@ -161,8 +166,6 @@ ASSEMBLY = (
     Way("tensors about the mass centre, LAPACK", from_centre),
     Way("tensors about the origin, parallel axes at the end, LAPACK", from_origin),
 )
-COMPARED = (own("composed each about its mass centre", both, both_stated),)
-TENSOR = (own("Jacobi on the tensor", tensor),)
 
 
 def compare_assemblies(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
@@ -172,9 +175,23 @@ def compare_assemblies(name: str, *, hard: bool, full: bool, timed: bool) -> "li
 
 def compare_pairs(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Two bodies side by side."""
-    return rows_of(name, of_task("compare", hard=hard), COMPARED, full=full, timed=timed)
+    from dynamics_cli.accuracy.rivals import inertia_vectors as other
+
+    ways = (
+        own("composed each about its mass centre", both, both_stated),
+        Way("textbook: about the origin, arc cosines", other.compare_by_origin),
+        Way("tensors about the mass centre, LAPACK", other.compare_by_centre),
+    )
+    return rows_of(name, of_task("compare", hard=hard), ways, full=full, timed=timed)
 
 
 def compare_tensors(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Given tensors."""
-    return rows_of(name, of_task("tensor", hard=hard), TENSOR, full=full, timed=timed)
+    from dynamics_cli.accuracy.rivals import inertia_vectors as other
+
+    ways = (
+        own("Jacobi on the tensor", tensor),
+        Way("textbook: roots by an arc cosine", other.tensor_by_cardano),
+        Way("LAPACK eigvalsh", other.tensor_by_lapack),
+    )
+    return rows_of(name, of_task("tensor", hard=hard), ways, full=full, timed=timed)

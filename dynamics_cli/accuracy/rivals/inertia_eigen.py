@@ -148,6 +148,7 @@ def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     cases = [case for case in load("eigen.json") if case.hard or not hard]
     made: list[Row] = []
     base: float | None = None
+    own: Errors | None = None
     for method, function in METHODS:
         errors = Errors()
         for case in cases:
@@ -159,5 +160,6 @@ def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
                 errors.add(f"{case.name}: {address}", values[place], case.results[address], bound)
         time = _time(function, cases, pace) if timed else None
         base = base or time
-        made.append(row(name, method, errors, time, base))
+        made.append(row(name, method, errors, time, base, own=own))
+        own = own or errors
     return made

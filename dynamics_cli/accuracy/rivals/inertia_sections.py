@@ -1,6 +1,6 @@
 """Plane sections: whole numbers rounded once, beside sums in doubles about the origin and about a corner."""
 
-from math import atan2, pi, sqrt
+from math import atan2, cos, hypot, pi, sin, sqrt
 
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.rivals.inertia_bodies import arguments
@@ -78,17 +78,50 @@ def _answer(contours: "list[Contour]", near: "tuple[float, float]") -> "dict[str
     x, y = mx / area, my / area
     ix, iy, ixy = ix - area * y * y, iy - area * x * x, ixy - area * x * y
     radius = sqrt(((ix - iy) / 2.0) ** 2 + ixy**2)
+    one, two = (ix + iy) / 2.0 + radius, (ix + iy) / 2.0 - radius
+    angle = 0.5 * atan2(-2.0 * ixy, ix - iy)
+    x, y = near[0] + x, near[1] + y
+    about = ix + area * y * y, iy + area * x * x, ixy + area * x * y
     return {
-        "area": area,
-        "x": near[0] + x,
-        "y": near[1] + y,
-        "centroidal.ix": ix,
-        "centroidal.iy": iy,
-        "centroidal.ixy": ixy,
-        "principal.i1": (ix + iy) / 2.0 + radius,
-        "principal.i2": (ix + iy) / 2.0 - radius,
-        "principal.angle": 0.5 * atan2(-2.0 * ixy, ix - iy),
-    }
+        "area": area, "perimeter": _perimeter(contours), "x": x, "y": y, "centroidal.ix": ix, "centroidal.iy": iy,
+        "centroidal.ixy": ixy, "centroidal.polar": ix + iy, "about_origin.ix": about[0], "about_origin.iy": about[1],
+        "about_origin.ixy": about[2], "about_origin.polar": about[0] + about[1], "principal.i1": one,
+        "principal.i2": two, "principal.angle": angle, "gyration.rx": sqrt(ix / area), "gyration.ry": sqrt(iy / area),
+        "gyration.r1": sqrt(one / area), "gyration.r2": sqrt(two / area), "gyration.polar": sqrt((ix + iy) / area),
+        "moduli.x_top": ix / _reach(contours, (x, y), (0.0, 1.0)),
+        "moduli.x_bottom": ix / _reach(contours, (x, y), (0.0, -1.0)),
+        "moduli.y_right": iy / _reach(contours, (x, y), (1.0, 0.0)),
+        "moduli.y_left": iy / _reach(contours, (x, y), (-1.0, 0.0)),
+        "moduli.first_least": one / _farthest(contours, (x, y), (-sin(angle), cos(angle))),
+        "moduli.second_least": two / _farthest(contours, (x, y), (cos(angle), sin(angle))),
+    }  # fmt: skip
+
+
+def _perimeter(contours: "list[Contour]") -> float:
+    """Lengths of all sides, holes too, and of circles."""
+    return sum(
+        pi * diameter if diameter else sum(hypot(c - a, d - b) for (a, b), (c, d) in _sides(corners))
+        for _, corners, diameter in contours
+    )
+
+
+def _sides(corners: "list[tuple[float, float]]") -> "Any":
+    return zip(corners, [*corners[1:], corners[0]], strict=True)
+
+
+def _reach(contours: "list[Contour]", centre: "tuple[float, float]", way: "tuple[float, float]") -> float:
+    """How far material reaches from the centroid along a direction."""
+    return max(
+        (x - centre[0]) * way[0] + (y - centre[1]) * way[1] + 0.5 * diameter
+        for sign, corners, diameter in contours
+        if sign > 0
+        for x, y in corners
+    )
+
+
+def _farthest(contours: "list[Contour]", centre: "tuple[float, float]", way: "tuple[float, float]") -> float:
+    """The same to whichever side it reaches farther."""
+    return max(_reach(contours, centre, way), _reach(contours, centre, (-way[0], -way[1])))
 
 
 def about_origin(

@@ -85,12 +85,13 @@ def rows_of(
     pace = Pace(full=full)
     made: list[Row] = []
     base: float | None = None
+    own: Errors | None = None
     for way in methods:
         errors, calls = Errors(), []
-        for case in cases:
+        for index, case in enumerate(cases):
             try:
                 call = way.prepare(case)
-                count(errors, case, results_of(way.stated(case) if way.stated else call()))
+                count(errors, case, results_of(way.stated(case) if way.stated else call()), index)
             except (DynamicsError, ArithmeticError, ValueError):
                 errors.refused += 1
                 continue
@@ -100,11 +101,12 @@ def rows_of(
         if timed and some:
             time = seconds(lambda: [call() for call in some], repeats=pace.repeats, least=pace.least) / len(some)  # noqa: B023
         base = base or time
-        made.append(row(name, way.name, errors, time, base))
+        made.append(row(name, way.name, errors, time, base, own=own))
+        own = own or errors
     return made
 
 
-def count(errors: Errors, case: "Case", found: "dict[str, Any]") -> None:
+def count(errors: Errors, case: "Case", found: "dict[str, Any]", index: int) -> None:
     """Count the results of a case that a method gives, with the bounds that it states."""
     true = {name: Decimal(text) for name, text in case.results.items()}
     sizes = {name: value.copy_abs() for name, value in true.items()}
@@ -120,3 +122,4 @@ def count(errors: Errors, case: "Case", found: "dict[str, Any]") -> None:
         bound = getattr(shown[name], "error", None)
         stated = None if bound is None else float(DIGITS.divide(Decimal(bound), whole))
         errors.note(f"{case.name}: {name}", float(DIGITS.divide(error, whole)), stated)
+        errors.found[f"{index} {name}"] = errors.relative[-1]

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 HERE = "dynamics_cli.accuracy.rivals.skid:"
+FLIGHTS = "dynamics_cli.accuracy.rivals.skid_flights:"
 
 
 def _drag(friction: float, grade: float, braking: float, m: "Any") -> float:
@@ -25,11 +26,27 @@ def speed_by_slope_angle(
     *, segments: "tuple[Any, ...]", gravity: float, end_speed: float = 0.0, mass: "float | None" = None,
     m: "Any" = DOUBLES,
 ) -> "dict[str, float]":  # fmt: skip
-    """V² = vₑ² + Σ 2·g·d·f."""
-    total = end_speed * end_speed
-    for one in segments:
-        total = total + 2 * gravity * one.distance * _drag(one.friction, one.grade, one.braking, m)
-    return {"speed": m.sqrt(total)}
+    """V² = vₑ² + 2·g·d·f from the last surface to the first, t = (v − vₑ)/(g·f), energies ½·m·v² and m·g·μ·d·cos θ."""
+    out: dict[str, Any] = {}
+    leaving, work = end_speed, 0.0 * end_speed
+    drags = [_drag(one.friction, one.grade, one.braking, m) for one in segments]
+    for k in reversed(range(len(segments))):
+        one, drag = segments[k], drags[k]
+        entry = m.sqrt(leaving * leaving + 2 * gravity * one.distance * drag)
+        out |= {
+            f"surfaces[{k}].entry_speed": entry, f"surfaces[{k}].exit_speed": leaving,
+            f"surfaces[{k}].drag_factor": drag, f"surfaces[{k}].distance": one.distance,
+            f"surfaces[{k}].time": (entry - leaving) / (gravity * drag),
+        }  # fmt: skip
+        work = work + one.braking * one.friction * one.distance * m.cos(m.atan(one.grade))
+        leaving = entry
+    out["speed"] = leaving
+    for name, part in (("time", "time"), ("total_distance", "distance")):
+        parts = [out[f"surfaces[{k}].{part}"] for k in range(len(segments))]
+        out[name] = sum(parts[1:], parts[0])
+    if mass is not None:
+        out |= {"energy": mass * leaving * leaving / 2, "friction_work": mass * gravity * work}
+    return out
 
 
 def distance_by_squares(
@@ -37,11 +54,18 @@ def distance_by_squares(
     mark: "float | None" = None, m: "Any" = DOUBLES,
 ) -> "dict[str, float]":  # fmt: skip
     """D = (v² − vₑ²)/(2·g·f): digits go as the two speeds come near one another."""
-    deceleration = gravity * _drag(friction, grade, braking, m)
-    return {
+    drag = _drag(friction, grade, braking, m)
+    deceleration = gravity * drag
+    out = {
         "distance": (speed * speed - end_speed * end_speed) / (2 * deceleration),
         "time": (speed - end_speed) / deceleration,
+        "drag_factor": drag,
+        "deceleration": deceleration,
     }
+    if mark is not None:
+        left = m.sqrt(speed * speed - 2 * deceleration * mark)
+        out |= {"exit_speed": left, "exit_time": (speed - left) / deceleration}
+    return out
 
 
 def yaw_by_bank_angle(
@@ -53,9 +77,13 @@ def yaw_by_bank_angle(
         radius = path.radius
     else:
         radius = path.chord * path.chord / (8 * path.middle_ordinate) + path.middle_ordinate / 2
+    mark = radius
     if track_width is not None:
         radius = radius - track_width / 2
-    return {"speed": m.sqrt(gravity * radius * m.tan(m.atan(friction) + m.atan(superelevation)))}
+    across = gravity * m.tan(m.atan(friction) + m.atan(superelevation))
+    return {
+        "speed": m.sqrt(radius * across), "path_radius": radius, "mark_radius": mark, "lateral_acceleration": across,
+    }  # fmt: skip
 
 
 def friction_by_sums(*, skids: "Any", gravity: float, m: "Any" = DOUBLES) -> "dict[str, float]":
@@ -93,7 +121,8 @@ def drag_by_angles(*, measurement: "Any", gravity: float, m: "Any" = DOUBLES) ->
             one.wheelbase - (front - rear) * one.cm_height
         )
         effective = front * share + rear * (1 - share)
-        out = {"front_share": share, "rear_share": 1 - share}
+        still = (one.wheelbase - one.cm_position) / one.wheelbase
+        out = {"front_share": share, "rear_share": 1 - share, "weight_transfer": share - still}
     drag = effective * m.cos(theta) + m.sin(theta)
     return {"drag_factor": drag, "deceleration": gravity * drag, "effective_friction": effective, **out}
 
@@ -102,81 +131,40 @@ def stop_by_book(
     *, speed: float, reaction_time: float, friction: float, grade: float, braking: float, gravity: float,
     steps: int = 0, build_up_time: "float | None" = None, m: "Any" = DOUBLES,
 ) -> "dict[str, float]":  # fmt: skip
-    """D = v·t + v²/(2·g·f), the brakes at once."""
-    if build_up_time is not None:
-        raise ArithmeticError
+    """D = v·t + v²/(2·g·f); while the brakes take hold u = v − a·t²/2T and x = v·t − a·t³/6T."""
     drag = _drag(friction, grade, braking, m)
-    reaction, stopping, time = speed * reaction_time, speed * speed / (2 * gravity * drag), speed / (gravity * drag)
-    return {
+    deceleration = gravity * drag
+    reaction = speed * reaction_time
+    rows = [(reaction_time * k / steps, reaction * k / steps, speed) for k in range(steps + 1)]
+    out, left, now, way = {}, speed, reaction_time, reaction
+    if build_up_time is not None:
+        left = speed - deceleration * build_up_time / 2
+        if left <= 0.0:
+            # at rest before the brakes have taken hold
+            raise ArithmeticError
+        rise = speed * build_up_time - deceleration * build_up_time * build_up_time / 6
+        for k in range(1, steps + 1):
+            t = build_up_time * k / steps
+            lost = deceleration * t * t / (2 * build_up_time)
+            rows.append((now + t, way + speed * t - lost * t / 3, speed - lost))
+        now, way = now + build_up_time, way + rise
+        out = {"build_up_distance": rise, "build_up_duration": build_up_time}
+    stopping, time = left * left / (2 * deceleration), left / deceleration
+    for k in range(1, steps + 1):
+        t = time * k / steps
+        rows.append((now + t, way + left * t - deceleration * t * t / 2, left - deceleration * t))
+    for k, row in enumerate(rows):
+        out |= {f"timeline[{k}].{name}": value for name, value in zip(("time", "distance", "speed"), row, strict=True)}
+    return out | {
         "drag_factor": drag,
-        "deceleration": gravity * drag,
+        "deceleration": deceleration,
         "reaction_distance": reaction,
+        "braking_speed": left,
         "braking_distance": stopping,
         "braking_time": time,
-        "stopping_distance": reaction + stopping,
-        "stopping_time": reaction_time + time,
+        "stopping_distance": way + stopping,
+        "stopping_time": now + time,
     }
-
-
-def least_vault_by_book(
-    *, distance: float, rise: float, gravity: float, take_off: "float | None" = None, m: "Any" = DOUBLES
-) -> "dict[str, float]":
-    """V² = g·(h + √(d² + h²)), tan α = v²/(g·d): digits go as the drop grows beside the distance."""
-    up = rise + m.sqrt(distance * distance + rise * rise)
-    speed = m.sqrt(gravity * up)
-    return {"speed": speed, "launch_angle": m.atan(speed * speed / (gravity * distance)),
-            "landing_speed": m.sqrt(speed * speed - 2 * gravity * rise)}  # fmt: skip
-
-
-def least_vault_by_search(
-    *, distance: float, rise: float, gravity: float, take_off: "float | None" = None
-) -> "dict[str, float]":
-    """The least speed over take-off angles by golden sections: half of the angle's digits, as at any minimum."""
-    low, high = math.atan2(rise, distance), 0.5 * math.pi
-    golden = 0.5 * (math.sqrt(5.0) - 1.0)
-
-    def need(angle: float) -> float:
-        below = distance * math.tan(angle) - rise
-        return distance / math.cos(angle) * math.sqrt(0.5 * gravity / below) if below > 0.0 else math.inf
-
-    for _ in range(80):
-        one, other = high - golden * (high - low), low + golden * (high - low)
-        low, high = (low, other) if need(one) < need(other) else (one, high)
-    angle = 0.5 * (low + high)
-    return {"speed": need(angle), "launch_angle": angle}
-
-
-def vault_by_book(
-    *, distance: float, rise: float, take_off: float, gravity: float, m: "Any" = DOUBLES
-) -> "dict[str, float]":
-    """V = d·√(g/(2·cos α·(d·sin α − h·cos α))); the landing by tan⁻¹ and squares."""
-    sine, cosine = m.sin(take_off), m.cos(take_off)
-    speed = distance * m.sqrt(gravity / (2 * cosine * (distance * sine - rise * cosine)))
-    time = distance / (speed * cosine)
-    return {
-        "speed": speed,
-        "launch_angle": take_off,
-        "flight_time": time,
-        "landing_speed": m.sqrt(speed * speed - 2 * gravity * rise),
-        "landing_angle": m.atan((gravity * time - speed * sine) / (speed * cosine)),
-    }
-
-
-def throw_by_searle(
-    *, throw_distance: float, friction: float, launch_height: float, gravity: float,
-    launch_angle: "float | None" = None, m: "Any" = DOUBLES,
-) -> "dict[str, float]":  # fmt: skip
-    """V = √(2·μ·g·(s − μ·h))/(cos α + μ·sin α), between its values for α = tan⁻¹ μ and for a level launch."""
-    greatest = m.sqrt(2 * friction * gravity * (throw_distance - friction * launch_height))
-    out = {"least_speed": greatest / m.sqrt(1 + friction * friction), "greatest_speed": greatest}
-    if launch_angle is not None:
-        speed = greatest / (m.cos(launch_angle) + friction * m.sin(launch_angle))
-        up = speed * m.sin(launch_angle)
-        time = (up + m.sqrt(up * up + 2 * gravity * launch_height)) / gravity
-        flight = speed * m.cos(launch_angle) * time
-        out |= {"speed": speed, "flight_time": time, "flight_distance": flight,
-                "slide_distance": throw_distance - flight}  # fmt: skip
-    return out
 
 
 def avoid_by_roots(
@@ -187,12 +175,30 @@ def avoid_by_roots(
     drag = _drag(friction, grade, braking, m)
     deceleration = gravity * drag
     lost = deceleration * reaction_time
-    stopping = speed * reaction_time + speed * speed / (2 * deceleration)
-    return {
-        "drag_factor": drag,
-        "sufficient_speed": m.sqrt(lost * lost + 2 * deceleration * sight_distance) - lost,
-        "stopping_distance": stopping,
-    }
+    enough = m.sqrt(lost * lost + 2 * deceleration * sight_distance) - lost
+    out = {"drag_factor": drag, "sufficient_speed": enough}
+    speeds = [speed, enough] if speed_limit is None else [speed, speed_limit, enough]
+    for k, own in enumerate(speeds):
+        row, reaction, braking_way = f"approaches[{k}].", own * reaction_time, own * own / (2 * deceleration)
+        out |= {
+            row + "approach_speed": own, row + "reaction_distance": reaction, row + "braking_distance": braking_way,
+            row + "stopping_distance": reaction + braking_way,
+        }  # fmt: skip
+        if k == len(speeds) - 1:
+            out[row + "time"] = reaction_time + own / deceleration
+            continue
+        margin = sight_distance - (reaction + braking_way)
+        hit = 0 * own
+        if reaction >= sight_distance:
+            hit = own
+        elif margin < 0.0:
+            hit = m.sqrt(own * own - 2 * deceleration * (sight_distance - reaction))
+        inside = reaction < sight_distance
+        time = reaction_time + (own - hit) / deceleration if inside else sight_distance / own
+        out |= {row + "margin": margin, row + "impact_speed": hit, row + "time": time}
+        name = ("", "_at_limit")[k]
+        out |= {"margin" + name: margin, "impact_speed" + name: hit}
+    return out | {"stopping_distance": out["approaches[0].stopping_distance"]}
 
 
 def spin_by_differences(
@@ -207,15 +213,37 @@ def spin_by_differences(
         if first < 0.0 or last > math.pi:
             raise ArithmeticError
         share = drag.rolling_drag + (1 - drag.rolling_drag) * (m.cos(first) - m.cos(last)) / drag.rotation
+    return _spin(drag, share, distance, friction, end_speed, grade, gravity, m)
+
+
+def spin_by_degrees(
+    *, drag: "Any", distance: float, friction: float, end_speed: float, grade: float, gravity: float
+) -> "dict[str, float]":
+    """The mean of |sin| as the sum over steps of a degree, each in its middle; all else alike."""
+    if kind_of(drag) == "Share":
+        share = drag.drag_share
+    else:
+        count = max(1, math.ceil(math.degrees(drag.rotation)))
+        step = drag.rotation / count
+        mean = sum(abs(math.sin(drag.start_angle + (k + 0.5) * step)) for k in range(count)) / count
+        share = drag.rolling_drag + (1 - drag.rolling_drag) * mean
+    return _spin(drag, share, distance, friction, end_speed, grade, gravity, DOUBLES)
+
+
+def _spin(
+    drag: "Any", share: float, distance: float, friction: float, end_speed: float, grade: float, gravity: float,
+    m: "Any",
+) -> "dict[str, float]":  # fmt: skip
+    """From the mean share on."""
     factor = _drag(friction, grade, share, m)
     speed = m.sqrt(end_speed * end_speed + 2 * gravity * factor * distance)
-    return {
-        "mean_share": share,
-        "drag_factor": factor,
-        "speed": speed,
-        "speed_lost": speed - end_speed,
-        "time": (speed - end_speed) / (gravity * factor),
-    }
+    time = (speed - end_speed) / (gravity * factor)
+    out = {
+        "mean_share": share, "drag_factor": factor, "speed": speed, "speed_lost": speed - end_speed, "time": time,
+    }  # fmt: skip
+    if kind_of(drag) != "Share":
+        out["mean_yaw_rate"] = drag.rotation / time
+    return out
 
 
 speed_single = single(speed_by_slope_angle)
@@ -224,32 +252,36 @@ yaw_single = single(yaw_by_bank_angle)
 friction_single = single(friction_by_sums)
 drag_single = single(drag_by_angles)
 stop_single = single(stop_by_book)
-least_vault_single = single(least_vault_by_book)
-vault_single = single(vault_by_book)
-throw_single = single(throw_by_searle)
 avoid_single = single(avoid_by_roots)
 spin_single = single(spin_by_differences)
 
-# A task, its cases, what the textbook does, its function here, and that of 32 bits.
-_RIVALS = (
-    ("speed", "speed", "sine and cosine of the slope", "speed_by_slope_angle", "speed_single"),
-    ("distance", "distance", "difference of squares", "distance_by_squares", "distance_single"),
-    ("friction", "friction", "sums of squares in one pass", "friction_by_sums", "friction_single"),
-    ("drag-factor", "drag_factor", "sine and cosine of the slope", "drag_by_angles", "drag_single"),
-    ("stop", "stop", "v·t + v²/2a, brakes at once only", "stop_by_book", "stop_single"),
-    ("yaw", "yaw", "angles added", "yaw_by_bank_angle", "yaw_single"),
-    ("vault", "vault_least_speed", "rise plus slant", "least_vault_by_book", "least_vault_single"),
-    ("vault", "vault_known_angle", "range formula as printed", "vault_by_book", "vault_single"),
-    ("pedestrian", "pedestrian", "Searle, slide as a difference", "throw_by_searle", "throw_single"),
-    ("avoid", "avoid", "root of the quadratic as taught", "avoid_by_roots", "avoid_single"),
-    ("spin", "spin", "speeds subtracted", "spin_by_differences", "spin_single"),
-)
-_SEARCH = Method("golden sections over the angle", HERE + "least_vault_by_search")
+# A task, its cases, what the textbook does, its function, that of 32 bits, and another method.
+_RIVALS: "tuple[tuple[str, str, str, str, str, tuple[Method, ...]], ...]" = (
+    ("speed", "speed", "sine and cosine of the slope", "speed_by_slope_angle", "speed_single", ()),
+    ("distance", "distance", "difference of squares", "distance_by_squares", "distance_single", ()),
+    ("friction", "friction", "sums of squares in one pass", "friction_by_sums", "friction_single", ()),
+    ("drag-factor", "drag_factor", "sine and cosine of the slope", "drag_by_angles", "drag_single", ()),
+    ("stop", "stop", "v·t + v²/2a, cubes while brakes take hold", "stop_by_book", "stop_single", ()),
+    ("yaw", "yaw", "angles added", "yaw_by_bank_angle", "yaw_single", ()),
+    (
+        "vault", "vault_least_speed", "rise plus slant", "least_vault_by_book", "least_vault_single",
+        (Method("golden sections over the angle", FLIGHTS + "least_vault_by_search"),),
+    ),
+    ("vault", "vault_known_angle", "range formula as printed", "vault_by_book", "vault_single", ()),
+    ("pedestrian", "pedestrian", "Searle, slide as a difference", "throw_by_searle", "throw_single", ()),
+    ("avoid", "avoid", "root of the quadratic as taught", "avoid_by_roots", "avoid_single", ()),
+    (
+        "spin", "spin", "speeds subtracted", "spin_by_differences", "spin_single",
+        (Method("mean sine by degrees", HERE + "spin_by_degrees"),),
+    ),
+)  # fmt: skip
+FLYING = ("vault_least_speed", "vault_known_angle", "pedestrian")
 QUESTIONS = tuple(
     Question(
         "skid", task, f"skid {task}", "skid.json", cases,
-        Method(f"textbook: {name}", HERE + function), Method("the same in 32 bits", HERE + in_single),
-        *((_SEARCH,) if cases == "vault_least_speed" else ()),
+        Method(f"textbook: {name}", (FLIGHTS if cases in FLYING else HERE) + function),
+        Method("the same in 32 bits", (FLIGHTS if cases in FLYING else HERE) + in_single),
+        *others,
     )
-    for task, cases, name, function, in_single in _RIVALS
+    for task, cases, name, function, in_single, others in _RIVALS
 )  # fmt: skip
