@@ -126,7 +126,7 @@ def march(
     slip = Slip([*start, zero, zero, zero, zero, zero])
     # slip this much smaller than that which the impact itself can make has stopped
     size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
-    stopped = size * type(size)(f"1e-{digits + 1}")
+    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 6)}")
     while slip.steps < MOST_STEPS:
         state = slip.state
         if root(state[X] * state[X] + state[Y] * state[Y]) <= stopped:
