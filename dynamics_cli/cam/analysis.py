@@ -6,10 +6,9 @@ from math import inf, pi
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
-from dynamics_cli.cam.followers import OscillatingFlat
-from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
+from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
+from dynamics_cli.cam.pieces import Cover, Ends, pieces, within
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import Extremes
 from dynamics_cli.records import ErrorBound, record
 
 TYPE_CHECKING = False
@@ -29,17 +28,17 @@ class Analysis:
 
     Parameters
     ----------
-    curvature : Extremes
+    curvature : Ends
         Curvature of the pitch curve, or under a flat face the radius of curvature of the cam.
-    pressure : Extremes
+    pressure : Ends
         Pressure angle.
-    along : Extremes
+    along : Ends
         Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.
     """
 
-    curvature: Extremes
-    pressure: Extremes
-    along: Extremes | None
+    curvature: Ends
+    pressure: Ends
+    along: Ends | None
 
 
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
@@ -64,8 +63,9 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     Notes
     -----
-    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane; see
-    `numerics.remainders` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
+    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, tell where; the
+    values are those of the formulas there, with their own roundings followed. See `numerics.remainders`,
+    `numerics.summits` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their errors.
     """
     slip = start_slip(geometry)
 
@@ -79,11 +79,11 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     try:
         with np.errstate(all="ignore"):
-            made = over_pieces(motion, functions)
+            made = Cover(motion, functions)
     except ValueError:
         refuse_size()
         raise
-    found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
+    found = made.ends()
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
 
 
@@ -110,20 +110,28 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift may be off by rounding, with the lift it is added to."""
+    """What the height or angle of the follower at zero lift is off by rounding.
+
+    Heights are roots of products of sums that are rounded once: 3 u. Angles are arc tangents, within two units in the
+    last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves of it.
+    """
     f = geometry.follower
-    return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    if isinstance(f, FlatFace):
+        return 0.0
+    first = abs(geometry.start + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    return 2.0**-53 * ((10.0 if geometry.oscillating else 3.0) * first + abs(geometry.start)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
+    own = found.pressure
     return tuple(
-        ErrorBound(name, found.pressure.error / abs(value))
-        for name, (value, _) in (
-            ("largest_pressure_angle", found.pressure.largest()),
-            ("least_pressure_angle", found.pressure.smallest()),
+        ErrorBound(name, error / abs(value))
+        for name, value, error in (
+            ("largest_pressure_angle", own.greatest, own.greatest_error),
+            ("least_pressure_angle", own.least, own.least_error),
         )
-        if value and found.pressure.error < inf
+        if value and error < inf
     )
 
 

@@ -136,8 +136,7 @@ class Geometry:
         reach = self.side * self.roller
         spin = curvature * w
         run = w - reach * spin
-        sin, cos = self._way(s)
-        pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
+        pressure = self.turn * self._pressure(s, s1, big_x, big_y)
         return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
 
     def point(self, s: "Any", s1: "Any", away: float = 0.0) -> "Pair":
@@ -163,11 +162,19 @@ class Geometry:
         share = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
         return x + share * big_y, y - share * big_x
 
-    def _way(self, s: "Any") -> "Pair":
-        """The direction the cam drives the follower in."""
+    def _pressure(self, s: "Any", s1: "Any", big_x: "Any", big_y: "Any") -> "Any":
+        """Angle from the direction the cam drives a roller in to the normal, of the anticlockwise cam.
+
+        With the normal i(X + iY)/w it is arctan2(Y, X) of a slide, and arctan2(g − c cos ψ, c sin ψ) of an arm, where
+        g = L(1 + ψ′): g − c cos ψ = (L − c) + L ψ′ + 2c sin²(ψ/2) keeps its digits near the line of pivot and axis.
+        """
         if not self.oscillating:
-            return 0.0, self.way
-        return self.way * np.sin(self.start + s), self.way * np.cos(self.start + s)
+            return np.arctan2(self.way * big_y, self.way * big_x)
+        f, angle = self.follower, self.start + s
+        arm, c = f.arm, f.pivot_distance  # type: ignore[union-attr]
+        half = np.sin(0.5 * angle)
+        across = (arm - c) + arm * s1 + (2.0 * c) * (half * half)
+        return np.arctan2(self.way * across, (self.way * c) * np.sin(angle))
 
     def _flat(self, s: "Any", s1: "Any", s2: "Any") -> Touch:
         f = self.follower

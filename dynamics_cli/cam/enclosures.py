@@ -7,7 +7,7 @@ derivatives. All bounds come from these constants; nothing is inferred from valu
 - Around a place, |f(τ + z) − f(τ)| ≤ Σ |f⁽ʲ⁾(τ)| rʲ/j! for every complex z of magnitude r or less: the finite sum for
   the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave, the terms in r added up before magnitudes are
   taken. To first order nothing tighter is possible.
-- Rounding, u = 2⁻⁵³, the factors lift/spanᵏ (10 u) among it. Polynomials: Horner's rule to degree 9 (18 u) on
+- Rounding at single places is followed step by step (`cam.slips`). Over rows of places, u = 2⁻⁵³, the factors lift/spanᵏ (10 u) among it. Polynomials: Horner's rule to degree 9 (18 u) on
   coefficients within 30 u of their formulas, 64 u Σ |cᵢ| i!/(i − k)! Tⁱ⁻ᵏ. Powers of p = t(1 − t): products of numbers
   each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift). Waves: sines and cosines of half the angle
   within four units in the last place make 18 u, amplitudes and frequencies 50 u, the angle's own rounding 12 u of it:
@@ -20,6 +20,7 @@ its conditions; a clamped spline has the coefficients it was given.
 from math import cos, perm, sin
 
 from dynamics_cli.cam.shapes import Beta, u_minus_sine
+from dynamics_cli.cam.slips import slips as running_slips
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -235,13 +236,15 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
             size, steep = (small[k] if k < 3 else 1.0 for k in (which, which + 1))
             sizes[order] = sizes[order] + factor * size
             rounded[order] = rounded[order] + factor * (80.0 * size + 12.0 * u * steep)
-    place = U * (5.0 * t + offset)
-    return [U * rounded[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
+    off = getattr(shape, "off", 0.0)
+    place = U * (5.0 * t + offset) + off
+    return [U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
 
 
 def discs(
-    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False
-) -> "tuple[Disc, ...]":
+    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False,
+    exact: bool = False,
+) -> "tuple[Disc, ...]":  # fmt: skip
     """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
 
     Parameters
@@ -258,6 +261,8 @@ def discs(
         How many derivatives, 0 to 4.
     shares : bool
         Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
+    exact : bool
+        Whether places are what they are, and only ends of parts among them rounded.
 
     Returns
     -------
@@ -310,17 +315,26 @@ def discs(
         values = law.shape(t[rows], derivatives)
         wide = [0.0] * 5 if only else spreads(law.shape, t[rows], radius[rows] / span * UP, derivatives)
         scales = np.array([part.scales for part in parts])[own]
-        own_t = t[rows] if t.ndim == 1 else np.abs(t[rows]).max(axis=1)
-        # the place itself is off by a few roundings: bounds hold a hair beyond it
-        reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
         inner = [not shares or (part.law_piece is not None and min(part.law_piece.ends) > 0.0) for part in parts]
         offset = np.where(np.array(inner)[own], 3.0, 0.0)
-        slips = _slips(law.shape, reach if t.ndim == 1 else reach.max(axis=1), np.abs(own_t), offset, derivatives)
+        if t.ndim == 1:
+            near = np.abs(t[rows])
+            slips = running_slips(law.shape, t[rows], U * (2.0 * near if exact else 5.0 * near + offset), derivatives)
+            # the lift's factor counts two roundings, each division by the span two more, and its product one
+            slips = [
+                slip + (3.0 + 2.0 * order) * U * np.abs(value)
+                for order, (slip, value) in enumerate(zip(slips, values, strict=True))
+            ]
+        else:
+            # the place itself is off by a few roundings: bounds hold a hair beyond it
+            reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
+            slips = _slips(law.shape, reach.max(axis=1), np.abs(t[rows]).max(axis=1), offset, derivatives)
         for order in range(derivatives + 1):
             scale = scales[:, order].reshape(column)
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
-            size = 2.0**-52 * np.abs(base) if order == 0 else 0.0
+            # levels are sums of lifts
+            size = 2.0**-52 * np.abs(base) + U * np.abs(centres[0, rows]) if order == 0 else 0.0
             radii[order, rows] = (np.abs(scale) * (wide[order] + slips[order].reshape(column)) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
 

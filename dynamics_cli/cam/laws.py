@@ -6,7 +6,7 @@ both keep their digits; `breaks` are the places inside where some derivative jum
 """
 
 from bisect import bisect_left, bisect_right
-from math import pi
+from math import fsum, pi
 
 from dynamics_cli.cam.shapes import Beta, EndOfDoubleHarmonic, FourthPowerOfSine, Mixed
 from dynamics_cli.errors import require
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 
 SMALLEST_SHARE = 1e-12
+# Constants of a law made of shares are computed in so many bits after the point.
+_BITS = 256
+_PI = (314159265358979323846264338327950288419716939937510 << _BITS) // 10**50
 
 
 class LawName(Choice):
@@ -222,24 +225,65 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     q = 0.5 * (1.0 - constant)
     r, k, g = b * q, c * q, d * q
     still = 0.5 * constant
-    whole = r / pi - 4.0 * r * r / pi**2 + k * (0.5 - r - 0.5 * k) + 2.0 * still * g / pi + 4.0 * g * g / pi**2
-    peak = 0.5 / whole
-    speed = peak * (2.0 * (r + g) / pi + k)
+    top, speed, first, reached, gained, last, rates = _scca_constants(b, c, d, constant)
+    # doubles that should sum to 1 do so to rounding: which of them is to blame is open
+    off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
-    rise = speed_up = 0.0
     if r:
-        shapes.append((r, Mixed(waves=[(peak * (2.0 * r / pi) ** 2, pi / (2.0 * r), 0)])))
-        rise, speed_up = peak * r * r * (2.0 / pi - 4.0 / pi**2), peak * 2.0 * r / pi
+        shapes.append((r, Mixed(waves=[(first[0], rates[0], 0)], off=off)))
     if k:
-        shapes.append((r + k, Mixed((rise, speed_up, 0.5 * peak), origin=r)))
+        shapes.append((r + k, Mixed((first[1], first[2], 0.5 * top), origin=r, off=off)))
     if g:
-        flat = peak * k
-        reached, gained = rise + k * (speed_up + 0.5 * flat), speed_up + flat
-        wave = (peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 1)
-        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k)))
+        wave = (last, rates[1], 1)
+        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k, off=off)))
     if still:
-        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True)))
+        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True, off=off)))
     return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)
+
+
+def _scca_constants(b: float, c: float, d: float, constant: float) -> "tuple[Any, ...]":
+    """Peak, speed, and the constants of the three pieces, in whole numbers of 2⁻²⁵⁶: each is rounded once.
+
+    Returns
+    -------
+    tuple
+        C_a; the constant velocity; of the sine its amplitude, and lift and velocity at its end; lift and velocity at
+        the end of the constant; the amplitude of the cosine; the rates of sine and cosine.
+    """
+    one = 1 << _BITS
+
+    def fixed(value: float) -> int:
+        above, below = value.as_integer_ratio()
+        return above * one // below
+
+    def times(*factors: int) -> int:
+        total = factors[0]
+        for factor in factors[1:]:
+            total = total * factor >> _BITS
+        return total
+
+    ratio = (one * one) // _PI
+    q = (one - fixed(constant)) >> 1
+    r, k, g = (times(fixed(share), q) for share in (b, c, d))
+    still = fixed(constant) >> 1
+    swept, square = times(2 * r, ratio), times(ratio, ratio)
+    rise = times(r, swept) - times(4 * square, r, r)
+    whole = times(r, ratio) - times(4 * square, r, r) + times(k, (one >> 1) - r - (k >> 1))
+    whole += times(2 * still, g, ratio) + times(4 * square, g, g)
+    peak = one * one // (2 * whole)
+    bent = times(k, peak)
+    found = (
+        peak,
+        times(peak, times(2 * (r + g), ratio) + k),
+        (times(4 * square, r, r, peak), times(peak, rise), times(peak, swept)),
+        times(peak, rise) + times(k, times(peak, swept) + (bent >> 1)),
+        times(peak, swept) + bent,
+        times(4 * square, g, g, peak),
+        tuple((_PI * one) // (2 * width) if width else 0 for width in (r, g)),
+    )
+    return tuple(
+        tuple(value / one for value in part) if isinstance(part, tuple) else part / one for part in found
+    )
 
 
 def _trapezoid() -> Law:

@@ -7,7 +7,7 @@ import numpy as np
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.pieces import over_pieces, turning_places
+from dynamics_cli.cam.pieces import Cover
 from dynamics_cli.cam.profile import concave, convex
 from dynamics_cli.cam.roundness import FINEST, Round, best_offset
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
@@ -17,24 +17,25 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.cam.pieces import Ends
+
 ROOM = 1e-11
 CURVATURE = "least radius of curvature"
 ROLLER = "the roller itself: a base circle cannot be negative"
 
 
-def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Any]":
+def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]":
     """Certified extremes of functions of s, s′, s″."""
-    made = over_pieces(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions]))
-    return [turning_places(motion, made, index) for index in range(len(functions))]
+    return Cover(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions])).ends()
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:
     """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
-    both, lift, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s, lambda s, s1, s2: s1)
+    both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = both.smallest()
     base = least_radius - low
     # a base circle has no negative radius, and the lowest face stays above the axis
-    floor = max(0.0, -lift.smallest()[0])
+    floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
@@ -142,10 +143,8 @@ class Wedge:
     def __init__(self, motion: "Any", limits: tuple[float, float]) -> None:
         c1, c2 = self.cotangents = (1.0 / tan(limits[0]), 1.0 / tan(limits[1]))
         # the clockwise cam is the anticlockwise one run backwards: its rise is a return there, its offset reversed
-        rise, back, lift = extremes_of(
-            motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s, lambda s, s1, s2: s
-        )
-        self.a, self.b, self.floor = rise.largest()[0], back.largest()[0], -lift.smallest()[0]
+        rise, back = extremes_of(motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s)
+        self.a, self.b, self.floor = rise.greatest, back.greatest, -motion.stroke[0]
         self.error = c1 * rise.error + c2 * back.error
 
     def height(self, e: float) -> float:

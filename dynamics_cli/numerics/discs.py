@@ -185,7 +185,8 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     """The angles arctan2(y, x), analytic where neither x + iy nor x − iy vanishes; nothing is known across the cut.
 
     2i·arctan2(y, x) = log(x + iy) − log(x − iy), and a logarithm moves by −log(1 − d/ρ) at most when its argument, of
-    magnitude ρ, moves by d.
+    magnitude ρ, moves by d: by d/ρ, and (d/ρ)²/(2(1 − d/ρ)) at most beyond the first order, which is
+    (x dy − y dx)/ρ² of both together.
     """
     y, x = _disc(y), _disc(x)
     away = np.hypot(x.centre, y.centre) * (1.0 - LIBRARY)
@@ -193,7 +194,12 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     moved = share == 0.0
     clear = ((x.centre > x.radius) | (np.abs(y.centre) > y.radius) | moved) & (share < 1.0) & (away > 0.0)
     centre = np.arctan2(y.centre, x.centre)
-    wide = -np.log1p(-np.where(clear, share, 0.0) * UP) * (1.0 + LIBRARY)
+    share = np.where(clear, share, 0.0)
+    wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
+    first = (np.abs(x.centre) * y.radius + np.abs(y.centre) * x.radius) / np.where(away > 0.0, away * away, 1.0)
+    wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
+    # along the axis there is nothing to turn by
+    wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
     return Disc(centre, np.where(clear, (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
 
 
