@@ -6,7 +6,7 @@ from math import inf, pi
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
-from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
+from dynamics_cli.cam.followers import FlatFace
 from dynamics_cli.cam.pieces import Cover, Ends, pieces, within
 from dynamics_cli.errors import require
 from dynamics_cli.records import ErrorBound, record
@@ -71,11 +71,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        touch = geometry.touch(s.widened(slip), s1, s2)
-        rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
-        if geometry.flat:
-            rows.append(along_face(geometry, touch))
-        return np.stack(np.broadcast_arrays(*rows))
+        return np.stack(np.broadcast_arrays(*geometry.bends(s.widened(slip), s1, s2)))
 
     try:
         with np.errstate(all="ignore"):
@@ -133,14 +129,6 @@ def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
         )
         if value and error < inf
     )
-
-
-def along_face(geometry: Geometry, touch: "Any") -> "Any":
-    """Where the face is touched, along it."""
-    if isinstance(geometry.follower, OscillatingFlat):
-        (x, y), (nx, ny) = touch.point, touch.normal
-        return (geometry.follower.pivot_distance - x) * ny + y * nx
-    return touch.point[0]
 
 
 @record

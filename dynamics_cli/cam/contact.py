@@ -129,9 +129,7 @@ class Geometry:
         if self.flat:
             return self._flat(s, s1, s2)
         x, y, big_x, big_y, x1, y1 = self.pitch(s, s1, s2)[:6]
-        square = big_x * big_x + big_y * big_y
-        w = np.sqrt(square)
-        curvature = (square + big_y * x1 - big_x * y1) / (square * w)
+        w, curvature = _curvature(big_x, big_y, x1, y1)
         nx, ny = -big_y / w, big_x / w
         reach = self.side * self.roller
         spin = curvature * w
@@ -161,6 +159,22 @@ class Geometry:
             big_x, big_y = y, s1 - x
         share = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
         return x + share * big_y, y - share * big_x
+
+    def bends(self, s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, ...]":
+        """Of a touch only what extremes are wanted of: curvature or radius, pressure angle, and along a face where."""
+        if self.flat:
+            touch = self._flat(s, self.turn * s1, s2)
+            return touch.radius, touch.pressure_angle, self.along(touch)
+        s1 = self.turn * s1
+        _, _, big_x, big_y, x1, y1 = self.pitch(s, s1, s2)[:6]
+        return _curvature(big_x, big_y, x1, y1)[1], self.turn * self._pressure(s, s1, big_x, big_y)
+
+    def along(self, touch: Touch) -> "Any":
+        """Where a flat face is touched, along it: to the right of the slide, or away from the pivot."""
+        if isinstance(self.follower, OscillatingFlat):
+            (x, y), (nx, ny) = touch.point, touch.normal
+            return (self.follower.pivot_distance - x) * ny + y * nx
+        return touch.point[0]
 
     def _pressure(self, s: "Any", s1: "Any", big_x: "Any", big_y: "Any") -> "Any":
         """Angle from the direction the cam drives a roller in to the normal, of the anticlockwise cam.
@@ -207,6 +221,13 @@ def rotated(point: "Pair", theta: "Any", turn: float, start_angle: float) -> "Pa
         sin = -sin
     x, y = point
     return x * cos + y * sin, y * cos - x * sin
+
+
+def _curvature(big_x: "Any", big_y: "Any", x1: "Any", y1: "Any") -> "Pair":
+    """Speed w of the pitch curve, and its curvature (1 + (Y X′ − X Y′)/w²)/w."""
+    square = big_x * big_x + big_y * big_y
+    w = np.sqrt(square)
+    return w, (1.0 + (big_y * x1 - big_x * y1) / square) / w
 
 
 BLOCK = 8192

@@ -20,6 +20,7 @@ its conditions; a clamped spline has the coefficients it was given.
 from math import cos, perm, sin
 
 from dynamics_cli.cam.shapes import Beta, u_minus_sine
+from dynamics_cli.cam.slips import HALVES, HALVES_OF_FLOATS
 from dynamics_cli.cam.slips import slips as running_slips
 
 TYPE_CHECKING = False
@@ -34,6 +35,8 @@ U = 2.0**-53
 # what magnitudes computed on the way may be too small by
 LESS = 2.0**-44
 UP = 1.0 + 2.0**-40
+# so many places are computed one by one, by the more exact functions of the C library
+SINGLE = 256
 
 
 def bound(shape: "Any", order: int, reach: float) -> float:
@@ -312,14 +315,16 @@ def discs(
             centres[0, rows] = base
             continue
         span = np.array([part.span for part in parts])[own].reshape(column)
-        values = law.shape(t[rows], derivatives)
+        single = exact and t.ndim == 1 and rows.size <= SINGLE
+        values = _one_by_one(law.shape, t[rows], derivatives) if single else law.shape(t[rows], derivatives)
         wide = [0.0] * 5 if only else spreads(law.shape, t[rows], radius[rows] / span * UP, derivatives)
         scales = np.array([part.scales for part in parts])[own]
         inner = [not shares or (part.law_piece is not None and min(part.law_piece.ends) > 0.0) for part in parts]
         offset = np.where(np.array(inner)[own], 3.0, 0.0)
         if t.ndim == 1:
             near = np.abs(t[rows])
-            slips = running_slips(law.shape, t[rows], U * (2.0 * near if exact else 5.0 * near + offset), derivatives)
+            off = U * (2.0 * near if exact else 5.0 * near + offset)
+            slips = running_slips(law.shape, t[rows], off, derivatives, HALVES_OF_FLOATS if single else HALVES)
             # the lift's factor counts two roundings, each division by the span two more, and its product one
             slips = [
                 slip + (3.0 + 2.0 * order) * U * np.abs(value)
@@ -337,6 +342,12 @@ def discs(
             size = 2.0**-52 * np.abs(base) + U * np.abs(centres[0, rows]) if order == 0 else 0.0
             radii[order, rows] = (np.abs(scale) * (wide[order] + slips[order].reshape(column)) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
+
+
+def _one_by_one(shape: "Any", t: "Any", derivatives: int) -> "Any":
+    import numpy as np
+
+    return np.array([shape(place, derivatives) for place in t.tolist()]).T
 
 
 def about_angles(motion: "Motion", index: int, theta: "Any", radius: "Any", derivatives: int) -> "tuple[Disc, ...]":

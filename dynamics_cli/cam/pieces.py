@@ -9,7 +9,7 @@ from dynamics_cli.cam.enclosures import discs
 from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
 from dynamics_cli.numerics.discs import Disc
 from dynamics_cli.numerics.remainders import proved_proxies
-from dynamics_cli.numerics.summits import settled, summits
+from dynamics_cli.numerics.summits import doubtful, settled, summits
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -19,7 +19,11 @@ if TYPE_CHECKING:
 
     from dynamics_cli.cam.motion import Motion
 
-STEP = pi / 6.0
+STEP = pi / 12.0
+# A bound beyond this share is looked into again, on so few pieces at most, each cut so often about its place.
+ROUGH = 30.0 * 2.0**-53
+FEW = 8
+FINER = 7
 
 
 def pieces(motion: "Motion") -> "tuple[Any, Any]":
@@ -105,7 +109,8 @@ class Cover:
         if not hasattr(motion, "parts_of"):
             self.made = _estimated(motion, function, derivatives)
             return
-        self.parts, owner, self.rows = _rows(motion)
+        self.parts, self.rows = _rows(motion)
+        owner = self.rows.owner
         try:
             made = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
         except TypeError:
@@ -147,19 +152,23 @@ class Cover:
         share = np.where(units == 1.0, made.ends[pieces_], middle + half * units)
         share = np.where(units == -1.0, made.starts[pieces_], share)
         owner = made.owner[pieces_]
-        return starts[owner] + share * (ends - starts)[owner]
+        return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
 
-    def ends(self, *which: int) -> "list[Ends]":
-        """The certified extremes of some of the functions, or of all."""
+    def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
+        """The functions (q, n) at places of the proxies' pieces, and what they round by."""
+        found = self.function(*self.state(pieces_, units))
+        shape = np.broadcast_shapes(found.centre.shape, (1, np.size(units)))
+        return np.broadcast_to(found.centre, shape), np.broadcast_to(found.radius, shape)
+
+    def ends(self, *which: int, again: bool = True) -> "list[Ends]":
+        """The certified extremes of some of the functions, or of all; `again` about places that are too flat."""
         which = which or tuple(range(self.made.coefficients.shape[0]))
         if self.owner is None:
             return [self._loose(index) for index in which]
         with np.errstate(all="ignore"):
             found = [top for index in which for top in summits(self.made, index, self.still)]
             rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
-            values = self.function(*self.state(rows, units))
-            shape = np.broadcast_shapes(values.centre.shape, (1, rows.size))
-            centres, radii = (np.broadcast_to(part, shape) for part in (values.centre, values.radius))
+            centres, radii = self.values(rows, units)
             made, low = [], 0
             for number, top in enumerate(found):
                 own = slice(low, low + top.rows.size)
@@ -167,8 +176,60 @@ class Cover:
                 index, sign = which[number // 2], 1.0 - 2.0 * (number % 2)
                 value, place, error = settled(top, sign * centres[index, own], radii[index, own])
                 angle = self.angles(top.rows[place : place + 1], top.units[place : place + 1])
+                if again and error > ROUGH * abs(value):
+                    value, error = self._closer(index, sign, top, centres[index, own], radii[index, own], error)
                 made.append((sign * value, float(angle[0]), error))
         return [Ends(*low_, *high) for high, low_ in zip(made[::2], made[1::2], strict=True)]
+
+    def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
+        """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
+        made = self.made
+        starts, ends, owner = [], [], []
+        for row, unit in zip(rows.tolist(), units.tolist(), strict=True):
+            steps = 2.0 * 4.0 ** -np.arange(FINER)
+            edges = np.concatenate((unit - steps, unit + steps[::-1]))
+            inner = sorted({-1.0, unit, 1.0, *edges[np.abs(edges) < 1.0].tolist()})
+            low, high = float(made.starts[row]), float(made.ends[row])
+            shares = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
+            starts += shares[:-1]
+            ends += shares[1:]
+            owner += [int(self.owner[row])] * (len(shares) - 1)
+        own = Cover.__new__(Cover)
+        own.motion, own.derivatives, own.parts, own.rows = self.motion, self.derivatives, self.parts, self.rows
+        own.function = lambda *state: which(self.function(*state))
+        origin = np.array(owner)
+        found = proved_proxies(
+            lambda place, piece: own._sampled(place, origin[piece]), np.array(starts), np.array(ends)
+        )
+        own.owner = origin[found.owner]
+        own.still = np.zeros(found.starts.shape, dtype=bool)
+        own.made = Proxies(
+            self.rows.owner[own.owner], found.starts, found.ends, found.coefficients, found.error, True, found.steep
+        )
+        return own
+
+    def _closer(
+        self, which: int, sign: float, top: "Any", values: "Any", errors: "Any", error: float
+    ) -> "tuple[float, float]":
+        """The greatest value and its error where pieces are too flat for their proxies: these are cut about the place.
+
+        Small pieces about a flat place vary little, and their proxies err by little more than the function rounds.
+        """
+        values = sign * values
+        best, sure = float(values.max()), float((values - errors).max())
+        loose = doubtful(top, sure)
+        rows = np.flatnonzero(loose)
+        if not 0 < rows.size <= FEW:
+            return best, error
+        units = np.array([_best_unit(top, values, row) for row in rows.tolist()])
+        own = self.cut(lambda found: sign * found[which : which + 1], rows, units)
+        (ends,) = own.ends(again=False)
+        kept = ~loose[top.rows]
+        gains = np.where(np.isinf(top.gains), 0.0, top.gains)
+        reach = max(float((values + errors + gains)[kept].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
+        sure = max(sure, ends.greatest - ends.greatest_error)
+        best = max(best, ends.greatest)
+        return best, min(error, max(reach - best, best - sure) * (1.0 + 2.0**-40))
 
     def _loose(self, which: int) -> Ends:
         found = extremes(self.made, which)
@@ -177,6 +238,12 @@ class Cover:
         placed = Extremes(found.owner, theta, found.values, found.inside, found.error)
         low, high = placed.smallest(), placed.largest()
         return Ends(*low, found.error, *high, found.error, proved=False)
+
+
+def _best_unit(top: "Any", values: "Any", row: int) -> float:
+    """Where on a piece its best place is; its start where none is known."""
+    own = np.flatnonzero(top.rows == row)
+    return float(top.units[own[values[own].argmax()]]) if own.size else -1.0
 
 
 def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
@@ -198,6 +265,8 @@ class Rows:
 
     Parameters
     ----------
+    owner : array
+        The zone.
     starts, ends : array
         Shares of the zone.
     opens, closes : array
@@ -210,6 +279,7 @@ class Rows:
         The part's coordinate is `first` and `width` times the share, or what the share leaves.
     """
 
+    owner: "Any"
     starts: "Any"
     ends: "Any"
     opens: "Any"
@@ -220,8 +290,8 @@ class Rows:
     width: "Any"
 
 
-def _rows(motion: "Motion") -> "tuple[Any, Any, Rows]":
-    """Parts of the motion, the piece each row is of, and the rows: parts cut into steps of 30 degrees or less."""
+def _rows(motion: "Motion") -> "tuple[Any, Rows]":
+    """Parts of the motion, and the rows: parts cut into steps of 15 degrees or less."""
     parts: list[Any] = []
     owner: list[int] = []
     rows: list[tuple[float, ...]] = []
@@ -245,9 +315,9 @@ def _rows(motion: "Motion") -> "tuple[Any, Any, Rows]":
             owner += [index] * steps
             parts.append(part)
     starts, ends, opens, closes, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
-    return parts, np.array(owner), Rows(
-        starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width
-    )  # fmt: skip
+    return parts, Rows(
+        np.array(owner), starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width
+    )
 
 
 def joint_jumps(motion: "Motion") -> tuple[int, int]:

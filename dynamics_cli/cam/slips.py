@@ -1,12 +1,12 @@
 """Running bounds of what rounding does to a law and its derivatives, at the very places they are computed at.
 
 Every formula of `cam.shapes` is followed operation by operation, u = 2⁻⁵³ for each, with the magnitudes met on the way:
-near an end of a rise, where all of them are small, so are the bounds. Sines and cosines of the library are taken to be
-within four units in the last place, 8 u. Constants are those of the formulas, each within `CONSTANT` roundings.
+near an end of a rise, where all of them are small, so are the bounds. Sines and cosines of NumPy are taken to be within
+four units in the last place, 8 u, those of the C library, which floats go through, within one, 2 u. Constants are those of the formulas, each within `CONSTANT` roundings.
 
 - Horner's rule: e ← e·|τ| + u(|v τ| + |v τ + c|), v ← v τ + c; coefficients add `CONSTANT` + k roundings of Σ |cᵢ τⁱ|.
-- u − sin u: 8 u of it below one, where it is a series, one rounding and 17 u of |sin u| beyond; 2 sin²(u/2) and
-  2 sin(u/2) cos(u/2) within 17 u; cos u = 1 − 2 sin²(u/2). The angle wτ is off by two roundings, and by w times what τ
+- u − sin u: 8 u of it below one, where it is a series, one rounding and that of sin u beyond; 2 sin²(u/2) and
+  2 sin(u/2) cos(u/2) within 17 u, of floats 5 u; cos u = 1 − 2 sin²(u/2). The angle wτ is off by two roundings, and by w times what τ
   is off by. Its factor A wᵏ counts 4 + 3k.
 - Powers of p = t(1 − t): two roundings for each factor p, one for each product.
 - A place that is off by δ moves f⁽ᵏ⁾ by |f⁽ᵏ⁺¹⁾|δ, the magnitude taken over the terms and beyond the place.
@@ -26,15 +26,16 @@ if TYPE_CHECKING:
 
 U = 2.0**-53
 UP = 1.0 + 2.0**-40
-# sine and cosine of an angle from those of its half
+# sine and versed sine of an angle from sine and cosine of its half, of arrays and of floats
 HALVES = 17.0
+HALVES_OF_FLOATS = 5.0
 SERIES = 8.0
 CONSTANT = 3.0
 # what constants of shares that do not quite sum to 1 differ by, of that
 OFF = 8.0
 
 
-def slips(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "list[Any]":
+def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = HALVES) -> "list[Any]":
     """Bounds of what roundings do to f and its derivatives at places, known to within `off`.
 
     Parameters
@@ -47,6 +48,8 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "list[Any]":
         What the places may be off by.
     derivatives : int
         How many derivatives, 0 to 4.
+    halves : float
+        `HALVES`, or `HALVES_OF_FLOATS` where the shape was called with floats.
 
     Returns
     -------
@@ -72,7 +75,7 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "list[Any]":
     if isinstance(shape, Beta):
         return _beta(shape, t, off, derivatives)
     if isinstance(shape, FourthPowerOfSine | EndOfDoubleHarmonic):
-        return _double_harmonic(shape, t, off, derivatives)
+        return _double_harmonic(shape, t, off, derivatives, halves)
     coefficients, waves, origin, _ = shape.parts
     tau = abs(t - origin)
     if origin:
@@ -86,8 +89,8 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "list[Any]":
         size = _size(rows[order], tau)
         moved = off * _size(rows[order + 1], tau + off)
         found.append([U * (rounded + (CONSTANT + order) * size) + moved, abs(value)])
-    for amplitude, w, start in waves:
-        _add_wave(found, amplitude, w, start, tau, off)
+    for wave in waves:
+        _add_wave(found, wave, tau, off, halves)
     # what is left are the additions of the parts
     spread = U * (1.0 + len(waves)) + OFF * shape.off
     return [(error + spread * size) * UP for error, size in found]
@@ -123,8 +126,11 @@ def _size(row: "Sequence[float]", reach: "Any") -> "Any":
     return total
 
 
-def _add_wave(found: "list[list[Any]]", amplitude: float, w: float, start: int, tau: "Any", off: "Any") -> None:
+def _add_wave(
+    found: "list[list[Any]]", wave: "tuple[float, float, int]", tau: "Any", off: "Any", halves: float
+) -> None:
     """Add the roundings and the size of A W(wτ) and its derivatives to those of the rest."""
+    amplitude, w, start = wave
     u = w * tau
     moved = 2.0 * U * u + w * off * UP
     versed = 2.0 * sin(0.5 * u) * sin(0.5 * u)
@@ -135,14 +141,14 @@ def _add_wave(found: "list[list[Any]]", amplitude: float, w: float, start: int, 
         which = start + order
         if which == 0:
             small = u < 1.0
-            rounded = small * (SERIES * whole) + (1.0 - small) * (whole + HALVES * sine)
+            rounded = small * (SERIES * whole) + (1.0 - small) * (whole + halves * sine)
             size, slope = whole, versed
         elif which == 1:
-            rounded, size, slope = HALVES * versed, versed, sine
+            rounded, size, slope = halves * versed, versed, sine
         elif which % 2 == 0:
-            rounded, size, slope = HALVES * sine, sine, cosine
+            rounded, size, slope = halves * sine, sine, cosine
         else:
-            rounded, size, slope = HALVES * versed + cosine, cosine, sine
+            rounded, size, slope = halves * versed + cosine, cosine, sine
         error = U * (rounded + (4.0 + 3.0 * order) * size) + moved * (slope + moved)
         part[0] = part[0] + factor * error
         part[1] = part[1] + factor * size
@@ -195,7 +201,7 @@ def _fifth(n: int, c: float, p: "Any") -> "Any":
     return c * n * (first + second)
 
 
-def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "list[Any]":
+def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float) -> "list[Any]":
     """Of the fourth power of a sine and what completes it: products of versed sines, sines and cosines."""
     u = pi * abs(t)
     # the angle is off by two roundings: as if the place were
@@ -206,22 +212,22 @@ def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int) -> "l
     values = [abs(value) for value in shape(t, 4)]
     if isinstance(shape, FourthPowerOfSine):
         first = [
-            40.0 * values[0],
-            40.0 * values[1],
-            42.0 * values[2] + 1.5 * pi**2 * u * half,
+            (2.0 * halves + 6.0) * values[0],
+            (2.0 * halves + 6.0) * values[1],
+            (2.0 * halves + 8.0) * values[2] + 1.5 * pi**2 * u * half,
         ]  # fmt: skip
         third = abs(4.0 * cosine - 1.0)
     else:
         first = [
-            20.0 * left * (2.0 - left) + (HALVES + 2.0) * left * left + 2.0 * left,
-            pi * sine * (22.0 * abs(1.0 - left) + HALVES * left + 2.0),
-            0.5 * pi**2 * (HALVES * (versed + twice) + 3.0 + 5.0 * abs(cosine + 1.0 - twice)),
+            (halves + 3.0) * left * (2.0 - left) + (halves + 2.0) * left * left + 2.0 * left,
+            pi * sine * ((halves + 5.0) * abs(1.0 - left) + halves * left + 2.0),
+            0.5 * pi**2 * (halves * (versed + twice) + 3.0 + 5.0 * abs(cosine + 1.0 - twice)),
         ]
         third = abs(4.0 * cosine + 1.0)
     errors = [
         *first,
-        0.5 * pi**3 * sine * (4.0 * (HALVES * versed + 1.0) + 5.0 + 24.0 * third),
-        0.5 * pi**4 * (4.0 * (HALVES * twice + 1.0) + HALVES * versed + 30.0),
+        0.5 * pi**3 * sine * (4.0 * (halves * versed + 1.0) + 5.0 + (halves + 7.0) * third),
+        0.5 * pi**4 * (4.0 * (halves * twice + 1.0) + halves * versed + 30.0),
     ]
     # a derivative is that at the place, and grows by no more than the greatest next one over what the place is off
     slopes = [*values[1:], 4.5 * pi**5]

@@ -67,7 +67,9 @@ def _derivative(count: int) -> "Any":
     return made
 
 
-def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summits, Summits]":
+def summits(
+    made: Proxies, which: int = 0, still: "Any" = False, ways: "tuple[float, ...]" = (1.0, -1.0)
+) -> "tuple[Summits, ...]":
     """Find the places that may hold the greatest value of a function, and those that may hold its least.
 
     Parameters
@@ -78,11 +80,13 @@ def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summi
         Which of them.
     still : array of m, of bool
         Pieces on which the functions are known to be constant.
+    ways : tuple of float
+        1 for the greatest value, -1 for the least.
 
     Returns
     -------
-    (Summits, Summits)
-        Of the function, and of the function upside down.
+    tuple of Summits
+        Those of each way; for the least value, of the function upside down.
 
     Raises
     ------
@@ -120,7 +124,7 @@ def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summi
     # all that it is off, with the rounding of its values
     errors = small + found.off
     parts = []
-    for sign in (1.0, -1.0):
+    for sign in ways:
         values = sign * found.values
         level = values.max() - margin
         tops = np.full(errors.shape, -inf)
@@ -128,7 +132,7 @@ def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summi
         near = values >= level[found.rows]
         # many places in which it hardly moves are no better than one
         calm = even | (np.bincount(found.rows[near & (found.about > 0.0)], minlength=even.size) > CALM)
-        near &= ~calm[found.rows] | (values == values.max())
+        near &= ~calm[found.rows] | (values == tops[found.rows])
         tops = np.where(even, values.max(), tops) + errors
         parts.append((sign, values, np.flatnonzero(near), level, tops, calm))
     near = np.concatenate([part[2] for part in parts])
@@ -136,17 +140,19 @@ def summits(made: Proxies, which: int = 0, still: "Any" = False) -> "tuple[Summi
         np.concatenate([np.broadcast_to(column(part), part[2].shape) for part in parts])
         for column in (lambda part: part[0], lambda part: part[1][part[2]], lambda part: part[3][found.rows[part[2]]])
     )
-    rows, own = found.rows[near], signs[:, None] * searched[found.rows[near]]
-    units, about = _nearer(own, found.units[near], found.about[near])
-    gains, wide = _gains(own, units, values + errors[rows] - levels, steep[rows], about)
+    rows = found.rows[near]
+    turned = signs[:, None] * searched[rows]
+    units, about = _nearer(turned, found.units[near], found.about[near])
+    gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], about)
     gains = _covered(gains, wide, about, signs * (1.0 + rows), units, values)
     gains = np.where(np.broadcast_to(still, small.shape)[rows], 0.0, gains)
-    count, made_ = parts[0][2].size, []
-    for own, part in zip((slice(count), slice(count, None)), parts, strict=True):
-        loose = part[5] | ~np.isfinite(errors)
+    done, low = [], 0
+    for part in parts:
+        own = slice(low, low + part[2].size)
+        low, loose = own.stop, part[5] | ~np.isfinite(errors)
         loose[rows[own][np.isinf(gains[own])]] = True
-        made_.append(Summits(rows[own], units[own], gains[own], part[4], errors, part[3], loose))
-    return made_[0], made_[1]
+        done.append(Summits(rows[own], units[own], gains[own], part[4], errors, part[3], loose))
+    return tuple(done)
 
 
 def _reaching(whole: "Any", error: "Any") -> "Any":
@@ -218,6 +224,12 @@ def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any",
     return np.where((same & first[:, None] & within).any(axis=0) & ~first, 0.0, gains)
 
 
+def doubtful(found: Summits, sure: float) -> "Any":
+    """Pieces (array of m, of bool) that may hold more than is `sure`, and about whose places nothing is known."""
+    # places were looked for from a level that has to be below what is certain, by the error of the piece
+    return (found.tops >= sure) & (found.loose | (found.level > sure - found.errors))
+
+
 def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
     """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
 
@@ -256,9 +268,7 @@ def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, 
     best = float(values.max())
     index = int(np.argmax(values >= best - min(ALIKE * abs(best), float(found.errors[found.rows[values.argmax()]]))))
     sure = float((values - errors).max())
-    # pieces whose proxy stays below what is certain hold nothing greater
-    # places were looked for from a level that has to be below what is certain, by the error of the piece
-    loose = (found.tops >= sure) & (found.loose | (found.level > sure - found.errors))
+    loose = doubtful(found, sure)
     with np.errstate(invalid="ignore"):
         reach = float((values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)).max())
     rest = found.tops[loose]
