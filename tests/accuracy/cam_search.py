@@ -35,12 +35,13 @@ Case = dict[str, Any]
 
 
 class Question(NamedTuple):
-    """A task: how inputs are drawn, how an answer is compared, and what it takes from which shipped cases."""
+    """A task: how inputs are drawn, how an answer is compared, what it takes from which shipped cases, and how often."""
 
     draw: Callable[[random.Random], Case]
     compare: Callable[[Case], Iterator[Compared]]
     tasks: tuple[str, ...]
     keys: tuple[str, ...]
+    shipped: float = 0.3
 
 
 CAM = ("program", "follower", "rotation", "flank")
@@ -51,9 +52,9 @@ QUESTIONS = {
     ),
     "cam profile": Question(cases.profile, tables.outlining, ("profile",), CAM),
     "cam size": Question(
-        cases.size, designs.sizing, ("size",), (*CAM, "rise_limit", "return_limit", "least_radius")
+        cases.size, designs.sizing, ("size",), (*CAM, "rise_limit", "return_limit", "least_radius"), 0.15
     ),
-    "cam check": Question(cases.check, designs.checking, ("profile", "check"), CAM),
+    "cam check": Question(cases.check, designs.checking, ("profile", "check"), CAM, 0.1),
     "cam export": Question(cases.export, exports.exporting, ("profile",), CAM),
 }
 # Of the worst cases found so far, so many are climbed from.
@@ -110,7 +111,7 @@ class Findings:
             most = max(most, share)
             self.nearest = _higher(self.nearest, (share, one.name, case))
             self.loosest = _higher(self.loosest, (loose, one.name, case))
-            if one.size > 0.0:
+            if one.size > 1e-290:
                 self.largest = _higher(self.largest, (0.5 * error / (UNIT_ROUNDOFF * one.size), one.name, case))
             self.looseness.setdefault(column_of(one.name), []).append(loose)
         self.worst.append((most, self.answered, case))
@@ -120,9 +121,9 @@ class Findings:
 def _drawn(rng: random.Random, question: Question, starts: list[Case], found: Findings) -> Case:
     """An input: drawn anew, a shipped one disturbed, or one of the worst so far, disturbed."""
     way = rng.random()
-    if way < 0.3:
+    if way < question.shipped:
         return cases.disturbed(rng, cases.fitted(rng, rng.choice(starts), question.draw, question.keys))
-    if way < 0.55 and found.worst:
+    if way < question.shipped + 0.25 and found.worst:
         return cases.disturbed(rng, rng.choice(found.worst)[2])
     return question.draw(rng)
 
@@ -132,11 +133,12 @@ def answered(question: Question, case: Case) -> list[Compared]:
     results = list(question.compare(case))
     if all(one.error <= one.bound for one in results):
         return results
-    contact.Looking.shares = contact.Looking.fine
+    looking = contact.Looking
+    looking.shares, looking.steps = looking.fine
     try:
         return list(question.compare(case))
     finally:
-        contact.Looking.shares = contact.Looking.coarse
+        looking.shares, looking.steps = looking.coarse
 
 
 def search(task: str, count: int, seed: int) -> Findings:

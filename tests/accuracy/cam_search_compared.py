@@ -1,6 +1,6 @@
 """What the search compares: a result, the bound stated of it, and its exact value."""
 
-from math import inf
+from math import isinf
 from typing import Any, NamedTuple
 
 from cam_search_motion import Turn
@@ -26,8 +26,9 @@ class Compared(NamedTuple):
 
     @property
     def error(self) -> float:
-        """How far the result is off."""
-        return float(abs(Exact(self.value) - self.exact))
+        """How far the result is off, less what the exact side may be: places climbed to are good to 2⁻¹⁰⁰ of the size."""
+        own = Exact(2) ** -90 * max(Exact(self.size), abs(self.exact))
+        return float(max(abs(Exact(self.value) - self.exact) - own, Exact(0)))
 
 
 def column_of(name: str) -> str:
@@ -54,13 +55,22 @@ class Stated:
         own = self.bounds.get(name) or self.bounds.get(column_of(name))
         if own is not None:
             self.used.add(own.result)
-            # no share of zero bounds anything
-            bound = (own.bound * abs(value) if value else inf) if own.relative else own.bound
+            # an infinite share of zero is no bound
+            bound = own.bound if isinf(own.bound) or not own.relative else own.bound * abs(value)
         elif promised is not None:
             bound = promised
         else:
             return []
         return [Compared(name, value, bound, exact, abs(value) if size is None else size, own is not None, row or name)]
+
+
+def placed(name: str, at: float | None, turn: Turn, quantity: Any, exact: Any, room: float) -> list[Compared]:
+    """Whether an extreme is taken where the answer says: its exact value there, which no bound is stated of."""
+    if at is None or exact is None:
+        return []
+    values = [quantity(*zone.at(meant, 2)) for zone, meant in turn.zones_at(float(at))]
+    value = float(min(values, key=lambda one: abs(one - exact)))
+    return [Compared(f"{name}_at", value, room, exact, room, False, f"{name}_at")]
 
 
 def nearest(pairs: list[Any], value: float) -> Any:

@@ -121,6 +121,18 @@ class Carried:
             "pressure": t * arc_tangent(leaning[1], leaning[0]),
         }  # fmt: skip
 
+    def leaning(self, s: Any, s1: Any, s2: Any) -> Any:
+        """The pressure angle."""
+        return self.touch(s, s1, s2)["pressure"]
+
+    def bend(self, s: Any, s1: Any, s2: Any) -> Any:
+        """Curvature of the pitch curve."""
+        return self.touch(s, s1, s2)["curvature"]
+
+    def rounding(self, s: Any, s1: Any, s2: Any) -> Any:
+        """Radius of curvature under a flat face."""
+        return self.face(s, s1, s2)["radius"]
+
     def turned(self, point: Any, theta: Any, start_angle: Any = 0) -> tuple[Any, Any]:
         """A point of the fixed frame in the cam's."""
         sin, cos = sine_cosine(start_angle - self.turn * theta)
@@ -135,14 +147,18 @@ def _shares(count: int) -> Any:
     return np.unique(np.concatenate([np.linspace(0.0, 1.0, count), ends, 1.0 - np.array(ends)]))
 
 
+# So many of the highest humps are climbed at most, and so many samples beside each end of a zone are finer than others.
+MANY, FINE = 40, 30
+
+
 class Looking:
-    """How finely the turn is sampled for humps: coarsely first, finely where a bound seems to be broken."""
+    """How finely the turn is looked at: coarsely first, finely where a bound seems to be broken."""
 
-    coarse, fine = _shares(161), _shares(6001)
-    shares = coarse
+    coarse, fine = (_shares(161), 1), (_shares(6001), 24)
+    shares, steps = coarse
 
 
-def _climbed(quantity: Quantity, zone: Zone, ends: tuple[Any, Any], place: Any, sign: int, shift: int, size: float) -> Any:
+def climbed(quantity: Quantity, zone: Zone, ends: tuple[Any, Any], place: Any, sign: int, shift: int, size: float) -> Any:
     """The quantity where its derivative vanishes between two places, by Newton's method kept between them.
 
     What comes back is a value that is taken there, whatever the derivative does.
@@ -176,7 +192,7 @@ def extreme(
     value that is taken on (or the limit of such at an end), so that a bound that does not reach it is broken for sure.
     With a `shift` the quantity is one of a higher derivative of the lift.
     """
-    humps: list[tuple[float, Zone, int]] = []
+    humps: list[tuple[float, float, Zone, int]] = []
     shares = Looking.shares
     with np.errstate(all="ignore"):
         for zone in turn.zones:
@@ -187,49 +203,58 @@ def extreme(
             values = sign * np.broadcast_to(quantity(*state), own.shape)
             if only is not None:
                 values = np.where(only(*state), values, -np.inf)
-            values = np.where(np.isnan(values), -np.inf, values)
-            padded = np.concatenate(([-np.inf], values, [-np.inf]))
-            # how far a hump may rise above its sample: as much as it falls to the nearer neighbour
-            for i in np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > -np.inf)):
-                beside = max(padded[i], padded[i + 2])
-                rise = values[i] - beside if np.isfinite(beside) else 0.0
-                humps.append((float(values[i] + rise), zone, int(i)))
+            humps += [(value, rise, zone, i) for value, rise, i in _humps(np.where(np.isnan(values), -np.inf, values))]
     if not humps:
         return None
-    best = max(height for height, _, _ in humps)
-    floor = best - 1e-7 * abs(best) - 1e-300
-    top = None
-    for height, zone, i in sorted(humps, key=lambda hump: -hump[0])[:12]:
-        if height < floor:
-            break
-        own = shares if zone.branch is not None else np.array([0.0, 1.0])
-        for value in _candidates(quantity, zone, own, i, sign, only, shift, abs(best)):
-            top = value if top is None or sign * value > sign * top else top
-    return top
+    best = max(height for height, _, _, _ in humps)
+    found: list[Any] = []
+    ends: set[int] = set()
+    for height, rise, zone, i in sorted(humps, key=lambda hump: -hump[0])[:MANY]:
+        if height + rise < best - 1e-7 * abs(best):
+            continue
+        if id(zone) not in ends:
+            ends.add(id(zone))
+            states = [zone.at(place, 2 + shift)[shift:] for place in (zone.start, zone.end)]
+            found += [quantity(*state) for state in states if only is None or only(*state)]
+        if zone.branch is not None:
+            found += _turning(quantity, zone, i, sign, only, shift, abs(best))
+    return sign * max(sign * value for value in found)
 
 
-def _candidates(
-    quantity: Quantity, zone: Zone, shares: Any, i: int, sign: int, only: Any, shift: int, size: float
-) -> list[Any]:  # fmt: skip
-    """Exact values about one sample: at the zone's end beside it, and where the hump turns."""
-    width = zone.end - zone.start
-    last = len(shares) - 1
-    places = [zone.start] if i <= 1 else [zone.end] if i >= last - 1 else []
-    states = [zone.at(place, 2 + shift)[shift:] for place in places]
-    found = [quantity(*state) for state in states if only is None or only(*state)]
-    if zone.branch is None:
-        return found
+def _humps(values: Any) -> list[tuple[float, float, int]]:
+    """Samples no lower than their neighbours: height, how far the hump may rise above it, and which.
+
+    Beside the end of a zone what differs from the end by rounding alone is no hump, unless it is looked at finely.
+    """
+    padded = np.concatenate(([-np.inf], values, [-np.inf]))
+    size = float(np.max(np.abs(values), initial=0.0, where=np.isfinite(values)))
+    last = len(values) - 1
+    found = []
+    for i in np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > -np.inf)).tolist():
+        end = 0 if i < FINE else last
+        if Looking.steps == 1 and not FINE <= i <= last - FINE and values[i] - values[end] <= 3e-14 * size:
+            i = end
+        # as much as it falls to the nearer neighbour
+        beside = max(padded[i], padded[i + 2])
+        rise = max(values[i] - beside, 0.0) if np.isfinite(beside) else 0.0
+        found.append((float(values[i]), float(rise), i))
+    return list(dict.fromkeys(found))
+
+
+def _turning(quantity: Quantity, zone: Zone, i: int, sign: int, only: Any, shift: int, size: float) -> list[Any]:
+    """The exact value where the hump about one sample turns, if it does."""
+    width, shares = zone.end - zone.start, Looking.shares
     at = [zone.start + width * Exact(float(share)) for share in shares[max(i - 1, 0) : i + 2]]
-    if i in (0, last):
+    if i in (0, len(shares) - 1):
         # a hump beside an end rises from it
-        slope = as_jet(quantity(*zone.jets(places[0], shift))).first
+        slope = as_jet(quantity(*zone.jets(zone.start if i == 0 else zone.end, shift))).first
         if sign * slope * (1 if i == 0 else -1) <= 0:
-            return found
+            return []
         at.insert(1, (at[0] + at[1]) / 2)
     state = zone.at(at[1], 2 + shift)[shift:]
-    if only is None or only(*state):
-        found.append(_climbed(quantity, zone, (at[0], at[2]), at[1], sign, shift, size))
-    return found
+    if only is not None and not only(*state):
+        return []
+    return [climbed(quantity, zone, (at[0], at[2]), at[1], sign, shift, size)]
 
 
 def nodes(count: int = 40) -> list[tuple[Any, Any]]:

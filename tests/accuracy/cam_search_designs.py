@@ -15,6 +15,7 @@ from dynamics_cli.cam.check import check
 from dynamics_cli.cam.followers import Flank, Rotation
 
 DEGREE = 3.141592653589793 / 180.0
+ASKED = ("rise_limit", "return_limit", "least_radius", "shaft_speed")
 SPRINGS = ("mass", "spring_rate", "preload", "inertia", "torsion_rate", "preload_torque")
 
 
@@ -79,25 +80,34 @@ def sizing(case: dict[str, Any]) -> Iterator[Compared]:
         yield from _slide(answer, stated, values, Limits(turn, rise, back), case.get("rotation", ""))
     elif kind == "ConjugateRoller" and "roller_distance" not in values:
         yield from _pair(answer, stated, values, Limits(turn, rise, back), case.get("rotation", ""))
-    elif kind == "OscillatingRoller" and "least_radius" not in given:
-        yield from _arm(answer, turn, stated, case, (rise, back))
-    made = _made(answer, tree, kind)
-    if made is not None:
-        carried = Carried(made, case.get("rotation", ""))
-        yield from shape(answer, turn, carried, stated)
+    elif kind in ("OscillatingRoller", "OscillatingFlat") or (kind == "Roller" and "offset" in values):
+        yield from _limited(answer, turn, stated, case, (rise, back), given.get("least_radius"))
+    for words, owner, made in _made(answer, tree, kind):
+        found = list(shape(owner, turn, Carried(made, case.get("rotation", "")), stated, words))
+        yield from found
+        yield from _kept({one.name.removeprefix(words): one.exact for one in found}, words, (rise, back))
 
 
-def _made(answer: Any, tree: dict[str, str], kind: str) -> dict[str, str] | None:
-    """The follower on the cam that was found."""
-    made = {**tree, "base_radius": repr(answer.base_radius)}
+def _made(answer: Any, tree: dict[str, str], kind: str) -> Iterator[tuple[str, Any, dict[str, str]]]:
+    """The followers on the cams that were found, and where their extremes are in the answer."""
+    made = {key: value for key, value in tree.items() if key != "face_margin"}
+    made["base_radius"] = repr(answer.base_radius)
     if kind in ("Roller", "KnifeEdge"):
-        return {"roller_radius": "0", **made, "record": "Roller", "offset": repr(answer.offset)}
-    if kind == "ConjugateRoller":
-        return {
-            "record": "Roller", "roller_radius": tree["roller_radius"], "base_radius": repr(answer.base_radius),
-            "offset": tree.get("offset", "0"),
-        }  # fmt: skip
-    return {key: value for key, value in made.items() if key != "face_margin"} if kind != "OscillatingFlat" else None
+        yield "", answer, {"roller_radius": "0", **made, "record": "Roller", "offset": repr(answer.offset)}
+    elif kind == "ConjugateRoller":
+        apart = made.pop("roller_distance", repr(answer.roller_distance))
+        yield "", answer, {"offset": "0", **made, "record": "Roller"}
+        yield "second.", answer.second, {"offset": "0", **made, "roller_distance": apart}
+    elif kind != "OscillatingFlat":
+        yield "", answer, made
+
+
+def _kept(exact: dict[str, Any], words: str, limits: tuple[float, float]) -> Iterator[Compared]:
+    """The limits of pressure angle are kept on the cam that was found, beyond what its size in doubles can hold."""
+    for name, way, limit in (("largest_pressure_angle", 1, limits[0]), ("least_pressure_angle", -1, limits[1])):
+        if name in exact:
+            over = max(way * exact[name] - Exact(limit), Exact(0))
+            yield Compared(f"{words}{name} kept", 0.0, MISSED, over, 1.0, False, f"{words}{name} kept")
 
 
 def _flat(answer: Any, turn: Turn, stated: Stated, values: dict[str, Any], least: Any) -> Iterator[Compared]:
@@ -157,23 +167,33 @@ def _falling(limits: Limits, way: int) -> Any:
     )  # fmt: skip
 
 
-def _arm(
-    answer: Any, turn: Turn, stated: Stated, case: dict[str, Any], limits: tuple[float, float]
-) -> Iterator[Compared]:
-    """The base radius at which an exact pressure angle is at its limit: a secant from the radius that was found."""
+def _limited(
+    answer: Any, turn: Turn, stated: Stated, case: dict[str, Any], limits: tuple[float, float], least: float | None
+) -> Iterator[Compared]:  # fmt: skip
+    """The base radius at which an exact pressure angle or curvature is at its limit: a secant from the one found."""
     base = Exact(answer.base_radius)
+    tree = {**case["follower"], "base_radius": repr(answer.base_radius)}
+    if answer.offset is not None:
+        tree["offset"] = repr(answer.offset)
+    carried = Carried(tree, case.get("rotation", ""))
 
     def excess(radius: Any) -> Any:
-        carried = Carried({**case["follower"], "base_radius": repr(answer.base_radius)}, case.get("rotation", ""))
         carried.f["base_radius"] = radius
         carried.restart()
-        high, low = (extreme(turn, lambda *state: carried.touch(*state)["pressure"], sign) for sign in (1, -1))
-        return max(high - Exact(limits[0]), -low - Exact(limits[1]))
+        over = []
+        if not carried.flat:
+            high, low = (extreme(turn, carried.leaning, sign) for sign in (1, -1))
+            over += [high - Exact(limits[0]), -low - Exact(limits[1])]
+        if least is not None:
+            wanted = Exact(least)
+            if carried.flat:
+                over.append((wanted - extreme(turn, carried.rounding, -1)) / radius)
+            else:
+                over.append(extreme(turn, carried.bend, 1) * (wanted + carried.roller) - 1)
+        return max(over)
 
-    at = excess(base)
-    # where something else binds, the limits are kept with room
-    if answer.base_radius <= 0.0 or abs(at) > 1e-9:
-        yield from stated.compare("base_radius", answer.base_radius, base if at <= 0 else None, 0.0)
+    if answer.base_radius <= 0.0 or abs(at := excess(base)) > 1e-9:
+        # something else binds: the limits are kept with room
         return
     step = base * Exact(2) ** -60
     for _ in range(3):
@@ -184,18 +204,57 @@ def _arm(
 
 
 def checking(case: dict[str, Any]) -> Iterator[Compared]:
-    """`cam check`: extremes, whether there is an undercut and what it costs, and the jump."""
+    """`cam check`: extremes, verdicts, what an undercut costs, and the jump."""
     tree = case["follower"]
-    springs = {key: float(case[key]) for key in SPRINGS if key in case}
+    given = {key: float(case[key]) for key in (*SPRINGS, *ASKED) if key in case}
     answer = check(
         NOTHING, program=case["program"], follower=follower_of(tree), rotation=Rotation(case.get("rotation", "ccw")),
-        flank=Flank(case.get("flank", "inner")), **springs,
+        flank=Flank(case.get("flank", "inner")), **given,
     )  # fmt: skip
     turn, stated = Turn(case["program"]), Stated(answer)
     carried = Carried(tree, case.get("rotation", ""), case.get("flank", "inner"))
-    yield from shape(answer, turn, carried, stated)
-    if springs:
+    found = list(shape(answer, turn, carried, stated))
+    found += lost(answer, turn, carried, stated)
+    if "shaft_speed" in given:
         record = "ArmOnTorsionSpring" if turn.swing else "Slide"
-        pressed = Pressed({"record": record, **{key: repr(value) for key, value in springs.items()}}, 0.0, carried)
-        yield from jumping(answer, turn, stated, pressed)
-    yield from lost(answer, turn, carried, stated)
+        springs = {key: repr(given[key]) for key in SPRINGS if key in given}
+        pressed = Pressed({"record": record, **springs}, 0.0, carried)
+        found += jumping(answer, turn, stated, pressed)
+    yield from found
+    yield from _verdicts(answer, turn, given, {one.name: one.exact for one in found})
+
+
+def _verdicts(answer: Any, turn: Turn, given: dict[str, float], exact: dict[str, Any]) -> Iterator[Compared]:
+    """Yes or no of every limit that the exact value does not meet to rounding, and the joints that jump."""
+    limits = {
+        "largest_pressure_angle": Exact(given.get("rise_limit", 30.0 * DEGREE)),
+        "least_pressure_angle": -Exact(given.get("return_limit", 30.0 * DEGREE)),
+        "least_radius": Exact(given.get("least_radius", 0.0)),
+        "shaft_speed": Exact(given.get("shaft_speed", 0.0)),
+    }
+    radii = [exact[name] for name in ("least_convex_radius", "least_concave_radius") if name in exact]
+    pairs = [(limits[name] - exact[name]) * sign for name, sign in (("largest_pressure_angle", 1),
+             ("least_pressure_angle", -1)) if name in exact]  # fmt: skip
+    asked = [
+        ("pressure_angle_kept", min(pairs) if len(pairs) == 2 else None),
+        ("curvature_kept", min(radii) - limits["least_radius"] if radii else None),
+        ("jump_kept", exact["jump_speed"] - limits["shaft_speed"] if "jump_speed" in exact else None),
+    ]
+    for name, margin in asked:
+        value = getattr(answer, name)
+        if value is not None and margin is not None and abs(margin) > 1e-9:
+            yield Compared(name, float(value), 0.5, Exact(int(margin > 0)), 1.0, False, name)
+    for order, name in ((1, "velocity_jumps"), (2, "acceleration_jumps")):
+        count = _jumps(turn, order)
+        if count is not None:
+            yield Compared(name, float(getattr(answer, name)), 0.5, Exact(count), 1.0, False, name)
+
+
+def _jumps(turn: Turn, order: int) -> int | None:
+    """Joints at which a derivative jumps; None where one jumps by so little that it may be rounding."""
+    ends = [(zone.at(zone.start, 2)[order], zone.at(zone.end, 2)[order]) for zone in turn.zones]
+    peak = max(extreme(turn, lambda *state: state[order], 1), -extreme(turn, lambda *state: state[order], -1))
+    steps = [abs(ends[i][0] - ends[i - 1][1]) / peak for i in range(len(ends))]
+    if any(1e-14 < step < 1e-6 for step in steps):
+        return None
+    return sum(step > 1e-7 for step in steps)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 from cam_search_compared import Compared, Stated, nearest, table_angles
-from cam_search_contact import Carried
+from cam_search_contact import Carried, Looking
 from cam_search_motion import Turn, Zone, sine_cosine
 from cam_search_tables import NOTHING, follower_of
 from precise import FUNCTIONS, Exact
@@ -50,14 +50,15 @@ class Outline:
 
     def feet(self, points: Any) -> list[tuple[Zone, float, float]]:
         """Zone, share and rough distance of the curve's nearest place to each point."""
-        shares = np.linspace(0.0, 1.0, SAMPLES)
+        samples = SAMPLES * Looking.steps
+        shares = np.linspace(0.0, 1.0, samples)
         curve = np.concatenate([self.over(zone, shares)[0] for zone in self.zones])
         near = np.array([int(np.argmin(np.abs(curve - point))) for point in points])
         found: list[Any] = [None] * len(points)
         for index in range(len(self.zones)):
-            which = np.flatnonzero(near // SAMPLES == index)
+            which = np.flatnonzero(near // samples == index)
             if which.size:
-                self._settle(found, points, which, index, shares[near[which] % SAMPLES])
+                self._settle(found, points, which, index, shares[near[which] % samples])
         # the foot of a place beside a joint may be in the zone on its other side
         for end, way, first in ((0.0, -1, 1.0), (1.0, 1, 0.0)):
             for i in [i for i, (_, share, _) in enumerate(found) if share == end]:
@@ -71,8 +72,11 @@ class Outline:
     def _settle(self, found: list[Any], points: Any, which: Any, index: int, share: Any) -> None:
         """Feet of some points in one zone, from shares to start at."""
         zone = self.zones[index]
-        for _ in range(6):
-            share = self._stepped(zone, share, points[which])
+        for _ in range(6 * min(Looking.steps, 4)):
+            then = self._stepped(zone, share, points[which])
+            near, far = (np.abs(points[which] - self.over(zone, one)[0]) for one in (share, then))
+            # no step goes away from the place: a tight bend may have other feet
+            share = np.where(far <= near, then, 0.5 * (share + then))
         q, normal = self.over(zone, share)
         apart = np.abs(((points[which] - q) * normal.conj()).real)
         for i, x, distance in zip(which.tolist(), share.tolist(), apart.tolist(), strict=True):
@@ -167,20 +171,26 @@ def _apart(curve: Outline, zone: Zone, share: float, place: Pair) -> Any:
 
 def _back(curve: Outline, pieces: list[Any], places: Any) -> Iterator[tuple[str, Any]]:
     """Places of the exact curve, and the nearest place of the written pieces."""
-    flat = places.ravel()
+    fine = np.linspace(0.0, 1.0, 64 * min(Looking.steps, 16) + 1)
+    few = 6 if Looking.steps == 1 else 40
     for number, zone in enumerate(curve.zones):
         for share in (0.0, 0.1234, 0.31, 0.5, 0.77):
             theta = zone.start + (zone.end - zone.start) * Exact(share)
-            (x, y), _ = curve.at(zone, theta)
-            at = int(np.argmin(np.abs(flat - complex(float(x), float(y)))))
-            piece, t = pieces[at // PLACES.size], float(PLACES[at % PLACES.size])
-            yield f"curve[{number * 8 + int(share * 8)}]", _from_piece(pieces, at // PLACES.size, piece, t, (x, y))
+            place, _ = curve.at(zone, theta)
+            rough = complex(float(place[0]), float(place[1]))
+            best = (np.inf, 0, 0.0)
+            for index in np.argsort(np.abs(places - rough).min(axis=1))[:few].tolist():
+                x, y = on_piece(pieces[index], fine)
+                apart = np.abs(x + 1j * y - rough)
+                at = int(np.argmin(apart))
+                best = min(best, (float(apart[at]), index, float(fine[at])))
+            yield f"curve[{number * 8 + int(share * 8)}]", _from_piece(pieces, best[1], best[2], place)
 
 
-def _from_piece(pieces: list[Any], index: int, piece: Any, t: float, place: Pair) -> Any:
+def _from_piece(pieces: list[Any], index: int, t: float, place: Pair) -> Any:
     """The distance of a place from a piece near a share of it, or from the piece that goes on there."""
     best = None
-    for own, first in ((piece, t), (pieces[index - 1], 1.0), (pieces[(index + 1) % len(pieces)], 0.0)):
+    for own, first in ((pieces[index], t), (pieces[index - 1], 1.0), (pieces[(index + 1) % len(pieces)], 0.0)):
         at = Exact(first)
         for _ in range(40):
             step = Exact(2) ** -60

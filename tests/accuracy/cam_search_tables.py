@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from cam_search_compared import UNIT_ROUNDOFF, Compared, Stated, nearest, table_angles
-from cam_search_contact import Carried, extreme, nodes
+from cam_search_compared import UNIT_ROUNDOFF, Compared, Stated, nearest, placed, table_angles
+from cam_search_contact import Carried, Looking, extreme, nodes
 from cam_search_motion import Jet, Turn
 from precise import FUNCTIONS, Exact, exact_pi
 
@@ -44,7 +44,8 @@ def quadrature(turn: Turn, function: Any, most: float, order: int = 2) -> Any:
     total: Any = None
     for zone in turn.zones:
         width = zone.end - zone.start
-        steps = int(float(width) / most) + 1
+        # a short zone is steep: its integrand may turn many times faster than the cam
+        steps = (int(float(width) / most) + (1 if zone.branch is None else 3)) * Looking.steps
         half = width / (2 * steps)
         for step in range(steps):
             middle = zone.start + half * (2 * step + 1)
@@ -129,38 +130,48 @@ def outlining(case: dict[str, Any]) -> Iterator[Compared]:
     turn, stated = Turn(case["program"]), Stated(answer)
     carried = Carried(case["follower"], case.get("rotation", ""), case.get("flank", "inner"))
     yield from shape(answer, turn, carried, stated)
-    if case.get("plate", points % 5 == 0):
+    if points % 5 == 0:
         yield from _plate(answer, turn, carried, stated, Exact(start), plate)
     yield from _outlined_rows(answer, turn, carried, stated, (points, Exact(start), Exact(tool)))
 
 
-def shape(answer: Any, turn: Turn, carried: Carried, stated: Stated) -> Iterator[Compared]:
-    """Extremes of pressure angle, curvature and place along a flat face."""
+def shape(answer: Any, turn: Turn, carried: Carried, stated: Stated, words: str = "") -> Iterator[Compared]:
+    """Extremes of pressure angle, curvature and place along a flat face, and whether they are where they are said."""
     for name, sign in (("largest_pressure_angle", 1), ("least_pressure_angle", -1)):
         exact = Exact(0)
         if carried.kind != "FlatFace":
-            exact = extreme(turn, lambda *state: carried.touch(*state)["pressure"], sign)
+            exact = extreme(turn, carried.leaning, sign)
         # past a right angle a follower is pulled, and at two of them the angle jumps to its other sign
-        if abs(exact) < 3:
-            yield from stated.compare(name, getattr(answer, name), exact, MISSED)
+        if abs(exact) < 3 and abs(getattr(answer, name)) < 3.0:
+            yield from stated.compare(words + name, getattr(answer, name), exact, MISSED)
+            yield from placed(name, getattr(answer, f"{name}_at", None), turn, carried.leaning, exact, MISSED)
     travel = 0.0 if turn.swing else max(map(abs, turn.levels))
     size = float(carried.roller) + carried.sizes["base_radius"] + travel
     if carried.flat:
-        radius = extreme(turn, lambda *state: carried.face(*state)["radius"], -1)
-        room = MISSED * (abs(float(radius)) + size)
-        yield from stated.compare("least_convex_radius", answer.least_convex_radius, radius, room, size=room / MISSED)
-        low, high = (extreme(turn, lambda *state: carried.face(*state)["along"], sign) for sign in (-1, 1))
-        for name, exact in (("face_low", low), ("face_high", high), ("face_width", high - low)):
-            if hasattr(answer, name) and not hasattr(answer, "base_radius"):
-                wide = max(abs(float(low)), abs(float(high)), size)
-                yield from stated.compare(name, getattr(answer, name), exact, MISSED * wide, size=wide)
+        yield from _flat_shape(answer, turn, carried, stated, size)
         return
     for name, sign in (("least_convex_radius", 1), ("least_concave_radius", -1)):
-        bend = extreme(turn, lambda *state: carried.touch(*state)["curvature"], sign)
+        bend = extreme(turn, carried.bend, sign)
         if sign * bend > 1e-9 / size:
             exact = sign * (1 / bend - carried.side * carried.roller)
             whole = abs(float(exact)) + size
-            yield from stated.compare(name, getattr(answer, name), exact, MISSED * whole, size=whole)
+            value = getattr(answer, name, None)
+            yield from stated.compare(words + name, value, exact, MISSED * whole, size=whole)
+            room = MISSED * abs(float(bend))
+            yield from placed(name, getattr(answer, f"{name}_at", None), turn, carried.bend, bend, room)
+
+
+def _flat_shape(answer: Any, turn: Turn, carried: Carried, stated: Stated, size: float) -> Iterator[Compared]:
+    radius = extreme(turn, carried.rounding, -1)
+    whole, name = abs(float(radius)) + size, "least_convex_radius"
+    yield from stated.compare(name, getattr(answer, name), radius, MISSED * whole, size=whole)
+    yield from placed(name, getattr(answer, f"{name}_at", None), turn, carried.rounding, radius, MISSED * whole)
+    if hasattr(answer, "base_radius"):
+        return
+    low, high = (extreme(turn, lambda *state: carried.face(*state)["along"], sign) for sign in (-1, 1))
+    wide = max(abs(float(low)), abs(float(high)), size)
+    for name, exact in (("face_low", low), ("face_high", high), ("face_width", high - low)):
+        yield from stated.compare(name, getattr(answer, name, None), exact, MISSED * wide, size=wide)
 
 
 def _plate(
@@ -268,11 +279,6 @@ class Pressed:
         # clockwise lifts the arm
         return given / (y * nx - x * ny)
 
-    def leaning(self, s: Any, s1: Any, s2: Any) -> Any:
-        """The pressure angle."""
-        assert self.carried is not None
-        return self.carried.touch(s, s1, s2)["pressure"]
-
     def crowding(self, s: Any, s1: Any, s2: Any) -> Any:
         """Normal force times the sum of both curvatures."""
         assert self.carried is not None
@@ -307,8 +313,10 @@ def pressing(case: dict[str, Any]) -> Iterator[Compared]:
         low, high = (extreme(turn, quantity, sign) for sign in (-1, 1))
         least = low if least is None else least
         sizes[name] = size = max(float(abs(low)), float(abs(high)))
-        yield from stated.compare(f"least_{name}", getattr(answer, f"least_{name}"), low, size=size)
-        yield from stated.compare(f"greatest_{name}", getattr(answer, f"greatest_{name}"), high, size=size)
+        for end, exact in (("least", low), ("greatest", high)):
+            address = f"{end}_{name}"
+            yield from stated.compare(address, getattr(answer, address), exact, size=size)
+            yield from placed(address, getattr(answer, f"{address}_at"), turn, quantity, exact, MISSED * size)
         if name == "torque":
             power = max(abs(low), abs(high)) * abs(Exact(speed))
             yield from stated.compare("greatest_power", answer.greatest_power, power)
@@ -363,7 +371,7 @@ def _pressed_rows(
         ]  # fmt: skip
         if contacts is not None and pressed.carried is not None:
             rows += [
-                (f"contact_table[{index}].pressure_angle", contacts["pressure_angle"][index], pressed.leaning, 1.0),
+                (f"contact_table[{index}].pressure_angle", contacts["pressure_angle"][index], pressed.carried.leaning, 1.0),
                 (f"contact_table[{index}].contact_force", contacts["contact_force"][index], pressed.normal,
                  sizes["contact_force"]),
             ]  # fmt: skip
