@@ -108,14 +108,15 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 def start_slip(geometry: Geometry) -> float:
     """What the height or angle of the follower at zero lift is off by rounding.
 
-    Heights are roots of products of sums that are rounded once: 3 u. Angles are arc tangents, within two units in the
-    last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves of it.
+    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit in
+    the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
     """
     f = geometry.follower
     if isinstance(f, FlatFace):
         return 0.0
-    first = abs(geometry.start + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
-    return 2.0**-53 * ((10.0 if geometry.oscillating else 3.0) * first + abs(geometry.start)) * (1.0 + 2.0**-40)
+    left = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
+    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + left)
+    return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:

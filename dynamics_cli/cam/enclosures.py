@@ -7,11 +7,11 @@ derivatives. All bounds come from these constants; nothing is inferred from valu
 - Around a place, |f(τ + z) − f(τ)| ≤ Σ |f⁽ʲ⁾(τ)| rʲ/j! for every complex z of magnitude r or less: the finite sum for
   the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave, the terms in r added up before magnitudes are
   taken. To first order nothing tighter is possible.
-- Rounding at single places is followed step by step (`cam.slips`). Over rows of places, u = 2⁻⁵³, the factors lift/spanᵏ (10 u) among it. Polynomials: Horner's rule to degree 9 (18 u) on
-  coefficients within 30 u of their formulas, 64 u Σ |cᵢ| i!/(i − k)! Tⁱ⁻ᵏ. Powers of p = t(1 − t): products of numbers
-  each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift). Waves: sines and cosines of half the angle
-  within four units in the last place make 18 u, amplitudes and frequencies 50 u, the angle's own rounding 12 u of it:
-  |A| wᵏ (80 + 12 wT) u. Places: t ≤ 1 as a share of the zone by six roundings of u/2, as a cam angle by five of u t.
+- Rounding at single places is followed step by step (`cam.slips`). Over rows of places, u = 2⁻⁵³, factors lift/spanᵏ
+  (11 u) among it: of a polynomial (2i + 20) u for the term of degree i, Horner's 2i + 1, the coefficient's 7; of powers
+  of p = t(1 − t), products of numbers each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift); of waves,
+  sines and cosines of half the angle within four units in the last place, |A| wᵏ (64 + 4 wT) u. Places: t ≤ 1 as a
+  share of the zone by six roundings of u/2, as a cam angle by five of u t.
 
 The exact law of a name has its constants as its formula has them, π and all; a polynomial has the rational solution of
 its conditions; a clamped spline has the coefficients it was given.
@@ -222,14 +222,15 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
     beta = isinstance(shape, Beta)
     sizes, rounded = [], []
     for order in range(derivatives + 2):
-        size = 0.0 * reach
+        size = slip = 0.0 * reach
         for i in range(len(coefficients) - 1, order - 1, -1):
             size = size * reach + abs(coefficients[i]) * perm(i, order)
+            slip = slip * reach + (2.0 * i + 20.0) * abs(coefficients[i]) * perm(i, order)
         sizes.append(np.minimum(size, shape.largest(order)) if beta and 0 < order < 5 else size)
         if beta:
             rounded.append(20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order)))
         else:
-            rounded.append(64.0 * size)
+            rounded.append(slip)
     for amplitude, w, start in waves:
         u = w * reach
         # below one u − sin u is a series, beyond it a difference; the others keep their digits
@@ -238,7 +239,7 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
             which, factor = start + order, abs(amplitude) * w**order
             size, steep = (small[k] if k < 3 else 1.0 for k in (which, which + 1))
             sizes[order] = sizes[order] + factor * size
-            rounded[order] = rounded[order] + factor * (80.0 * size + 12.0 * u * steep)
+            rounded[order] = rounded[order] + factor * (64.0 * size + 4.0 * u * steep)
     off = getattr(shape, "off", 0.0)
     place = U * (5.0 * t + offset) + off
     return [U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
@@ -323,7 +324,10 @@ def discs(
         offset = np.where(np.array(inner)[own], 3.0, 0.0)
         if t.ndim == 1:
             near = np.abs(t[rows])
-            off = U * (2.0 * near if exact else 5.0 * near + offset)
+            off = U * (5.0 * near + offset)
+            if exact:
+                ends = np.array([(0.0, 0.0) if part.law_piece is None else part.law_piece.ends for part in parts])[own]
+                off = np.where((ends[:, 0] == t[rows]) | (ends[:, 1] == t[rows]), 2.0 * U * near, 0.0)
             slips = running_slips(law.shape, t[rows], off, derivatives, HALVES_OF_FLOATS if single else HALVES)
             # the lift's factor counts two roundings, each division by the span two more, and its product one
             slips = [

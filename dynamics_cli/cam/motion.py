@@ -301,6 +301,18 @@ class Motion:
                 out[order, part] = values
         return tuple(row.reshape(given.shape) for row in out)
 
+    def by_parts(self, angle: "Any") -> "list[tuple[Any, Any]]":
+        """Parts, each with the indices of the angles (an array within the turn, in order) that lie in it or end it."""
+        import numpy as np
+
+        ends = [*self._edges, inf]
+        starts = [-inf, *self._edges]
+        return [
+            (piece, np.arange(angle.searchsorted(low), angle.searchsorted(high, side="right")))
+            for piece, low, high in zip(self._pieces, starts, ends, strict=True)
+            if angle.searchsorted(low) < angle.searchsorted(high, side="right")
+        ]
+
     def _over_sorted(self, angle: "Any", derivatives: int, side: int, out: "Any") -> None:
         """Piece by piece, in blocks that stay in the cache."""
         cuts = angle.searchsorted(self._edge_array, side="left" if side > 0 else "right")
@@ -354,6 +366,11 @@ class Motion:
     def parts_of(self, index: int) -> "list[_Piece]":
         """The pieces of a zone's law in order: one function, each with the end it is measured from."""
         return [self._pieces[i] for i in self._zone_pieces[index]]
+
+    def width(self, segment: int) -> float:
+        """Span of a segment [rad], which the difference of its rounded ends would not tell where it is narrow."""
+        span = self.segments[segment]
+        return radians((span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]))[0]
 
     @property
     def stroke(self) -> "tuple[float, float]":

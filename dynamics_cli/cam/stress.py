@@ -50,7 +50,7 @@ class Touching:
     def gain(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
         """Normal force for each unit of load: 1/cos φ for a slide, 1/(lever of the normal about the pivot) for an arm.
 
-        N/F = w/X; N/M = w/(L c sin ψ) with a roller, (1 + ψ′)/(c cos ψ) with a flat face.
+        N/F = w/X = √(1 + (Y/X)²); N/M = w/(L c sin ψ) with a roller, (1 + ψ′)/(c cos ψ) with a flat face.
         """
         f, s1 = self.follower, self.turn * s1
         s = s.widened(self.slip) if self.slip else s
@@ -64,8 +64,8 @@ class Touching:
             apart, half = (f.arm - c) + f.arm * s1, np.sin(0.5 * angle)
             square = apart * apart + 4.0 * (f.arm * (1.0 + s1)) * c * half * half
             return np.sqrt(square) / (f.arm * c * np.sin(angle))
-        x, y = self.start + s, s1 - f.offset  # type: ignore[union-attr]
-        return np.sqrt(x * x + y * y) / x
+        lean = (s1 - f.offset) / (self.start + s)  # type: ignore[union-attr]
+        return np.sqrt(1.0 + lean * lean)
 
     def normal(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
         """The force along the common normal."""

@@ -257,12 +257,14 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
     scale = size.sum(axis=1)
     # what the values may be off the largest and least of the proxy
-    off = 2.0 * np.abs(whole - c).sum(axis=1) + 0.5 * ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-48 * scale
+    off = 2.0 * np.abs(whole - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
     calm: list[tuple[Any, Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
-    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
+    # the mean last: what it is added to is small beside it on a short piece
+    moving, mean = whole[:, 1:], whole[:, 0]
+    ends = np.concatenate((moving @ np.where(k[1:] % 2, -1.0, 1.0) + mean, moving.sum(axis=1) + mean))
     most, least = ends.max(), ends.min()
     owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
     # a piece that is constant to its rounding has no extremes
@@ -306,7 +308,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
     place = np.concatenate([turns, *(part[1] for part in calm)])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
-    inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
+    inner = (moving[row] * np.cos(k[1:] * place[:, None])).sum(axis=1) + mean[row]
     places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
