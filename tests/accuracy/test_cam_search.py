@@ -7,7 +7,6 @@ from typing import Any
 
 import cam_search
 import cam_search_cases as drawn
-import generate_cam_motion_references as references
 import pytest
 from cam_search import QUESTIONS
 from cam_search_compared import Compared
@@ -16,6 +15,7 @@ from cam_search_laws import JERKY, MOVING, RESTING, law_of
 from cam_search_motion import Turn, read, written
 from mpmath import mp, mpf
 from precise import Exact, many_bits
+from references import generate_cam_motion_references as references
 
 from dynamics_cli.accuracy.cases import DATA
 
