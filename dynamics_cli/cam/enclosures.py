@@ -311,9 +311,10 @@ def discs(
         if not own.size:
             continue
         law = parts[members[0]].law_piece
-        base = np.array([part.base for part in parts])[own].reshape(column)
+        base, off_base = (np.array([getattr(part, name) for part in parts])[own].reshape(column)
+                          for name in ("base", "off"))  # fmt: skip
         if law is None:
-            centres[0, rows] = base
+            centres[0, rows], radii[0, rows] = base, off_base
             continue
         span = np.array([part.span for part in parts])[own].reshape(column)
         single = exact and t.ndim == 1 and rows.size <= SINGLE
@@ -329,22 +330,25 @@ def discs(
                 ends = np.array([(0.0, 0.0) if part.law_piece is None else part.law_piece.ends for part in parts])[own]
                 off = np.where((ends[:, 0] == t[rows]) | (ends[:, 1] == t[rows]), 2.0 * U * near, 0.0)
             slips = running_slips(law.shape, t[rows], off, derivatives, HALVES_OF_FLOATS if single else HALVES)
-            # the lift's factor counts two roundings, each division by the span two more, and its product one
+            # the lift's factor and its product count two roundings, each division by the span two more
             slips = [
-                slip + (3.0 + 2.0 * order) * U * np.abs(value)
+                slip + (2.0 + 2.0 * order) * U * np.abs(value)
                 for order, (slip, value) in enumerate(zip(slips, values, strict=True))
             ]
         else:
             # the place itself is off by a few roundings: bounds hold a hair beyond it
             reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
             slips = _slips(law.shape, reach.max(axis=1), np.abs(t[rows]).max(axis=1), offset, derivatives)
+        # what the ends of a segment are off its lift is too
+        whole = np.abs(scales[:, 0].reshape(column))
+        share = off_base / np.where(whole > 0.0, whole, 1.0)
         for order in range(derivatives + 1):
             scale = scales[:, order].reshape(column)
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
-            # levels are sums of lifts
-            size = 2.0**-52 * np.abs(base) + U * np.abs(centres[0, rows]) if order == 0 else 0.0
-            radii[order, rows] = (np.abs(scale) * (wide[order] + slips[order].reshape(column)) + size) * UP
+            size = off_base + np.where(base, U * np.abs(centres[0, rows]), 0.0) if order == 0 else 0.0
+            slip = slips[order].reshape(column) + share * np.abs(values[order])
+            radii[order, rows] = (np.abs(scale) * (wide[order] + slip) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
 
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 
 SMALLEST_SHARE = 1e-12
+# Half units in the last place that amplitudes and frequencies are within: of one wave, of several, of shares.
+ONE_WAVE, SEVERAL, ROUNDED = (1.4, 0.4), (3.4, 1.4), (1.0, 1.0)
 # Constants of a law made of shares are computed in so many bits after the point.
 _BITS = 256
 _PI = (314159265358979323846264338327950288419716939937510 << _BITS) // 10**50
@@ -166,7 +168,7 @@ def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool 
 def _fourier(name: str, *terms: tuple[int, float]) -> Law:
     """Σ c/(2πk)·(2πkx − sin 2πkx), Σ c = 1."""
     waves = [(share / (2.0 * pi * k), 2.0 * pi * k, 0) for k, share in terms]
-    return symmetric(name, [(0.5, Mixed(waves=waves))])
+    return symmetric(name, [(0.5, Mixed(waves=waves, near=ONE_WAVE if len(terms) == 1 else SEVERAL))])
 
 
 def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") -> Law:
@@ -230,14 +232,14 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
     if r:
-        shapes.append((r, Mixed(waves=[(first[0], rates[0], 0)], off=off)))
+        shapes.append((r, Mixed(waves=[(first[0], rates[0], 0)], off=off, near=ROUNDED)))
     if k:
-        shapes.append((r + k, Mixed((first[1], first[2], 0.5 * top), origin=r, off=off)))
+        shapes.append((r + k, Mixed((first[1], first[2], 0.5 * top), origin=r, off=off, near=ROUNDED)))
     if g:
         wave = (last, rates[1], 1)
-        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k, off=off)))
+        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k, off=off, near=ROUNDED)))
     if still:
-        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True, off=off)))
+        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True, off=off, near=ROUNDED)))
     return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)
 
 
@@ -306,11 +308,12 @@ def _half(name: str, slow: Mixed, fast: Mixed) -> Law:
 
 
 def _half_cycloid(name: str) -> Law:
-    return _half(name, Mixed(waves=[(1.0 / pi, pi, 0)]), Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)]))
+    return _half(name, Mixed(waves=[(1.0 / pi, pi, 0)], near=ONE_WAVE), Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)], near=ONE_WAVE))
 
 
 def _half_harmonic(name: str) -> Law:
-    return _half(name, Mixed(waves=[(1.0, 0.5 * pi, 1)]), Mixed(waves=[(1.0, 0.5 * pi, 2)]))
+    slow, fast = (Mixed(waves=[(1.0, 0.5 * pi, start)], near=ONE_WAVE) for start in (1, 2))
+    return _half(name, slow, fast)
 
 
 def _linear() -> Law:
@@ -322,7 +325,7 @@ _MAKERS: "dict[str, Callable[[], Law]]" = {
     "linear": _linear,
     "parabolic": lambda: symmetric("parabolic", [(0.5, Mixed((0.0, 0.0, 2.0)))], smooth=False),
     "cubic": lambda: symmetric("cubic", [(0.5, Beta(1))]),
-    "harmonic": lambda: symmetric("harmonic", [(0.5, Mixed(waves=[(0.5, pi, 1)]))]),
+    "harmonic": lambda: symmetric("harmonic", [(0.5, Mixed(waves=[(0.5, pi, 1)], near=ONE_WAVE))]),
     "double-harmonic": lambda: _two_ended("double-harmonic", FourthPowerOfSine(), EndOfDoubleHarmonic()),
     "cycloidal": lambda: _fourier("cycloidal", (1, 1.0)),
     "modified-trapezoid": lambda: scca(0.25, 0.5, 0.25, name="modified-trapezoid"),

@@ -68,6 +68,8 @@ class Span:
         What it is called.
     scale : float | None
         Lift that the law's unit stands for; the difference of the ends when not given.
+    off : (float, float)
+        What the lifts at its ends are off, being sums of those given.
     """
 
     start: "Exact"
@@ -77,6 +79,7 @@ class Span:
     law: "Law | None"
     name: str = ""
     scale: float | None = None
+    off: "tuple[float, float]" = (0.0, 0.0)
 
 
 @record
@@ -102,7 +105,7 @@ class Zone:
 class _Piece:
     """A piece of a law in cam angles: s = base + scales[0] g(t), t = ±((θ − origin) − origin_low)/span."""
 
-    __slots__ = ("base", "law_piece", "origin", "origin_low", "scales", "segment", "sign", "span")
+    __slots__ = ("base", "law_piece", "off", "origin", "origin_low", "scales", "segment", "sign", "span")
 
     def __init__(self, span: "Span", segment: int, piece: "Any") -> None:
         width = (span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1])
@@ -112,6 +115,8 @@ class _Piece:
         self.origin, self.origin_low = radians(span.end if far else span.start)
         self.sign = -1.0 if far else 1.0
         self.base = span.high if far else span.low
+        # the lift from one end to the other is off by both
+        self.off = span.off[0] + span.off[1]
         self.law_piece = piece
         rise = span.high - span.low if span.scale is None else span.scale
         self.scales = [rise * self.sign]

@@ -52,7 +52,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
         face_width=speed.largest()[0] - speed.smallest()[0] + 2.0 * follower.face_margin,
         checks=(kept("radius of curvature keeps its limit", least_radius - low_kept, base + least_radius),),
         advice=no_limit(least_radius),
-        numerics=Numerics("closed form on certified extremes", (ErrorBound("base_radius", share(slip, base)),)),
+        numerics=Numerics("closed form on certified extremes", (stated(slip, base),)),
     )  # fmt: skip
 
 
@@ -128,7 +128,7 @@ def size_slide(
         least_concave_radius=hollow,
         in_line_base_radius=in_line if in_line > 0.0 and not curved else None, face_width=None,
         checks=tuple(checks), advice=undercut(counts, radius),
-        numerics=Numerics(method, (ErrorBound("base_radius", share(slip + UNIT * (2.0 * radius + base), base)),)),
+        numerics=Numerics(method, (stated(slip + UNIT * (2.0 * radius + base), base),)),
     )  # fmt: skip
 
 
@@ -182,6 +182,8 @@ class Wedge:
             up = (first * c2 + second * c1) / whole + 8.0 * UNIT * (abs(self.a) * c2 + abs(self.b) * c1) / whole
             radius = hypot(e, d)
             slip = (abs(e) * across + abs(d) * up) / radius if radius else across + up
+            # an offset that cannot be told from none is none
+            e = e if abs(e) > across else 0.0
         if d < self.floor:
             # the lift may fall below the limits' apex
             d, slip = self.floor, slip + 4.0 * UNIT * self.floor
@@ -215,6 +217,8 @@ def kept(name: str, excess: float, scale: float) -> Check:
     return Check(name, excess <= ROOM * scale, max(excess, 0.0), ROOM * scale)
 
 
-def share(error: float, value: float) -> float:
-    """A bound as a share of the value."""
-    return error / value if value > 0.0 else inf
+def stated(error: float, base: float) -> ErrorBound:
+    """The bound of a base radius: a share of it, or absolute where there is no base circle."""
+    if base > 0.0 and error <= base:
+        return ErrorBound("base_radius", error / base)
+    return ErrorBound("base_radius", error, relative=False)

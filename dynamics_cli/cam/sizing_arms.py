@@ -9,10 +9,10 @@ from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import concave, convex
 from dynamics_cli.cam.roundness import sure_about
-from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, extremes_of, kept, no_limit, share, signs, undercut
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, extremes_of, kept, no_limit, signs, stated, undercut
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import Disc
-from dynamics_cli.records import ErrorBound, Numerics, record
+from dynamics_cli.records import Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ def size_arm(
             kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
         ),
         advice=undercut(round_ if side > 0.0 else hollow, radius),
-        numerics=Numerics(method, (ErrorBound("base_radius", share(slip, base)),)),
+        numerics=Numerics(method, (stated(slip, base),)),
     )  # fmt: skip
 
 
@@ -334,7 +334,7 @@ def size_rocker(
         advice=no_limit(least_radius),
         numerics=Numerics(
             "closed form on certified extremes",
-            (ErrorBound("base_radius", share(slip, base)),),
+            (stated(slip, base),),
         ),
     )  # fmt: skip
 

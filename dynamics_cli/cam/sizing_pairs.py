@@ -7,10 +7,10 @@ from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import convex
 from dynamics_cli.cam.roundness import Falling, Round
-from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, Wedge, kept, share, signs, undercut
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, Wedge, kept, signs, stated, undercut
 from dynamics_cli.cam.sizing_arms import DEGREE, distance, moved, reach, require_reach, require_round, round_start
 from dynamics_cli.errors import require
-from dynamics_cli.records import Check, ErrorBound, Numerics
+from dynamics_cli.records import Check, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -137,7 +137,6 @@ def _both(
                 kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, start_radius)
             )
     (high, low, least), mate = seen
-    roller = first.roller
     return size.CamSize(
         base_radius=base_radius, offset=offset, start_radius=start_radius, arm_start_angle=arm_start_angle,
         binding=binding, largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
@@ -146,6 +145,6 @@ def _both(
         advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None), start_radius),
         numerics=Numerics(
             ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
-            (ErrorBound("base_radius", share(error + UNIT * (3.0 * start_radius + base_radius), base_radius)),),
+            (stated(error + UNIT * (3.0 * start_radius + base_radius), base_radius),),
         ),
     )  # fmt: skip

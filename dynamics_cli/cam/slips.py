@@ -6,9 +6,9 @@ four units in the last place, 8 u, those of the C library, which floats go throu
 
 - Horner's rule: e ← e·|τ| + u(|v τ| + |v τ + c|), v ← v τ + c; coefficients add `CONSTANT` + k roundings of Σ |cᵢ τⁱ|.
 - u − sin u: 8 u of it below one, where it is a series, one rounding and that of sin u beyond; 2 sin²(u/2) and
-  2 sin(u/2) cos(u/2) within 17 u, of floats 5 u; cos u = 1 − 2 sin²(u/2). The angle wτ is off by 2.4 u, and by w times what τ
-  is off by. A is within 3.4 u and w within 1.4 u,
-  so that the factor A wᵏ counts 4.5 + 2.5k.
+  2 sin(u/2) cos(u/2) within 17 u, of floats 5 u; cos u = 1 − 2 sin²(u/2). The angle wτ is off by b + 1, and by w times what τ
+  is off by. A and w are within a and b, so that the
+  factor A wᵏ counts a + 1 + (b + 1)k.
 - Powers of p = t(1 − t): two roundings for each factor p, one for each product.
 - A place that is off by δ moves f⁽ᵏ⁾ by |f⁽ᵏ⁺¹⁾|δ, the magnitude taken over the terms and beyond the place.
 
@@ -91,9 +91,9 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = 
         moved = off * _size(rows[order + 1], tau + off)
         found.append([U * (rounded + (CONSTANT + order) * size) + moved, abs(value)])
     for wave in waves:
-        _add_wave(found, wave, tau, off, halves)
+        _add_wave(found, wave, shape.near, tau, off, halves)
     # what is left are the additions of the parts
-    spread = U * (1.0 + len(waves)) + OFF * shape.off
+    spread = U * (len(waves) - (0.0 if coefficients else 1.0)) + OFF * shape.off
     return [(error + spread * size) * UP for error, size in found]
 
 
@@ -144,7 +144,7 @@ def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     Returns
     -------
     list of float or array
-        Bounds. A factor counts two roundings and two for each division by the span, a level two.
+        Bounds. A factor and its product count two roundings, each division by the span two more.
 
     Examples
     --------
@@ -153,17 +153,19 @@ def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     >>> of_part(motion.parts_of(0)[0], 0.25)[0] < 1e-16
     True
     """
-    level = 3.0 * U * abs(part.base)
+    level = part.off
     if part.law_piece is None:
         return [level + 0.0 * t, 0.0 * t, 0.0 * t, 0.0 * t]
     shape = part.law_piece.shape
     found = slips(shape, t, 5.0 * U * abs(t), 3, halves)
     values = shape(t, 3)
+    # what the ends are off the factor is too
+    share = part.off / abs(part.scales[0]) if part.scales[0] else 0.0
     made = [
-        abs(scale) * (error + (3.0 + 2.0 * order) * U * abs(value)) * UP
+        abs(scale) * (error + ((2.0 + 2.0 * order) * U + share) * abs(value)) * UP
         for order, (scale, error, value) in enumerate(zip(part.scales, found, values, strict=False))
     ]
-    made[0] = made[0] + level
+    made[0] = made[0] + level + U * (abs(part.base) + abs(part.scales[0] * values[0]) if part.base else 0.0)
     return made
 
 
@@ -198,12 +200,13 @@ def _size(row: "Sequence[float]", reach: "Any") -> "Any":
 
 
 def _add_wave(
-    found: "list[list[Any]]", wave: "tuple[float, float, int]", tau: "Any", off: "Any", halves: float
-) -> None:
+    found: "list[list[Any]]", wave: "tuple[float, float, int]", near: "tuple[float, float]", tau: "Any", off: "Any",
+    halves: float,
+) -> None:  # fmt: skip
     """Add the roundings and the size of A W(wτ) and its derivatives to those of the rest."""
     amplitude, w, start = wave
     u = w * tau
-    moved = 2.4 * U * u + w * off * UP
+    moved = (near[1] + 1.0) * U * u + w * off * UP
     versed = 2.0 * sin(0.5 * u) * sin(0.5 * u)
     sine, cosine = abs(sin(u)) + U, abs(cos(u)) + U
     whole = abs(u_minus_sine(u))
@@ -220,7 +223,7 @@ def _add_wave(
             rounded, size, slope = halves * sine, sine, cosine
         else:
             rounded, size, slope = halves * versed + cosine, cosine, sine
-        error = U * (rounded + (4.5 + 2.5 * order) * size) + moved * (slope + moved)
+        error = U * (rounded + (near[0] + 1.0 + (near[1] + 1.0) * order) * size) + moved * (slope + moved)
         part[0] = part[0] + factor * error
         part[1] = part[1] + factor * size
         factor = factor * w

@@ -26,8 +26,7 @@ if TYPE_CHECKING:
 EPS = 2.0**-53
 # four units in the last place and a little
 LIBRARY = 2.0**-50
-# one unit in the last place, and of how many numbers functions are taken one by one for it
-NEAREST = 2.0**-52
+# of so many numbers functions are taken one by one, within one unit in the last place
 FEW = 64
 UP = 1.0 + 2.0**-48
 # more than a product or quotient loses to underflow
@@ -207,25 +206,27 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
     # along the axis there is nothing to turn by
     wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
-    return Disc(centre, np.where(clear, (wide + slip * np.abs(centre)) * UP + TINY, inf))
+    return Disc(centre, np.where(clear, (wide + slip) * UP + TINY, inf))
 
 
-def _library(name: str, *arguments: "Any") -> "tuple[Any, float]":
-    """A function of the C library on a few numbers, of NumPy on many, and how near it is."""
+def _library(name: str, *arguments: "Any") -> "tuple[Any, Any]":
+    """A function of the C library on a few numbers, of NumPy on many, and what it may be off."""
     if np.size(arguments[0]) <= FEW and all(np.isfinite(one).all() for one in arguments):
         whole = np.broadcast_arrays(*arguments)
         if whole[0].size <= FEW:
             function = getattr(math, name)
             values = [function(*numbers) for numbers in zip(*(one.ravel().tolist() for one in whole), strict=True)]
-            return np.array(values).reshape(whole[0].shape), NEAREST
-    return {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments), LIBRARY
+            made = np.array(values).reshape(whole[0].shape)
+            return made, np.spacing(np.abs(made))
+    made = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
+    return made, LIBRARY * np.abs(made)
 
 
-def _wave(centre: "Any", slope: "Any", radius: "Any", slip: float) -> Disc:
+def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
     half = np.sinh(0.5 * radius)
     # cosh r − 1 = 2 sinh²(r/2), sinh r = 2 sinh(r/2) cosh(r/2)
     wide = 2.0 * half * ((np.abs(slope) + LIBRARY) * np.sqrt(1.0 + half * half) + (np.abs(centre) + LIBRARY) * half)
-    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip * np.abs(centre)) * UP + TINY)
+    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip) * UP + TINY)
 
 
 def _disc(value: "Any") -> Disc:

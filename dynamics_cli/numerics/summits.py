@@ -10,7 +10,7 @@ from math import inf
 
 import numpy as np
 
-from dynamics_cli.numerics.chebyshev import ALIKE, NOISE, Proxies, extremes
+from dynamics_cli.numerics.chebyshev import ALIKE, NOISE, ROUNDING, Proxies, extremes
 from dynamics_cli.numerics.discs import UP
 from dynamics_cli.records import record
 
@@ -110,11 +110,14 @@ def summits(
     """
     whole = made.coefficients[which]
     small = made.error[which] * UP
-    best = float(np.where(np.isfinite(small), small, 0.0)[_reaching(whole, small)].max(initial=0.0))
+    # with what the values of the proxies round by
+    moving = np.abs(whole[:, 1:]).sum(axis=1)
+    wide = small + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(whole[:, 0])
+    best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(whole)].max(initial=0.0))
     with np.errstate(invalid="ignore"):
-        margin = np.where(np.isfinite(small), 2.0 * small + 4.0 * best, 0.0)
+        margin = np.where(np.isfinite(wide), 2.0 * wide + 4.0 * best, 0.0)
     # on a piece that varies by less than that, every place is as good as any other
-    even = (np.abs(whole[:, 1:]).sum(axis=1) <= margin) & ~np.broadcast_to(still, margin.shape)
+    even = (moving <= margin) & ~np.broadcast_to(still, margin.shape)
     found = extremes(made, which, margin=np.where(even, 0.0, margin))
     # the polynomial that was searched has no coefficients that are rounding alone
     sizes = np.abs(whole)
@@ -155,7 +158,7 @@ def summits(
     return tuple(done)
 
 
-def _reaching(whole: "Any", error: "Any") -> "Any":
+def _reaching(whole: "Any") -> "Any":
     """Pieces that may hold the greatest or the least value, by what they have at their ends and middles."""
     count = whole.shape[1]
     k = np.arange(count)
@@ -270,7 +273,9 @@ def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, 
     sure = float((values - errors).max())
     loose = doubtful(found, sure)
     with np.errstate(invalid="ignore"):
-        reach = float((values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)).max())
+        reach = values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)
+        # what the piece's proxy says may be less still
+        reach = float(np.maximum(values + errors, np.minimum(reach, found.tops[found.rows])).max())
     rest = found.tops[loose]
     if rest.size:
         reach = max(reach, float(rest.max()))
