@@ -203,9 +203,7 @@ def extreme(function, zones, sign):
             around = (start + (end - start) * shares[index - 1], start + (end - start) * shares[index + 1])
             try:
                 root = findroot(slope, around, solver="anderson", tol=1e-60, verify=False)
-                # a secant may leave the zone, beyond which its law does not hold
-                if start <= root <= end:
-                    candidates.append((sign * function(inner, root), root))
+                candidates.append((sign * function(inner, root), root))
             except (ValueError, ZeroDivisionError):
                 pass
         candidates.extend((sign * function(inner, end_place), end_place) for end_place in (start, end))
