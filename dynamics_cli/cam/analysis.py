@@ -62,8 +62,8 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     Raises
     ------
     InadmissibleError
-        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat rocker
-        turns as fast as the cam.
+        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
+        rocker turns as fast as the cam.
 
     Notes
     -----
@@ -118,8 +118,8 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 def start_slip(geometry: Geometry) -> float:
     """What the height or angle of the follower at zero lift is off by rounding.
 
-    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit in
-    the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
+    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
     """
     f = geometry.follower
     if isinstance(f, FlatFace):

@@ -73,8 +73,8 @@ class Sum:
     def middles(self, count: int) -> "tuple[Any, float]":
         """Weights of so many rows, and the constant, without what they round by."""
         made = np.zeros(count)
-        made[: len(self.weights)] = [getattr(weight, "centre", weight) for weight in self.weights]
-        return made, float(getattr(self.constant, "centre", self.constant))
+        made[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
+        return made, float(_disc(self.constant).centre)
 
 
 def _disc(value: "float | Disc") -> "Disc":

@@ -242,7 +242,9 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
             rounded[order] = rounded[order] + factor * (64.0 * size + 4.0 * u * steep)
     off = getattr(shape, "off", 0.0)
     place = U * (5.0 * t + offset) + off
-    return [U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
+    return [
+        U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)
+    ]
 
 
 def discs(

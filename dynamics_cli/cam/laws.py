@@ -9,6 +9,7 @@ from bisect import bisect_left, bisect_right
 from math import fsum, pi
 
 from dynamics_cli.cam.shapes import Beta, EndOfDoubleHarmonic, FourthPowerOfSine, Mixed
+from dynamics_cli.cam.shares import constants_of
 from dynamics_cli.errors import require
 from dynamics_cli.records import Choice
 
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 SMALLEST_SHARE = 1e-12
 # Half units in the last place that amplitudes and frequencies are within: of one wave, of several, of shares.
 ONE_WAVE, SEVERAL, ROUNDED = (1.4, 0.4), (3.4, 1.4), (1.0, 1.0)
-# Constants of a law made of shares are computed in so many bits after the point.
-_BITS = 256
-_PI = (314159265358979323846264338327950288419716939937510 << _BITS) // 10**50
 
 
 class LawName(Choice):
@@ -227,7 +225,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     q = 0.5 * (1.0 - constant)
     r, k, g = b * q, c * q, d * q
     still = 0.5 * constant
-    top, speed, first, reached, gained, last, rates = _scca_constants(b, c, d, constant)
+    top, speed, first, reached, gained, last, rates = constants_of(b, c, d, constant)
     # doubles that should sum to 1 do so to rounding: which of them is to blame is open
     off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
@@ -241,51 +239,6 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     if still:
         shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True, off=off, near=ROUNDED)))
     return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)
-
-
-def _scca_constants(b: float, c: float, d: float, constant: float) -> "tuple[Any, ...]":
-    """Peak, speed, and the constants of the three pieces, in whole numbers of 2⁻²⁵⁶: each is rounded once.
-
-    Returns
-    -------
-    tuple
-        C_a; the constant velocity; of the sine its amplitude, and lift and velocity at its end; lift and velocity at
-        the end of the constant; the amplitude of the cosine; the rates of sine and cosine.
-    """
-    one = 1 << _BITS
-
-    def fixed(value: float) -> int:
-        above, below = value.as_integer_ratio()
-        return above * one // below
-
-    def times(*factors: int) -> int:
-        total = factors[0]
-        for factor in factors[1:]:
-            total = total * factor >> _BITS
-        return total
-
-    ratio = (one * one) // _PI
-    q = (one - fixed(constant)) >> 1
-    r, k, g = (times(fixed(share), q) for share in (b, c, d))
-    still = fixed(constant) >> 1
-    swept, square = times(2 * r, ratio), times(ratio, ratio)
-    rise = times(r, swept) - times(4 * square, r, r)
-    whole = times(r, ratio) - times(4 * square, r, r) + times(k, (one >> 1) - r - (k >> 1))
-    whole += times(2 * still, g, ratio) + times(4 * square, g, g)
-    peak = one * one // (2 * whole)
-    bent = times(k, peak)
-    found = (
-        peak,
-        times(peak, times(2 * (r + g), ratio) + k),
-        (times(4 * square, r, r, peak), times(peak, rise), times(peak, swept)),
-        times(peak, rise) + times(k, times(peak, swept) + (bent >> 1)),
-        times(peak, swept) + bent,
-        times(4 * square, g, g, peak),
-        tuple((_PI * one) // (2 * width) if width else 0 for width in (r, g)),
-    )
-    return tuple(
-        tuple(value / one for value in part) if isinstance(part, tuple) else part / one for part in found
-    )
 
 
 def _trapezoid() -> Law:
@@ -308,7 +261,8 @@ def _half(name: str, slow: Mixed, fast: Mixed) -> Law:
 
 
 def _half_cycloid(name: str) -> Law:
-    return _half(name, Mixed(waves=[(1.0 / pi, pi, 0)], near=ONE_WAVE), Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)], near=ONE_WAVE))
+    slow = Mixed(waves=[(1.0 / pi, pi, 0)], near=ONE_WAVE)
+    return _half(name, slow, Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)], near=ONE_WAVE))
 
 
 def _half_harmonic(name: str) -> Law:

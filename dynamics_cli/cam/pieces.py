@@ -315,9 +315,7 @@ def _rows(motion: "Motion") -> "tuple[Any, Rows]":
             owner += [index] * steps
             parts.append(part)
     starts, ends, opens, closes, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
-    return parts, Rows(
-        np.array(owner), starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width
-    )
+    return parts, Rows(np.array(owner), starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width)
 
 
 def joint_jumps(motion: "Motion") -> tuple[int, int]:

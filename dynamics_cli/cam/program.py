@@ -284,7 +284,7 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
 
 
 def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
-    """What levels are off the sums of the lifts given, which are doubles; exact in a few roundings of the difference."""
+    """What levels are off the sums of the lifts given, which are doubles, and of a lift off that between levels."""
     found, lifts = [0.0], [0.0]
     for step, level in zip(steps, levels[1:], strict=True):
         amount = step.segment.swing if swing else step.segment.lift

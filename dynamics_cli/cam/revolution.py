@@ -246,9 +246,7 @@ def _numerics(
     )
 
 
-def _in_time_bounds(
-    swing: bool, ends: "list[Extreme]", rms: tuple[float, float], rate: float
-) -> "list[ErrorBound]":
+def _in_time_bounds(swing: bool, ends: "list[Extreme]", rms: tuple[float, float], rate: float) -> "list[ErrorBound]":
     address = "swing_in_time" if swing else "in_time"
     made = []
     for order, name in enumerate(("speed", "acceleration") if swing else ("speed", "acceleration", "jerk"), 1):

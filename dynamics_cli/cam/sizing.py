@@ -150,9 +150,7 @@ class Wedge:
         self.a, self.b, self.floor = rise.greatest, back.greatest, -motion.stroke[0]
         # a cotangent is within three roundings of that of its limit
         most = max(map(abs, motion.stroke))
-        self.errors = tuple(
-            end.greatest_error + COTANGENT * (abs(end.greatest) + most) for end in (rise, back)
-        )
+        self.errors = tuple(end.greatest_error + COTANGENT * (abs(end.greatest) + most) for end in (rise, back))
 
     def height(self, e: float) -> float:
         """The least height."""
@@ -166,7 +164,7 @@ class Wedge:
             for error, one, cotangent in zip(self.errors, (self.a, self.b), self.cotangents, strict=True)
         ] + [4.0 * UNIT * abs(self.floor)]
         best = max(height - error for height, error in zip(heights, errors, strict=True))
-        return max(error for height, error in zip(heights, errors, strict=True) if height + error >= best)
+        return max(float(error) for height, error in zip(heights, errors, strict=True) if height + error >= best)
 
     def best(self) -> "tuple[float, float, str, float]":
         """Offset and height nearest to the axis, the limits that bind, and what the start radius may be off."""

@@ -2,13 +2,13 @@
 
 Every formula of `cam.shapes` is followed operation by operation, u = 2⁻⁵³ for each, with the magnitudes met on the way:
 near an end of a rise, where all of them are small, so are the bounds. Sines and cosines of NumPy are taken to be within
-four units in the last place, 8 u, those of the C library, which floats go through, within one, 2 u. Constants are those of the formulas, each within `CONSTANT` roundings.
+four units in the last place, 8 u, those of the C library, which floats go through, within one, 2 u. Constants are those
+of the formulas, each within `CONSTANT` roundings, amplitudes and frequencies within what the shape says (`near`).
 
 - Horner's rule: e ← e·|τ| + u(|v τ| + |v τ + c|), v ← v τ + c; coefficients add `CONSTANT` + k roundings of Σ |cᵢ τⁱ|.
 - u − sin u: 8 u of it below one, where it is a series, one rounding and that of sin u beyond; 2 sin²(u/2) and
-  2 sin(u/2) cos(u/2) within 17 u, of floats 5 u; cos u = 1 − 2 sin²(u/2). The angle wτ is off by b + 1, and by w times what τ
-  is off by. A and w are within a and b, so that the
-  factor A wᵏ counts a + 1 + (b + 1)k.
+  2 sin(u/2) cos(u/2) within 17 u, of floats 5 u; cos u = 1 − 2 sin²(u/2). With A and w within a and b roundings, the
+  angle wτ is off by b + 1, and by w times what τ is off by; the factor A wᵏ and its product count a + 1 + (b + 1)k.
 - Powers of p = t(1 − t): two roundings for each factor p, one for each product.
 - A place that is off by δ moves f⁽ᵏ⁾ by |f⁽ᵏ⁺¹⁾|δ, the magnitude taken over the terms and beyond the place.
 

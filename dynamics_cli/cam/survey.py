@@ -11,9 +11,10 @@ from dynamics_cli.records import record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from dynamics_cli.cam.laws import Law
-    from dynamics_cli.cam.motion import Motion
+    from dynamics_cli.cam.motion import Motion, Span
 
 JUMP = 1e-10
 UNIT = 2.0**-53
@@ -67,7 +68,7 @@ def extreme(motion: "Motion", order: int) -> Extreme:
         start, end = motion.joints[index], motion.joints[index + 1]
         if span.law is None:
             value = span.low if order == 0 else 0.0
-            found += [(place, value, partial(_level_error, value)) for place in (start, end)]
+            found += [(place, value, partial(float, sum(span.off) if order == 0 else 0.0)) for place in (start, end)]
             continue
         scale = span.high - span.low if span.scale is None else span.scale
         # the span is not the difference of its ends, which are rounded
@@ -76,7 +77,7 @@ def extreme(motion: "Motion", order: int) -> Extreme:
         for x, f in extremes(span.law, order):
             at = end - (1.0 - x) * (end - start) if x > 0.5 else start + x * (end - start)
             value = span.high if order == 0 and x == 1.0 else base + factor * f
-            found.append((at, value, partial(_value_error, span.law, x, order, factor, f, base)))
+            found.append((at, value, partial(_value_error, span, x, order, factor, f)))
     size = max(abs(value) for _, value, _ in found) * 1e-12
     least, most = min(value for _, value, _ in found), max(value for _, value, _ in found)
     low = [(at, error) for at, value, error in found if value <= least + size]
@@ -86,15 +87,16 @@ def extreme(motion: "Motion", order: int) -> Extreme:
     )
 
 
-def _level_error(value: float) -> float:
-    """Levels are sums of lifts."""
-    return 2.0 * UNIT * abs(value)
-
-
-def _value_error(law: "Law", x: float, order: int, factor: float, value: float, base: float) -> float:
-    """What base + factor·value may be off; the factor counts one rounding, and two for each division by the span."""
-    error = value_error(law, x, order) + (2.0 * order + 2.0) * UNIT * abs(value)
-    return (abs(factor) * error + 3.0 * UNIT * max(abs(base), abs(base + factor * value))) * (1.0 + 2.0**-40)
+def _value_error(span: "Span", x: float, order: int, factor: float, value: float) -> float:
+    """What a level, or factor·value on it, may be off; the factor counts a rounding, and two for each division."""
+    level = sum(span.off)
+    if order == 0 and x in (0.0, 1.0):
+        return level
+    rise = abs(span.high - span.low if span.scale is None else span.scale)
+    law: Any = span.law
+    error = value_error(law, x, order) + ((2.0 * order + 2.0) * UNIT + level / rise) * abs(value)
+    base = abs(span.low) + abs(span.low + factor * value) if order == 0 else 0.0
+    return (abs(factor) * error + level + UNIT * base) * (1.0 + 2.0**-40)
 
 
 def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
@@ -124,7 +126,8 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
     total = slipped = 0.0
     for piece in law.pieces:
         start, end = piece.ends
-        quickest = max((w for _, w, _ in piece.shape.parts[1]), default=0.0)
+        shape: Any = piece.shape
+        quickest = max((w for _, w, _ in shape.parts[1]), default=0.0)
         count = 1 + int(quickest * (end - start) / MOST_TURNED)
         edges = np.linspace(start, end, count + 1)
         half = 0.5 * np.diff(edges)

@@ -318,7 +318,8 @@ def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, 
     piece = made.owner[top.rows]
     share = 0.5 * (made.starts + made.ends)[top.rows] + 0.5 * (made.ends - made.starts)[top.rows] * top.units
     gaps = lost(share[:, None], piece)[0, :, 0]
-    _, index, error = settled(top, level + gaps, np.full(gaps.shape, ROUNDED * level))
+    error = settled(top, level + gaps, np.full(gaps.shape, ROUNDED * level))[2]
+    index = int(gaps.argmax())
     own = int(piece[index])
     place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[index]))
     return max(float(gaps[index]), 0.0), place, error

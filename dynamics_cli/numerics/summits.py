@@ -139,11 +139,10 @@ def summits(
         tops = np.where(even, values.max(), tops) + errors
         parts.append((sign, values, np.flatnonzero(near), level, tops, calm))
     near = np.concatenate([part[2] for part in parts])
-    signs, values, levels = (
-        np.concatenate([np.broadcast_to(column(part), part[2].shape) for part in parts])
-        for column in (lambda part: part[0], lambda part: part[1][part[2]], lambda part: part[3][found.rows[part[2]]])
-    )
     rows = found.rows[near]
+    signs = np.concatenate([np.full(part[2].shape, part[0]) for part in parts])
+    values = np.concatenate([part[1][part[2]] for part in parts])
+    levels = np.concatenate([part[3][found.rows[part[2]]] for part in parts])
     turned = signs[:, None] * searched[rows]
     units, about = _nearer(turned, found.units[near], found.about[near])
     gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], about)
@@ -169,7 +168,7 @@ def _reaching(whole: "Any") -> "Any":
 
 
 def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
-    """Places in cells in which a function hardly moves brought to where its slope vanishes, by two steps of Newton's."""
+    """Places in cells in which a function hardly moves, brought nearer to a turn by two steps of Newton's."""
     calm = about > 0.0
     if not calm.any():
         return units, about

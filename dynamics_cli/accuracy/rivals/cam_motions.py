@@ -175,7 +175,9 @@ MOTIONS: "tuple[Answer, ...]" = (
 
 def compare_polynomials(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Free polynomials; errors in shares of their peaks."""
-    return compared(name, "polynomial", POLYNOMIALS, polynomial_peaks, polynomial_bounds, hard=hard, full=full, timed=timed)
+    return compared(
+        name, "polynomial", POLYNOMIALS, polynomial_peaks, polynomial_bounds, hard=hard, full=full, timed=timed
+    )
 
 
 def compare_motions(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
