@@ -47,9 +47,7 @@ class Question(NamedTuple):
 CAM = ("program", "follower", "rotation", "flank")
 QUESTIONS = {
     "cam motion": Question(cases.motion, tables.moving, ("motion", "profile", "force"), ("program",)),
-    "cam force": Question(
-        cases.force, tables.pressing, ("force",), (*CAM, "train", "contact", "shaft_speed")
-    ),
+    "cam force": Question(cases.force, tables.pressing, ("force",), (*CAM, "train", "contact", "shaft_speed")),
     "cam profile": Question(cases.profile, tables.outlining, ("profile",), CAM),
     "cam size": Question(
         cases.size, designs.sizing, ("size",), (*CAM, "rise_limit", "return_limit", "least_radius"), 0.15
