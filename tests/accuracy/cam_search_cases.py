@@ -24,7 +24,7 @@ ARMS = ("OscillatingRoller", "OscillatingFlat", "ConjugateOscillatingRoller")
 
 
 def shipped(*tasks: str) -> list[Case]:
-    """The shipped cases of some tasks with a program that the search reads; sizes with an offset to be found take long."""
+    """The shipped cases of some tasks with a program; sizes whose offset is to be found take too long."""
     found = []
     for file in FILES:
         for case in json.loads((DATA / file).read_text(encoding="utf-8"))["cases"]:

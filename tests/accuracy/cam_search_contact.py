@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from cam_search_motion import Jet, Turn, Zone, arc_tangent, as_jet, sine_cosine, sqrt
+from cam_search_motion import Turn, Zone, arc_tangent, as_jet, sine_cosine, sqrt
 from precise import FUNCTIONS, Exact, exact_pi
 
 State = tuple[Any, Any, Any]

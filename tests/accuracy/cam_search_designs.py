@@ -5,8 +5,9 @@ from typing import Any
 
 from cam_search_compared import Compared, Stated
 from cam_search_contact import Carried, extreme
+from cam_search_forces import Pressed, jumping
 from cam_search_motion import Turn
-from cam_search_tables import MISSED, NOTHING, Pressed, doubles, follower_of, jumping, shape
+from cam_search_tables import MISSED, NOTHING, doubles, follower_of, shape
 from cam_search_undercut import lost
 from precise import FUNCTIONS, Exact
 

@@ -90,7 +90,7 @@ def test_what_is_exact_here_is_what_the_references_say(
     assert checked >= least
 
 
-@pytest.mark.parametrize("name", (*RESTING, *JERKY, *MOVING, "modified-constant-velocity"))
+@pytest.mark.parametrize("name", [*RESTING, *JERKY, *MOVING, "modified-constant-velocity"])
 def test_laws_are_those_of_the_references(name: str) -> None:
     many_bits()
     branches = law_of(name)
