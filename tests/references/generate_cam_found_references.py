@@ -12,16 +12,15 @@ import json
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve()
-sys.path.insert(0, str(HERE.parents[1] / "accuracy"))
-sys.path.insert(0, str(HERE.parents[2]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "accuracy"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 import cam_search
 from cam_search_contact import Looking
 from mpmath import mp, mpf, nstr
 from precise import many_bits
 
-DATA = HERE.parents[2] / "dynamics_cli" / "accuracy" / "data"
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 PRESSURE = ("largest_pressure_angle", "least_pressure_angle", "least_convex_radius")
 ENDS = tuple(f"{end}_{name}" for name in ("force", "torque", "contact_force") for end in ("least", "greatest"))
 CUSP = {
@@ -94,8 +93,8 @@ CASES = [
      "curve goes out by 17 mm within 0.0027 degrees",
      SPIKE, (*PRESSURE, "area")),
     ("profile", "found loosest, second cam on a rocker",
-     "found by search: the bound of the largest pressure angle was 326 times its error; the second arm's angle is a difference, "
-     "and the acceleration has three sines",
+     "found by search: the bound of the largest pressure angle was 326 times its error; the second arm's angle is "
+     "a difference, and the acceleration has three sines",
      ROCKER, (*PRESSURE, "area", "perimeter")),
     ("motion", "found largest, three sines squared",
      "found by search: the root mean square by Gauss's rule of 16 nodes was off by 34,000 ulps, for the square of "
