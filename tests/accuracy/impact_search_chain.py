@@ -124,7 +124,8 @@ def ask(_: random.Random, inputs: Tree) -> Iterator[Answer]:
 
 
 def draw(rng: random.Random) -> Tree:
-    """Two to five bodies."""
+    """Two to five bodies; pairs in turn that rebound little would collide without end, and cost seconds."""
+    law = rng.choice(("sequential", "simultaneous"))
     count = rng.randrange(2, 6)
     bodies: list[dict[str, float]] = [
         {"mass": 10.0 ** rng.uniform(-3.0, 3.0) if rng.random() < 0.5 else 1.0} for _ in range(count)
@@ -135,8 +136,10 @@ def draw(rng: random.Random) -> Tree:
     if rng.random() < 0.2:
         for body in bodies[:-1]:
             body["restitution"] = rng.choice((0.0, 1.0, rng.random()))
-    law = rng.choice(("sequential", "simultaneous"))
-    return {"bodies": bodies, "restitution": rng.choice((0.0, 1.0, rng.random())), "law": {"word": law}}
+    restitution = rng.choice((0.0, 1.0, rng.random()))
+    if law == "sequential" and count > 2:
+        restitution = rng.choice((1.0, rng.uniform(0.5, 1.0)))
+    return {"bodies": bodies, "restitution": restitution, "law": {"word": law}}
 
 
 def starts() -> list[Tree]:
