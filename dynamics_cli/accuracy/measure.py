@@ -10,7 +10,7 @@ from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
     from dynamics_cli.records import ErrorBound
@@ -98,11 +98,19 @@ def errors_of(
             from dynamics_cli.numerics.tracked import Tracked
 
             numbers = Tracked.inputs(numbers)
+
+        def call(numbers: "Iterable[Any]", case: "Case" = case) -> "Any":
+            return function(**build(case.inputs, iter(numbers), groups), **case.choices)
+
         try:
-            answer = function(**build(case.inputs, iter(numbers), groups), **case.choices)
+            answer = call(numbers)
         except refusals:
             made.refused += 1
             continue
+        if tracked:
+            from dynamics_cli.core.tightening import tighten
+
+            tighten(answer, list(leaves(case.inputs)), call)
         results, stated = results_of(answer), stated_by(answer)
         shown = {
             name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results

@@ -13,6 +13,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+def only_in_doubles(*numbers: "Any") -> None:
+    """Refuse a number of many digits: what follows iterates in doubles, and would pass its error off as none."""
+    if any(hasattr(number, "many_digits") for number in numbers):
+        raise ArithmeticError("known in doubles only")
+
+
 def _over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
     import numpy as np
 

@@ -27,6 +27,8 @@ UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
 # sums themselves are compensated from block to block.
 ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.0
+# What gradual underflow can take from a product.
+TINY = 5e-324
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
 # What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
@@ -66,6 +68,8 @@ class Moments:
         # turned axes stretch a shell by a few roundings, which are not given back
         weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
         unit = ROUNDINGS * UNIT_ROUNDOFF
+        # what underflow may have taken from each product, before others made it larger
+        weight += sums.count * 32.0 * TINY * (1.0 + float(extent.max())) / unit
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
         if self.measure == 0.0:
@@ -78,7 +82,9 @@ class Moments:
         self.centre = centre
         second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
         self.second = second * (1.0 - (longer[:, None] + longer))
-        self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
+        with np.errstate(over="ignore"):
+            # a volume that all but underflowed leaves its centroid anywhere
+            self.centre_error = unit * weight * extent / scale[1] / abs(self.measure)
         self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2])
         reach = np.sqrt(sums.spread) + sums.grain if sums.grain else extent
         self.second_error = self.terms * np.outer(reach, reach)
@@ -88,6 +94,39 @@ class Moments:
         """The mass centre in the axes of the file."""
         offset = self.centre if self.frame is None else self.frame.T @ self.centre
         return self.reference + offset
+
+    @property
+    def centroid_error(self) -> "Array":
+        """How far each coordinate of the mass centre may be off, with the rounding of the sum that it is."""
+        error = self.centre_error
+        if not np.isfinite(error).all():
+            return np.full(3, np.inf)
+        if self.frame is not None:
+            error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
+        return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]
+
+    def in_file(self) -> "tuple[Array, Array]":
+        """Second moments in the axes of the file, and how far they may be off."""
+        matrix, error = self.second, self.second_error
+        if self.frame is None:
+            return matrix, error
+        turn, size = abs(self.frame.T), abs(matrix)
+        # axes that are not quite across one another do not turn back by their transpose
+        apart = abs(departure(self.frame))
+        # what weights are off by is told as well by how far the body reaches along the axes of the file
+        error = np.minimum(turn @ error @ turn.T, self.terms * np.outer(self.box, self.box))
+        error = error + turn @ (8.0 * UNIT_ROUNDOFF * size + apart @ size + size @ apart) @ turn.T
+        return self.frame.T @ matrix @ self.frame, error + UNIT_ROUNDOFF**2 * size.sum()
+
+    def spread_error(self, k: int, value: float) -> float:
+        """How far the k-th eigenvalue of `second` may be off: errors of its own row, independent of one another."""
+        if self.frame is None:
+            return float(self.second_error.sum(axis=1).max())
+        scale = np.sqrt(np.abs(np.diag(self.second)))
+        i = np.argsort(-scale)[k]
+        shares = np.array([min(1.0, float(scale[i] / scale[j])) if scale[j] else 1.0 for j in range(3)])
+        error = float(np.hypot.reduce(self.second_error[i] * shares))
+        return error + 2.0 * UNIT_ROUNDOFF * max(float(scale[i] * scale[i]), abs(value))
 
 
 class Sums:
