@@ -1,0 +1,151 @@
+"""An impact in space in doubles and again in decimals: results rounded once, with bounds that the two runs prove.
+
+Doubles and decimals follow the same path by the same formulas, so what they differ by is what doubles lost on this
+impact, however ill it is conditioned. Decimals of 24 digits lose less by eight orders: a share of 1e-5 of the
+difference bounds what they leave with three to spare, and where that is more than half a last bit, 42 digits follow.
+"""
+
+from decimal import Context, Decimal, localcontext
+
+from dynamics_cli.errors import InadmissibleError, require
+from dynamics_cli.impact.decimals import DIGITS, widened
+from dynamics_cli.impact.diagnostics import require_finite
+from dynamics_cli.impact.spatial_results import Solved, SpatialImpact, certificate, report
+from dynamics_cli.impact.straight import End
+from dynamics_cli.records import Advice, ErrorBound, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+UNIT_ROUNDOFF = 2.0**-53
+SMALLEST = 5e-324
+# Order of the series and digits of the path: what the series leaves out is less than the digits keep.
+EFFORTS = (29, 24), (50, 42)
+# What is left of the difference to the run before.
+LEFT = Decimal("1e-5")
+# Refusals that rounding may be to blame for: decimals decide.
+DOUBTFUL = "singular", "no-impact"
+# Angles are taken of doubles, by a function of the C library.
+ANGLES = ("pdof", "elevation")
+# Nothing is closer than this share of its vector.
+NOTHING = Decimal("1e-40")
+
+
+def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advice, ...] = ()) -> SpatialImpact:
+    """The answer of a solver that takes doubles and decimals and, for decimals, order and digits of the path."""
+    before: dict[str, Any] | None = None
+    try:
+        solved = solver(*given)
+        require_finite(solved.end.impulse[2] * solved.before[2], "the energy of the impact")
+        before = dict(numbers(report(solved)))
+    except InadmissibleError as error:
+        if error.code not in DOUBTFUL:
+            raise
+    with localcontext(Context(prec=DIGITS)):
+        exact, left = widened(given), None
+        for order, digits in EFFORTS:
+            try:
+                solved = solver(*exact, order=order, digits=digits)
+            except ArithmeticError:
+                # so many digits take too many steps: those before must do
+                if left is None:
+                    raise
+                break
+            answer = report(solved)
+            after = dict(numbers(answer))
+            left = None if before is None else _left(before, after)
+            before = after
+            if left is not None and all(_small(after[name], error) for name, error in left.items()):
+                break
+        assert left is not None
+        bounds = tuple(_bounds(after, left))
+        answer = _rounded(answer, "", left)
+    solved = _plain(solved)
+    e, end = solved.restitution, solved.end
+    require(
+        e > 1.0 or solved.lost + end.heat >= -1e-11 * (end.work + end.heat),
+        f"{solved.law}: the law gains {{0:.6g}} J of energy here, which no passive contact does",
+        -(solved.lost + end.heat),
+        code="energy-gained",
+        hint="--law stronge never gains energy",
+    )
+    more = {"checks": certificate(answer, solved), "advice": advice, "numerics": Numerics(solved.how, bounds)}
+    return SpatialImpact(**{**answer.__dict__, **more})
+
+
+def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
+    """Every number of an answer by address; not the hour of a clock, which is whole."""
+    if hasattr(tree, "fields"):
+        for name in tree.fields:
+            if name not in ("clock", "checks", "advice", "numerics"):
+                yield from numbers(getattr(tree, name), f"{address}.{name}" if address else name)
+    elif isinstance(tree, tuple):
+        for index, part in enumerate(tree):
+            yield from numbers(part, f"{address}[{index}]")
+    elif tree is not None and not isinstance(tree, str):
+        yield address, tree
+
+
+def _left(before: "dict[str, Any]", after: "dict[str, Any]") -> dict[str, Decimal]:
+    """What may be left of each number's error; the parts of a vector share the largest, lest one agreed by luck."""
+    shared: dict[str, Decimal] = {}
+    for name, value in after.items():
+        vector = name.partition("[")[0]
+        apart = LEFT * abs(Decimal(value) - Decimal(before[name])) + NOTHING * abs(Decimal(value))
+        shared[vector] = max(apart, shared.get(vector, apart))
+    return {name: shared[name.partition("[")[0]] for name in after}
+
+
+def _small(value: "Any", error: Decimal) -> bool:
+    return error <= Decimal(UNIT_ROUNDOFF) * abs(Decimal(value))
+
+
+def _bounds(values: "dict[str, Any]", left: dict[str, Decimal]) -> "Iterator[ErrorBound]":
+    """What rounding leaves, here and where a result is shown in another unit, and what the path leaves.
+
+    Of a vector also one for all its parts, in its unit.
+    """
+    vectors: dict[str, float] = {}
+    for name, value in values.items():
+        size, error = abs(float(value)), float(left[name]) * 1.001
+        if abs(value) <= left[name]:
+            size, error = 0.0, float(abs(value)) + error
+        if value or error:
+            error += (8.0 if name.endswith(ANGLES) else 2.0) * UNIT_ROUNDOFF * size + SMALLEST
+        yield ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False)
+        vector, bracket, _ = name.partition("[")
+        if bracket:
+            vectors[vector] = max(error, vectors.get(vector, 0.0))
+    for vector, error in vectors.items():
+        yield ErrorBound(vector, error, relative=False)
+
+
+def _rounded(tree: "Any", address: str, left: "dict[str, Decimal]") -> "Any":
+    """The answer in doubles; what cannot be told from zero is zero."""
+    if hasattr(tree, "fields"):
+        parts = {name: getattr(tree, name) for name in tree.fields}
+        return type(tree)(
+            **{name: _rounded(part, f"{address}.{name}" if address else name, left) for name, part in parts.items()}
+        )
+    if isinstance(tree, tuple):
+        return tuple(_rounded(part, f"{address}[{index}]", left) for index, part in enumerate(tree))
+    if not isinstance(tree, Decimal):
+        return tree
+    return 0.0 if abs(tree) <= left[address] else float(tree)
+
+
+def _plain(solved: Solved) -> Solved:
+    """What was solved, in doubles."""
+
+    def plain(tree: "Any") -> "Any":
+        if isinstance(tree, tuple):
+            return tuple(map(plain, tree))
+        if isinstance(tree, End):
+            return End(**{name: plain(getattr(tree, name)) for name in End.__slots__})
+        if hasattr(tree, "inertia"):
+            return type(tree)(*(plain(getattr(tree, name)) for name in tree.given))
+        return float(tree) if isinstance(tree, Decimal) else tree
+
+    return Solved(**{name: plain(getattr(solved, name)) for name in Solved.__slots__})
