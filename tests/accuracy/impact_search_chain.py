@@ -133,11 +133,11 @@ def ask(rng: random.Random, inputs: Tree) -> Iterator[Answer]:
     fastest = max(abs(body["velocity"]) for body in inputs["bodies"])
     heaviest = max(body["mass"] for body in inputs["bodies"])
     noise = {"velocity": fastest, "delta_v": fastest, "energy_lost": heaviest * fastest * fastest}
-    results = [
-        one._replace(slack=Exact(noise.get(one.name.rpartition(".")[2], heaviest * fastest)) * Exact(2) ** -NOISE)
-        for one in stated(answer, flat(answer), made)
-    ]
-    yield Answer(inputs, results, inputs["law"]["word"])
+
+    def slack(name: str) -> Any:
+        return Exact(noise.get(name.rpartition(".")[2], heaviest * fastest)) * Exact(2) ** -NOISE
+
+    yield Answer(inputs, stated(answer, flat(answer), made, slack), inputs["law"]["word"])
 
 
 def draw(rng: random.Random) -> Tree:

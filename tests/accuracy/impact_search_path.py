@@ -150,10 +150,12 @@ class Path:
 class End:
     """Impulses in the frame of the contact and heat at the end of an impact, and what came before it."""
 
-    def __init__(self, impulse: tuple[Number, ...], compression: Number, heat: Number) -> None:
+    def __init__(self, impulse: tuple[Number, ...], compression: Number, heat: Number, slip: Number) -> None:
         self.impulse = impulse
         self.compression = compression
         self.heat = heat
+        # normal impulse until the first slip stopped, or all of it
+        self.slip = slip
 
 
 def end(path: Path, e: Number, law: str) -> End:
@@ -177,7 +179,7 @@ def end(path: Path, e: Number, law: str) -> End:
             continue
         if compression is not None or e == 0:
             at = [value(one, place) for one in series]
-            return End((at[FX], at[FY], at[P]), at[P] if compression is None else compression, at[H])
+            return End((at[FX], at[FY], at[P]), at[P] if compression is None else compression, at[H], at[P])
         compression, work, start = value(series[P], place), -value(series[W], place), place
     return from_rest(path.k, path.mu, path.states[-1], path.approach, compression, work, e, law)
 
@@ -239,7 +241,7 @@ def from_rest(
         rest = (sqrt(speed * speed + 2 * slope * left) - speed) / slope
     more = more + rest
     heat = state[H] + mu * growth * more * more / 2
-    return End((state[FX] + c[0] * more, state[FY] + c[1] * more, begin + more), compression, heat)
+    return End((state[FX] + c[0] * more, state[FY] + c[1] * more, begin + more), compression, heat, begin)
 
 
 def way_out(k: Matrix, mu: Number) -> tuple[Number, Number, Number]:
@@ -271,7 +273,8 @@ def way_out(k: Matrix, mu: Number) -> tuple[Number, Number, Number]:
 def smooth(k: Matrix, velocity: list[Number], e: Number) -> End:
     """Without friction: one impulse along the normal, whatever the law."""
     compression = -velocity[2] / k[2][2]
-    return End((Exact(0), Exact(0), (1 + e) * compression), compression, Exact(0))
+    whole = (1 + e) * compression
+    return End((Exact(0), Exact(0), whole), compression, Exact(0), whole)
 
 
 def whole(k: Matrix, velocity: list[Number], mu: Number) -> "Path | list[Number]":
@@ -283,8 +286,6 @@ def whole(k: Matrix, velocity: list[Number], mu: Number) -> "Path | list[Number]
 
 def ended(found: "Path | list[Number]", k: Matrix, mu: Number, velocity: list[Number], e: Number, law: str) -> End:
     """The end by one law of what `whole` gave."""
-    if mu == 0:
-        return smooth(k, velocity, e)
     if isinstance(found, Path):
         return end(found, e, law)
     return from_rest(k, mu, found, velocity[2], None, Exact(0), e, law)

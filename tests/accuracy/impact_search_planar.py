@@ -24,18 +24,21 @@ class Contact(NamedTuple):
 
 
 class Planar(NamedTuple):
-    """Impulses at the end."""
+    """Impulses at the end, the heat of friction, and the normal impulse while the first slip lasted."""
 
     normal: Number
     tangential: Number
     compression: Number = None
+    heat: Number = None
+    slip: Number = None
 
 
 def follow(contact: Contact, mu: Number, e: Number, law: str) -> Planar:
     """The path of Routh and Keller to the end that Newton, Poisson or Stronge sets."""
     kt, kx, kn, ut, un = contact
-    normal = tangential = work = back = Exact(0)
+    normal = tangential = work = back = heat = Exact(0)
     compression: Number = None
+    slip: Number = normal if ut == 0 and mu else None
     for _ in range(12):
         held = ut == 0 and abs(kx) <= mu * kt
         way = _sign(ut) if ut else _sign(kx)
@@ -50,11 +53,14 @@ def follow(contact: Contact, mu: Number, e: Number, law: str) -> Planar:
         done = step * (un + rise * step / 2)
         work, back = (work - done, back) if compression is None else (work, back + done)
         normal, tangential = normal + step, tangential + ratio * step
+        heat -= ratio * step * (ut + drift * step / 2)
         un, ut = un + rise * step, Exact(0) if stop is not None and step == stop else ut + drift * step
         if not ends:
+            slip = normal if slip is None else slip
             continue
         if compression is not None or e == 0:
-            return Planar(normal, tangential, normal if compression is None else compression)
+            whole = normal if compression is None else compression
+            return Planar(normal, tangential, whole, heat, normal if slip is None else slip)
         compression, un = normal, Exact(0)
     raise ArithmeticError("no end")
 

@@ -11,8 +11,21 @@ from typing import Any
 
 from climbing import Answer, Question, Tree, arguments, bits, stated
 from impact_search_path import BITS, ended, whole
-from impact_search_solids import Met, Solid, cross, dot, inverse_of, meet, plus, results, vector
-from impact_search_space import GROUPS, LAWS, SLACK, STILL, flat_end, three, turned
+from impact_search_solids import (
+    CURVED,
+    STRAIGHT,
+    Met,
+    Solid,
+    cross,
+    dot,
+    inverse_of,
+    meet,
+    plus,
+    results,
+    slacks,
+    vector,
+)
+from impact_search_space import GROUPS, LAWS, STILL, flat_end, smooth_end, three, turned
 from impact_search_space import starts as spatial_starts
 from precise import FUNCTIONS, Exact
 
@@ -102,14 +115,14 @@ def ask(rng: random.Random, tree: Tree) -> Iterator[Answer]:
         if met is None:
             levers = [vector(own[name]["arm"]["lever"]) for name in ("first", "second") if "arm" in own[name]]
             met = meet(solid(own["first"]), solid(own["second"]), contact["normal"], next(iter(levers), None))
-        if straight and mu:
-            end = flat_end(met, mu, e, law)
+        if straight:
+            end = flat_end(met, mu, e, law) if mu else smooth_end(met, e)
         else:
             with bits(BITS):
                 path = whole(met.mobility, met.before, mu) if path is None else path
                 end = ended(path, met.mobility, mu, met.before, e, law)
-        kind = "line" if straight else "path"
-        yield Answer(own, stated(answer, flat(answer), results(met, end), 0.0 if straight else SLACK), kind)
+        kind, noise = ("line", STRAIGHT) if straight else ("path", CURVED)
+        yield Answer(own, stated(answer, flat(answer), results(met, end), slacks(met, end, noise)), kind)
 
 
 # ---- what is asked ----

@@ -1,5 +1,6 @@
 """Bodies in space in many bits: what a contact sees of them, and what an impulse there does to them."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -8,7 +9,9 @@ from precise import FUNCTIONS, Exact
 
 Number = Any
 Vector = tuple[Number, ...]
-sqrt = FUNCTIONS["sqrt"]
+sqrt, atan2 = FUNCTIONS["sqrt"], FUNCTIONS["atan2"]
+# What a path followed in 128 bits, and one in closed form, may itself be off by beside the sizes of what it is made of.
+CURVED, STRAIGHT = Exact(2) ** -66, Exact(2) ** -200
 
 
 def vector(numbers: Any) -> Vector:
@@ -76,7 +79,16 @@ class Solid(NamedTuple):
             found |= {f"{name}.{key}[{i}]": part for i, part in enumerate(parts)}
         energy = dot(impulse, plus(self.velocity, change, Exact(1) / 2))
         energy += dot(cross(self.lever, impulse), plus(self.spin, turn, Exact(1) / 2))
-        return found | {f"{name}.energy_change": energy}
+        return found | {f"{name}.energy_change": energy} | self._directions(name, impulse)
+
+    def _directions(self, name: str, impulse: Vector) -> dict[str, Number]:
+        """Where the force came from: from the direction of travel, clockwise, and from above."""
+        x, y, z = impulse
+        if self.mass is None or not (x * x + y * y) > dot(impulse, impulse) * Exact(2) ** -120:
+            return {}
+        nose = (Exact(1), Exact(0)) if not any(self.velocity[:2]) else self.velocity[:2]
+        angle = atan2(y * nose[0] - x * nose[1], -x * nose[0] - y * nose[1])
+        return {f"{name}.pdof": angle, f"{name}.elevation": atan2(-z, sqrt(x * x + y * y))}
 
 
 def inverse_of(rows: Any) -> list[Vector]:
@@ -132,10 +144,9 @@ def results(met: Met, end: End) -> dict[str, Number]:
         "impulse_magnitude": size(impulse), "normal_impulse": z, "tangential_impulse": sideways,
         "impulse_ratio": sideways / z, "compression_impulse": end.compression, "closing_speed": -u[2],
         "stick_friction": sqrt(hold[0] * hold[0] + hold[1] * hold[1]) / det, "separation_speed": after[2],
-        "energy_lost": lost,
+        "energy_lost": lost, "energy_lost_tangential": end.heat, "energy_lost_normal": lost - end.heat,
+        "slip_impulse": end.slip,
     }  # fmt: skip
-    if end.heat is not None:
-        found |= {"energy_lost_tangential": end.heat, "energy_lost_normal": lost - end.heat}
     slid = plus(scaled(first, after[0]), second, after[1])
     for key, parts in (
         ("impulse", scaled(impulse, -1)),
@@ -145,6 +156,24 @@ def results(met: Met, end: End) -> dict[str, Number]:
         found |= {f"{key}[{i}]": part for i, part in enumerate(parts)}
     one, two = met.bodies
     return found | one.reported("first", impulse) | two.reported("second", scaled(impulse, -1))
+
+
+def slacks(met: Met, end: End, noise: Number) -> Callable[[str], Number]:
+    """What the exact results may be off by, beside the sizes of what they are sums of."""
+    impulse, k = size(end.impulse), met.mobility
+    speed = size(tuple(met.before)) + max(k[0][0], k[1][1], k[2][2]) * impulse
+    sizes = {"": impulse, "sliding_after": speed, "separation_speed": speed, "sliding_before": speed}
+    sizes |= dict.fromkeys(("energy_lost", "energy_lost_normal", "energy_lost_tangential"), impulse * speed)
+    sizes |= dict.fromkeys(("impulse_ratio", "stick_friction", "pdof", "elevation"), Exact(1))
+    for name, body in zip(("first", "second"), met.bodies, strict=True):
+        change = impulse / body.mass if body.mass is not None else Exact(0)
+        turn = size(body.turned(end.impulse)) if body.inverse is not None else Exact(0)
+        turn = max(turn, *(size(body.turned(axis)) * impulse for axis in met.frame))
+        fast, spun = size(body.velocity) + change, size(body.spin) + turn
+        sizes |= {f"{name}.{key}": fast for key in ("velocity", "speed", "delta_v", "delta_v_magnitude")}
+        sizes |= {f"{name}.spin": spun, f"{name}.spin_change": spun}
+        sizes[f"{name}.energy_change"] = impulse * (fast + spun * size(body.lever))
+    return lambda name: noise * sizes.get(name.partition("[")[0], impulse)
 
 
 def exactly(numbers: Any) -> tuple[Fraction, ...]:

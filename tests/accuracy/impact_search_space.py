@@ -14,9 +14,23 @@ from math import sqrt
 from typing import Any
 
 from climbing import Answer, Question, Tree, arguments, bits, read, stated
-from impact_search_path import BITS, End, ended, whole
+from impact_search_path import BITS, End, ended, smooth, whole
 from impact_search_planar import Contact, follow
-from impact_search_solids import Met, Solid, cross, dot, exactly, inverse_of, meet, parallel, results, vector
+from impact_search_solids import (
+    CURVED,
+    STRAIGHT,
+    Met,
+    Solid,
+    cross,
+    dot,
+    exactly,
+    inverse_of,
+    meet,
+    parallel,
+    results,
+    slacks,
+    vector,
+)
 from precise import Exact
 
 from dynamics_cli.accuracy import catalogue
@@ -25,8 +39,6 @@ from dynamics_cli.errors import DynamicsError
 from dynamics_cli.impact.spatial import spatial
 
 LAWS = ("stronge", "newton", "poisson")
-# What the exact path may itself be off by, as a share of a result.
-SLACK = 2.0**-62
 # Answers asked for along one path.
 ALONG = 9
 STILL = [0.0, 0.0, 0.0]
@@ -72,11 +84,16 @@ def _in_a_plane(tree: Tree, bodies: list[Tree]) -> bool:
     return all(parallel([dot(exactly(row), axis) for row in body["inertia"]], axis) for body in bodies)
 
 
+def smooth_end(met: Met, e: Any) -> End:
+    """The end of an impact without friction, whatever the law."""
+    return smooth(met.mobility, met.before, e)
+
+
 def flat_end(met: Met, mu: Any, e: Any, law: str) -> End:
     """The end of an impact whose slip keeps its line."""
     k, u = met.mobility, met.before
     made = follow(Contact(k[0][0], k[0][2], k[2][2], u[0], u[2]), mu, e, law)
-    return End((made.tangential, Exact(0), made.normal), made.compression, None)
+    return End((made.tangential, Exact(0), made.normal), made.compression, made.heat, made.slip)
 
 
 def variants(rng: random.Random, tree: Tree) -> list[Tree]:
@@ -108,13 +125,14 @@ def ask(rng: random.Random, tree: Tree) -> Iterator[Answer]:
         mu, e, law = Exact(own["friction"]), Exact(own["contact"]["restitution"]), own["law"]["word"]
         if met is None:
             met = meet(solid(tree["first"]), solid(tree["second"]), tree["normal"], guide)
-        if kind in ("sphere", "plane"):
-            end = flat_end(met, mu, e, law)
+        if kind != "path":
+            end = smooth_end(met, e) if kind == "smooth" else flat_end(met, mu, e, law)
         else:
             with bits(BITS):
                 path = whole(met.mobility, met.before, mu) if path is None else path
                 end = ended(path, met.mobility, mu, met.before, e, law)
-        yield Answer(own, stated(answer, flat(answer), results(met, end), SLACK if kind == "path" else 0.0), kind)
+        noise = CURVED if kind == "path" else STRAIGHT
+        yield Answer(own, stated(answer, flat(answer), results(met, end), slacks(met, end, noise)), kind)
 
 
 # ---- what is asked ----
@@ -267,14 +285,14 @@ def of_a_plane(rng: random.Random) -> Tree:
     return impact(rng, flat_body(), second, normal, rng.choice((rng.uniform(0.0, 1.5), 0.0)))
 
 
-def smooth(rng: random.Random) -> Tree:
+def without_friction(rng: random.Random) -> Tree:
     """Bodies of any kind without friction."""
     return {**of_any_kind(rng), "friction": 0.0}
 
 
 def draw(rng: random.Random) -> Tree:
     """A fresh impact; most have a closed form."""
-    way = rng.choices((of_any_kind, of_spheres, of_a_plane, smooth), (1, 6, 6, 2))[0]
+    way = rng.choices((of_any_kind, of_spheres, of_a_plane, without_friction), (1, 6, 6, 2))[0]
     return way(rng)
 
 
