@@ -12,9 +12,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Digits of everything but the path, whose digits its steps pay for.
-DIGITS = 90
-
 
 def root(x: float) -> float:
     """Square root."""

@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.impact.central import contact_advice, require_approach
 from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
-from dynamics_cli.impact.decimals import DIGITS
 from dynamics_cli.impact.hodograph import ORDER, STRIDE, travel
 from dynamics_cli.impact.space import (
     Matrix,
@@ -35,7 +34,7 @@ from dynamics_cli.records import Choice, record
 
 # Digits of the path beside those that it is to keep, and of velocities at the contact that cancel.
 GUARDS = 12
-SPARE = 25
+SPARE = 20
 
 
 class SpatialLaw(Choice):
@@ -264,7 +263,9 @@ def approach(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Vector
         # decimals of which nothing but rounding is left are zero
         speeds = [max(map(abs, body.velocity)) for body in bodies]
         speeds += [max(map(abs, body.spin)) * max(map(abs, body.lever)) for body in bodies]
-        least = max(speeds).scaleb(SPARE - DIGITS)  # type: ignore[attr-defined]
+        from decimal import getcontext
+
+        least = max(speeds).scaleb(SPARE - getcontext().prec)  # type: ignore[attr-defined]
         before = tuple(part if abs(part) > least else 0 * part for part in before)  # type: ignore[assignment]
     require_approach(-before[2])
     return before

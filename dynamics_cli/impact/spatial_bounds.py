@@ -8,7 +8,7 @@ difference bounds what they leave with three to spare, and where that is more th
 from decimal import Context, Decimal, localcontext
 
 from dynamics_cli.errors import InadmissibleError, require
-from dynamics_cli.impact.decimals import DIGITS, widened
+from dynamics_cli.impact.decimals import widened
 from dynamics_cli.impact.diagnostics import require_finite
 from dynamics_cli.impact.spatial_results import Solved, SpatialImpact, certificate, report
 from dynamics_cli.impact.straight import End
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 SMALLEST = 5e-324
-# Order of the series and digits of the path: what the series leaves out is less than the digits keep.
-EFFORTS = (29, 24), (50, 42)
+# Order of the series, digits of the path, digits of all else: what the series leaves out is less than the path keeps.
+EFFORTS = (29, 24, 80), (50, 42, 110)
 # What is left of the difference to the run before.
 LEFT = Decimal("1e-5")
 # Refusals that rounding may be to blame for: decimals decide.
@@ -43,9 +43,9 @@ def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advic
     except InadmissibleError as error:
         if error.code not in DOUBTFUL:
             raise
-    with localcontext(Context(prec=DIGITS)):
-        exact, left = widened(given), None
-        for order, digits in EFFORTS:
+    exact, left = widened(given), None
+    with localcontext(Context()) as context:
+        for order, digits, context.prec in EFFORTS:
             try:
                 solved = solver(*exact, order=order, digits=digits)
             except ArithmeticError:

@@ -88,16 +88,16 @@ def decimals(case: Case) -> "Callable[[], Vector]":
     """The program's own, in the decimals that its answers are rounded from."""
     from decimal import Context, localcontext
 
-    from dynamics_cli.impact.decimals import DIGITS, widened
+    from dynamics_cli.impact.decimals import widened
     from dynamics_cli.impact.spatial import followed
     from dynamics_cli.impact.spatial_bounds import EFFORTS
 
     c = Contact(case)
     given = widened((c.k, c.u, c.mu, c.e, c.law))
-    order, digits = EFFORTS[0]
+    order, digits, most = EFFORTS[0]
 
     def answer() -> "Vector":
-        with localcontext(Context(prec=DIGITS)):
+        with localcontext(Context(prec=most)):
             return tuple(map(float, followed(*given, order=order, digits=digits).impulse))  # type: ignore[return-value]
 
     return answer
