@@ -119,14 +119,8 @@ class Moments:
         return self.frame.T @ matrix @ self.frame, error + UNIT_ROUNDOFF**2 * size.sum()
 
     def spread_error(self, k: int, value: float) -> float:
-        """How far the k-th eigenvalue of `second` may be off: errors of its own row, independent of one another."""
-        if self.frame is None:
-            return float(self.second_error.sum(axis=1).max())
-        scale = np.sqrt(np.abs(np.diag(self.second)))
-        i = np.argsort(-scale)[k]
-        shares = np.array([min(1.0, float(scale[i] / scale[j])) if scale[j] else 1.0 for j in range(3)])
-        error = float(np.hypot.reduce(self.second_error[i] * shares))
-        return error + 2.0 * UNIT_ROUNDOFF * max(float(scale[i] * scale[i]), abs(value))
+        """By how much the k-th eigenvalue of `second` is stretched by axes that are orthonormal to rounding only."""
+        return 0.0 if self.frame is None else 2.0 * UNIT_ROUNDOFF * abs(value)
 
 
 class Sums:

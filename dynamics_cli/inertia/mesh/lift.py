@@ -6,6 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.mesh.measured import rows
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.spread import Spread
+from dynamics_cli.numerics.residual import residual_bounds
 from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.numerics.tracked import Tracked
 
@@ -75,7 +76,8 @@ class Lift:
         matrix = rows(sign * own.second)
         frame = None if own.frame is None else rows(own.frame)
         found, raw = principal(matrix, 0.0, frame), eigen(matrix)
-        off = [own.spread_error(k, raw.values[k]) + raw.bounds[k] for k in range(3)]
+        own_errors = residual_bounds(matrix, raw.values, raw.vectors, rows(own.second_error))
+        off = [error + own.spread_error(k, raw.values[k]) for k, error in enumerate(own_errors)]
         require(
             raw.values[2] >= -off[2],
             "second moments come out negative: the surface crosses itself, and parts of it are inside out",
