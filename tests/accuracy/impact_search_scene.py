@@ -25,7 +25,7 @@ from impact_search_solids import (
     slacks,
     vector,
 )
-from impact_search_space import GROUPS, LAWS, STILL, flat_end, smooth_end, three, turned
+from impact_search_space import GROUPS, LAWS, STILL, flat_end, friction, smooth_end, three, turned
 from impact_search_space import starts as spatial_starts
 from precise import FUNCTIONS, Exact
 
@@ -171,7 +171,7 @@ def particles(rng: random.Random) -> Tree:
         return {"record": "SceneBody", "bulk": bulk(rng), "motion": components(velocity)}
 
     second = particle() if rng.random() < 0.6 else barrier(rng.choice((STILL, three(rng, 1.0))))
-    return scene(rng, particle(), second, axis, rng.choice((0.0, rng.uniform(0.0, 1.0))))
+    return scene(rng, particle(), second, axis, rng.choice((0.0, friction(rng))))
 
 
 def in_the_plane(rng: random.Random) -> Tree:
@@ -196,7 +196,7 @@ def in_the_plane(rng: random.Random) -> Tree:
 
     second = vehicle() if rng.random() < 0.6 else barrier(rng.choice((STILL, [*three(rng, 3.0)[:2], 0.0])))
     normal = rng.choice(([1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [*three(rng, 1.0)[:2], 0.0]))
-    return scene(rng, vehicle(), second, normal, rng.choice((0.0, rng.uniform(0.0, 1.5))))
+    return scene(rng, vehicle(), second, normal, rng.choice((0.0, friction(rng))))
 
 
 def in_space(rng: random.Random) -> Tree:
@@ -221,7 +221,7 @@ def in_space(rng: random.Random) -> Tree:
 
     second = block() if rng.random() < 0.4 else barrier(rng.choice((STILL, three(rng, 2.0))))
     normal = rng.choice(([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], three(rng, 1.0)))
-    return scene(rng, block(), second, normal, rng.choice((0.0, rng.uniform(0.0, 1.5))))
+    return scene(rng, block(), second, normal, rng.choice((0.0, friction(rng))))
 
 
 def draw(rng: random.Random) -> Tree:
@@ -253,4 +253,4 @@ def starts() -> list[Tree]:
 
 def question() -> Question:
     """`impact solve`."""
-    return Question("impact solve", starts(), draw, ask, drawn=0.85)
+    return Question("impact solve", starts(), draw, ask, drawn=0.9)

@@ -208,6 +208,11 @@ def normal_of(rng: random.Random) -> list[float]:
     return rng.choice((three(rng, 1.0), [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]))
 
 
+def friction(rng: random.Random) -> float:
+    """Friction, mostly so little that the slip lasts: one that stops costs the program ten times as much."""
+    return rng.choice((rng.uniform(0.0, 1.5), *(10.0 ** rng.uniform(-4.0, -0.8) for _ in range(3))))
+
+
 def of_any_kind(rng: random.Random) -> Tree:
     """Two blocks, or one and a barrier."""
     second = fixed(rng.choice((STILL, three(rng, 3.0)))) if rng.random() < 0.5 else block(rng)
@@ -232,9 +237,7 @@ def of_spheres(rng: random.Random) -> Tree:
     second = fixed(three(rng, 2.0))
     if rng.random() < 0.5:
         second = ball(rng, [-other * x for x in lever])
-    return impact(
-        rng, ball(rng, lever), second, normal, rng.choice((rng.uniform(0.0, 1.0), 10.0 ** rng.uniform(-6.0, 2.0)))
-    )
+    return impact(rng, ball(rng, lever), second, normal, friction(rng))
 
 
 def _whole_turn(rng: random.Random) -> list[list[Fraction]]:
@@ -282,7 +285,7 @@ def of_a_plane(rng: random.Random) -> Tree:
 
     second = fixed(laid(number(1), number(1))) if rng.random() < 0.5 else flat_body()
     normal = laid(Fraction(25 * rng.randrange(-7, 8)), Fraction(25 * rng.randrange(1, 8)))
-    return impact(rng, flat_body(), second, normal, rng.choice((rng.uniform(0.0, 1.5), 0.0)))
+    return impact(rng, flat_body(), second, normal, friction(rng))
 
 
 def without_friction(rng: random.Random) -> Tree:
@@ -292,7 +295,7 @@ def without_friction(rng: random.Random) -> Tree:
 
 def draw(rng: random.Random) -> Tree:
     """A fresh impact; most have a closed form."""
-    way = rng.choices((of_any_kind, of_spheres, of_a_plane, without_friction), (1, 6, 6, 2))[0]
+    way = rng.choices((of_any_kind, of_spheres, of_a_plane, without_friction), (1, 6, 8, 6))[0]
     return way(rng)
 
 
@@ -316,4 +319,4 @@ def _plain(tree: Tree) -> Tree:
 
 def question() -> Question:
     """`impact spatial`."""
-    return Question("impact spatial", starts(), draw, ask, drawn=0.8)
+    return Question("impact spatial", starts(), draw, ask, drawn=0.88)
