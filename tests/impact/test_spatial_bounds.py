@@ -111,9 +111,7 @@ def test_what_24_digits_leave_is_as_stated(monkeypatch: pytest.MonkeyPatch) -> N
     """Held against 42 digits, where 24 were thought to do."""
     compared = 0
     for given, _ in zip(blocks("digits"), range(60), strict=False):
-        monkeypatch.setattr(spatial_bounds, "EFFORTS", EFFORTS)
         one = found(given)
-        monkeypatch.setattr(spatial_bounds, "EFFORTS", ((29, 24, 80), (50, 42, 110)))
         monkeypatch.setattr(spatial_bounds, "_small", lambda *_: False)
         more = found(given)
         monkeypatch.undo()
