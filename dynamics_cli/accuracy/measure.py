@@ -22,7 +22,7 @@ SMALLEST_NORMAL = Decimal(2.0**-1022)
 MOST = Decimal("1e300")
 HALF_ULP = Decimal(2.0**-53)
 # No double is nearer to zero, so that no bound can be smaller either.
-SMALLEST = Decimal(5e-324)
+SMALLEST = Decimal(2.0**-1074)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
 

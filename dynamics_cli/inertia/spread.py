@@ -1,7 +1,5 @@
 """Principal second moments of numbers that may carry derivatives: axes from the doubles, moments along them."""
 
-from math import inf
-
 from dynamics_cli.inertia.lump import each
 from dynamics_cli.inertia.principal import principal, principal_of_many_digits
 from dynamics_cli.numerics.elementary import sqrt
@@ -72,8 +70,7 @@ def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
 
     bare = tuple(tuple(plain(x) for x in row) for row in second)
     errors = tuple(tuple(getattr(x, "error", 0.0) for x in row) for row in second)
-    known = all(error < inf for row in errors for error in row)
-    bounds = residual_bounds(bare, values, axes, errors) if known else (inf, inf, inf)  # type: ignore[arg-type]
+    bounds = residual_bounds(bare, values, axes, errors)  # type: ignore[arg-type]
     slopes = [_slopes(second, axis) for axis in axes]
     return tuple(map(Tracked, values, bounds, slopes))  # type: ignore[return-value]
 

@@ -11,13 +11,14 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
     from decimal import Context
 
-# 120 digits of π: enough for angles of up to 10⁴⁰ radians beside 60 digits of what is left of them.
+# 120 digits of π: enough for angles of up to 10²⁰ radians beside 60 digits of what is left of them, be it only 10⁻²⁴.
 PI = Decimal(
     "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
     "3282306647"
 )
-LARGEST_ANGLE = Decimal("1e40")
+LARGEST_ANGLE = Decimal("1e20")
 _GUARD = 12
+_NEAR_QUARTERS = 24
 
 
 def _more(digits: int) -> "AbstractContextManager[Context]":
@@ -28,7 +29,7 @@ def _reduced(x: Decimal) -> "tuple[Decimal, int]":
     """What is left of an angle after quarter turns, and how many quarter turns modulo four."""
     if abs(x) > LARGEST_ANGLE:
         raise ArithmeticError("an angle too large to reduce")
-    digits = max(x.adjusted(), 0) + _GUARD
+    digits = max(x.adjusted(), 0) + _NEAR_QUARTERS
     with localcontext(prec=getcontext().prec + digits):
         turns = (2 * x / PI).to_integral_value()
         return x - turns * PI / 2, int(turns) % 4
@@ -77,11 +78,11 @@ def arc_tangent(x: Decimal) -> Decimal:
         while abs(x) > Decimal("0.06"):
             x = x / (1 + (1 + x * x).sqrt())
             halvings += 1
-        return _odd_series(x) * 2**halvings
+        return _odd_series(x) * Decimal(2) ** halvings
 
 
 def _odd_series(x: Decimal) -> Decimal:
-    """x − x³/3 + x⁵/5 − …"""
+    """The series x − x³/3 + x⁵/5 − … of an arc tangent."""
     square, power, total, n = -x * x, x, x, 1
     least = Decimal(10) ** -(getcontext().prec + 1)
     while abs(power) > abs(total) * least:
@@ -124,21 +125,36 @@ def hypotenuse(x: Decimal, y: Decimal) -> Decimal:
     return (x * x + y * y).sqrt()
 
 
+def involute(x: Decimal) -> Decimal:
+    """The involute function of an angle, tan x − x."""
+    with _more(_lost_beside_cubes(x)):
+        return tangent(x) - x
+
+
+def roll_less_arc(x: Decimal) -> Decimal:
+    """The involute function of the angle whose tangent is given, x − atan x."""
+    with _more(_lost_beside_cubes(x)):
+        return x - arc_tangent(x)
+
+
+def _lost_beside_cubes(x: Decimal) -> int:
+    """How many digits vanish where what is left of x is of the size of x³."""
+    lost = max(0, -2 * x.adjusted()) if x else 0
+    if lost > 20 * getcontext().prec:
+        raise ArithmeticError("an angle too small to tell its involute")
+    return lost + _GUARD
+
+
 def inverse_involute(value: Decimal) -> Decimal:
     """The angle whose tan φ − φ is `value`, by Newton's method from above."""
     if value <= 0:
         if value < 0:
             raise ArithmeticError("the involute function of no angle is negative")
         return value
-    digits = getcontext().prec
-    # tan φ − φ of a small angle is its difference from φ³/3: as many digits are lost as φ² has zeros
-    lost = max(0, -2 * value.adjusted() // 3) + _GUARD
-    if lost > 40 * digits:
-        raise ArithmeticError("an involute too small to tell")
-    least = Decimal(10) ** -(digits + 2)
-    with localcontext(prec=digits + lost):
-        # both starts are beyond the root, where the residual is convex
-        phi = ((3 * value).ln() / 3).exp() if value < 1 else PI / 2 - 1 / (value + PI / 2)
+    # both starts are beyond the root, where the residual is convex
+    phi = ((3 * value).ln() / 3).exp() if value < 1 else PI / 2 - 1 / (value + PI / 2)
+    least = Decimal(10) ** -(getcontext().prec + 2)
+    with _more(_lost_beside_cubes(phi)):
         for _ in range(200):
             tan = tangent(phi)
             step = (tan - phi - value) / (tan * tan)

@@ -8,7 +8,7 @@ a double, as from a tracked number.
 from decimal import Context, Decimal, DivisionByZero, InvalidOperation, Overflow, localcontext
 
 from dynamics_cli.numerics import decimal_functions as functions
-from dynamics_cli.numerics.tracked import TINY
+from dynamics_cli.numerics.tracked import TINY, UNIT_ROUNDOFF
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,6 +113,7 @@ _FUNCTIONS: "dict[str, Callable[..., Decimal]]" = {
     "maximum": max,
     "minimum": min,
     "multiply_add": lambda a, b, c: a.fma(b, c),
+    "pi": lambda x: +functions.PI,
     "sin": functions.sine,
     "cos": functions.cosine,
     "tan": functions.tangent,
@@ -121,6 +122,8 @@ _FUNCTIONS: "dict[str, Callable[..., Decimal]]" = {
     "atan": functions.arc_tangent,
     "atan2": functions.direction,
     "hypot": functions.hypotenuse,
+    "involute": functions.involute,
+    "roll_less_arc": functions.roll_less_arc,
     "inverse_involute": functions.inverse_involute,
 }
 
@@ -142,4 +145,4 @@ def measured_error(value: float, number: ManyDigits, bound: float) -> float:
     # a difference outside the bound is of another kind: −π beside π, or the other side of a switch
     if not apart <= bound:
         return bound
-    return min(bound, apart * (1.0 + 2.0**-50) + 2.0**-53 * abs(value) + 1e-30 * bound + TINY)
+    return min(bound, apart * (1.0 + 2.0**-50) + 4.0 * UNIT_ROUNDOFF * abs(value) + 1e-30 * bound + TINY)

@@ -3,7 +3,7 @@
 Doubles are whole multiples of a power of two, so that the matrix along the vectors is had without rounding.
 """
 
-from math import frexp, ldexp, sqrt
+from math import frexp, inf, ldexp, sqrt
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -56,6 +56,8 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
     >>> [round(bound) for bound in residual_bounds(((9.0, 0.0, 0.0), (0.0, 5.0, 0.0), (0.0, 0.0, 1.0)), (9, 5, 2), one)]
     [0, 0, 1]
     """
+    if errors is not None and not all(error < inf for row in errors for error in row):
+        return inf, inf, inf
     size = frexp(max(abs(x) for row in matrix for x in row))[1]
     rows, unit = whole((*matrix, values))
     lines, _ = whole(vectors)

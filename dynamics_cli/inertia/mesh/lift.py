@@ -33,9 +33,7 @@ class Lift:
         tracked = Tracked(float(value), float(error), self.slopes)
         for _ in range(abs(power)):
             up, down = up * self.ratio[0], down * self.ratio[1]
-        made = tracked * (up / self.ratio[0]) / (down / self.ratio[1])
-        # of an error without bound nothing is known either
-        return made if made.error < inf else Tracked(made.value, inf, made.slopes)  # type: ignore[return-value]
+        return _or_unknown(tracked * (up / self.ratio[0]) / (down / self.ratio[1]))  # type: ignore[return-value]
 
     def in_file_unit(self, length: "float | None") -> float:
         """A length in the unit of the file; none is zero."""
@@ -63,7 +61,7 @@ class Lift:
         sign = 1.0 if self.moments.measure > 0.0 else -1.0
         power = 4 if self.moments.shell else 5
         cell = {
-            (i, j): density * self.number(sign * matrix[i][j], error[i][j], power)
+            (i, j): _or_unknown(density * self.number(sign * matrix[i][j], error[i][j], power))
             for i in range(3)
             for j in range(i + 1)
         }
@@ -77,7 +75,7 @@ class Lift:
         frame = None if own.frame is None else rows(own.frame)
         found, raw = principal(matrix, 0.0, frame), eigen(matrix)
         own_errors = residual_bounds(matrix, raw.values, raw.vectors, rows(own.second_error))
-        off = [error + own.spread_error(k, raw.values[k]) for k, error in enumerate(own_errors)]
+        off = [error + own.spread_error(value) for value, error in zip(raw.values, own_errors, strict=True)]
         require(
             raw.values[2] >= -off[2],
             "second moments come out negative: the surface crosses itself, and parts of it are inside out",
@@ -87,5 +85,11 @@ class Lift:
         power = 4 if own.shell else 5
         seconds = []
         for value, own_value, error in zip(found.seconds, raw.values, off, strict=True):
-            seconds.append(density * self.number(max(value, 0.0), error + max(-own_value, 0.0), power))
+            own_error = error + max(-own_value, 0.0)
+            seconds.append(_or_unknown(density * self.number(max(value, 0.0), own_error, power)))
         return Spread(tuple(seconds), found.axes, found.degeneracy)  # type: ignore[arg-type]
+
+
+def _or_unknown(number: "Any") -> "Any":
+    """A tracked number; an error without bound, which products make no number of, stays one."""
+    return number if number.error < inf else Tracked(number.value, inf, number.slopes)

@@ -59,7 +59,8 @@ class WholeMoments:
         self._size = float(np.ptp(corners.reshape(3, 3, -1), axis=(0, 2)).max())
         self.measure_error = _ONCE * abs(self.measure) + (self._cut + TINY)
         self.centroid = np.zeros(3)
-        self.second = self._in_file = np.zeros((3, 3))
+        self.second = np.zeros((3, 3))
+        self._in_file = self.second
         self._stretch = 0.0
         if total:
             down = shares[1] * total
@@ -91,15 +92,15 @@ class WholeMoments:
         """Second moments in the axes of the file, and how far they may be off."""
         return self._in_file, _ONCE * abs(self._in_file) + (self._cut * self._size * self._size + TINY)
 
-    def spread_error(self, k: int, value: float) -> float:
-        """How far the k-th eigenvalue `value` of `second` may be from the body's.
+    @property
+    def second_error(self) -> "Array":
+        """How far each element of `second` may be off: a rounding, and four of those beside the diagonal."""
+        roundings = 4.0 - 3.0 * np.eye(3)
+        return _ONCE * roundings * abs(self.second) + (self._cut * self._size * self._size + TINY)  # type: ignore[no-any-return]
 
-        A rounding of its diagonal element; four of those beside it, which count for what they moved the value by; and
-        what axes not quite across one another stretch every eigenvalue (Ostrowski).
-        """
-        own = float(np.sort(np.abs(np.diag(self.second)))[2 - k])
-        cut = self._cut * self._size * self._size + TINY
-        return _ONCE * (own + 16.0 * abs(abs(value) - own)) + self._stretch * abs(value) + cut
+    def spread_error(self, value: float) -> float:
+        """By how much an eigenvalue of `second` is stretched by axes not quite across one another (Ostrowski)."""
+        return self._stretch * abs(value)
 
 
 def _rows(corners: "Array") -> "tuple[list[tuple[int, ...]], int]":
