@@ -136,7 +136,7 @@ def test_planar_paths_are_those_of_the_references() -> None:
         given = read(case["inputs"])
         contact = Contact(*(Exact(given[name]) for name in names))
         end = follow(contact, Exact(given["friction"]), Exact(given["restitution"]), given["law"]["word"])
-        for name, part in zip(("normal", "tangential", "compression"), end, strict=True):
+        for name, part in zip(("normal", "tangential", "compression"), end[:3], strict=True):
             assert off(part, case["results"][name], max(abs(end.normal), abs(end.tangential))) < 1e-38, case["name"]
 
 
