@@ -63,6 +63,7 @@ class _Seen:
         # the first tangent is the direction of slip
         self.before = self.before[0], self.before[0] * 0, self.before[2]
         self.k = mobility(self.bodies, self.frame)
+        self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
         coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
         if ABSENT * abs(self.before[0]) <= abs(self.before[2]):
@@ -210,9 +211,29 @@ def solve_oblique(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Sp
 def _answered(
     solver: "Callable[..., Solved]", scene: Scene, gravity: float, *more: str, advice: tuple[Advice, ...] = ()
 ) -> SpatialImpact:
-    from dynamics_cli.impact.spatial_bounds import answered
+    """The answer of a smaller model; where it leaves out what is absent but for rounding, its bounds hold that."""
+    from dynamics_cli.impact.spatial_bounds import answered, beside
 
-    return answered(solver, scene, gravity, *more, advice=advice)
+    found = answered(solver, scene, gravity, *more, advice=advice)
+    if advice or not _left_out(scene, gravity, plane=solver is _in_plane):
+        return found
+    return beside(found, answered(_in_space, scene, gravity))
+
+
+def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
+    """Whether a smaller model leaves out anything at all."""
+    from decimal import Context, localcontext
+
+    from dynamics_cli.impact.decimals import widened
+
+    with localcontext(Context(prec=80)):
+        seen = _Seen(widened(scene), widened(gravity))
+        k = seen.k
+        least = max(k[0][0], k[1][1], k[2][2]) / 10**60
+        coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
+        if any(abs(entry) > least for entry in coupled):
+            return seen.friction > 0 or not plane
+        return seen.slips and seen.friction > 0 and not seen.before[0]
 
 
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
@@ -317,7 +338,9 @@ def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImp
         code="one-moment",
         hint="give the inertia tensor, or choose --model planar and say why",
     )
-    return _answered(_in_space, scene, gravity)
+    from dynamics_cli.impact.spatial_bounds import answered
+
+    return answered(_in_space, scene, gravity)
 
 
 def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:

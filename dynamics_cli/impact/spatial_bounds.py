@@ -89,6 +89,30 @@ def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
         yield address, tree
 
 
+def beside(answer: SpatialImpact, whole: SpatialImpact) -> SpatialImpact:
+    """The answer of a smaller model, with bounds that hold what it leaves out of the whole one."""
+    assert answer.numerics is not None
+    assert whole.numerics is not None
+    more = {bound.result: bound for bound in whole.numerics.bounds}
+    values, others = dict(numbers(answer)), dict(numbers(whole))
+    vectors: dict[str, float] = {}
+    found = []
+    for bound in answer.numerics.bounds:
+        name = bound.result
+        if name not in values:
+            # a vector's stands after those of its parts
+            found.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
+            continue
+        size = abs(values[name])
+        error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - others[name])
+        error += more[name].bound * (abs(others[name]) if more[name].relative else 1.0)
+        found.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
+        vector = name.partition("[")[0]
+        vectors[vector] = max(error, vectors.get(vector, 0.0))
+    numerics = Numerics(answer.numerics.method, tuple(found))
+    return SpatialImpact(**{**answer.__dict__, "numerics": numerics})
+
+
 def _left(before: "dict[str, Any]", after: "dict[str, Any]", digits: int) -> dict[str, Decimal]:
     """What may be left of each number's error; the parts of a vector share the largest, lest one agreed by luck."""
     shared: dict[str, Decimal] = {}

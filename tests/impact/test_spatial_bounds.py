@@ -15,6 +15,16 @@ from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact import spatial_bounds
 from dynamics_cli.impact.conventions import ByMass, Fixed, Restituted
 from dynamics_cli.impact.decimals import cosine_and_sine, widened
+from dynamics_cli.impact.scene import (
+    central_suffices,
+    oblique_suffices,
+    planar_suffices,
+    solve,
+    solve_central,
+    solve_oblique,
+    solve_planar,
+)
+from dynamics_cli.impact.scene_records import ByComponents, ByTensor, Scene, SceneBody, SceneContact
 from dynamics_cli.impact.spatial import BodyInSpace, LeverInSpace, SpatialLaw, TargetInSpace, followed, spatial
 from dynamics_cli.impact.spatial_bounds import EFFORTS, numbers
 from dynamics_cli.impact.spatial_results import SpatialImpact
@@ -159,3 +169,45 @@ def test_cosine_and_sine_in_decimals() -> None:
             pair = cosine_and_sine(widened(heading))
             for mine, exact in zip(pair, (mp.cos(heading), mp.sin(heading)), strict=True):
                 assert abs(mpf(str(mine)) - exact) <= mpf("1e-80")
+
+
+def scene(lever: tuple[float, ...], velocity: tuple[float, ...], friction: float) -> Scene:
+    """A block on a floor."""
+    tensor = ((40.0, 0.0, 0.0), (0.0, 40.0, 0.0), (0.0, 0.0, 30.0))
+    block = SceneBody(ByMass(250.0), ByTensor(tensor), LeverInSpace(lever), ByComponents(velocity))
+    floor = SceneBody(Fixed(True))
+    return Scene(block, floor, SceneContact((0.0, 0.0, -1.0), 0.4, friction))
+
+
+@pytest.mark.parametrize(
+    ("lever", "velocity", "friction", "solver", "suffices"),
+    [
+        ((1.7e-17, 1.5e-13, -0.95), (3.6, -3.6, -0.46), 0.3, solve_planar, planar_suffices),
+        ((0.2, 0.0, -0.95), (3.6, 2e-14, -0.46), 0.3, solve_planar, planar_suffices),
+        ((2e-14, 0.0, -0.95), (0.0, 0.0, -0.46), 0.0, solve_oblique, oblique_suffices),
+        ((0.0, 0.0, -0.95), (1e-15, 0.0, -0.46), 0.3, solve_central, central_suffices),
+    ],
+)
+def test_what_a_smaller_model_leaves_out_is_in_its_bound(
+    lever: Any, velocity: Any, friction: float, solver: Any, suffices: Any
+) -> None:
+    given = scene(lever, velocity, friction)
+    assert suffices(given)
+    small, whole = solver(given), solve(given)
+    values, exact = dict(numbers(small)), dict(numbers(whole))
+    widths = {}
+    for bound in small.numerics.bounds:
+        if bound.result in values:
+            widths[bound.result] = bound.bound * (abs(values[bound.result]) if bound.relative else 1.0)
+    assert widths.keys() == values.keys()
+    assert all(abs(values[name] - exact[name]) <= width for name, width in widths.items())
+    assert any(values[name] != exact[name] for name in widths)
+
+
+def test_a_scene_that_a_smaller_model_holds_exactly_is_bounded_to_the_last_bit() -> None:
+    found = solve_planar(scene((0.2, 0.0, -0.95), (3.6, 0.0, -0.46), 0.3))
+    tight = {bound.result: bound.bound for bound in found.numerics.bounds if bound.relative}  # type: ignore[union-attr]
+    assert max(tight.values()) <= 10.0 * UNIT_ROUNDOFF
+    whole = solve(scene((0.2, 0.0, -0.95), (3.6, 0.0, -0.46), 0.3))
+    exact = dict(numbers(whole))
+    assert all(abs(value - exact[name]) <= 4.0 * UNIT_ROUNDOFF * abs(value) for name, value in numbers(found))
