@@ -10,6 +10,7 @@ from dynamics_cli.numerics.elementary import multiply_add
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 
@@ -42,28 +43,18 @@ def cosine_and_sine(heading: float) -> tuple[float, float]:
     """Cosine and sine of an angle."""
     if not hasattr(heading, "adjusted"):
         return cos(heading), sin(heading)
-    # by doubling the angle from one so small that few terms do
-    halvings = max(heading.adjusted() * 4 + 40, 8)
-    x = heading / 2**halvings
-    term, sine, versine = x, x, x * 0
-    for n in range(2, 24):
-        term = term * x / n
-        if n % 2:
-            sine += term if n % 4 == 1 else -term
-        else:
-            versine += term if n % 4 == 2 else -term
-    # 1 − cos and sin of twice the angle
-    for _ in range(halvings):
-        sine, versine = 2 * sine * (1 - versine), 2 * sine * sine
-    return 1 - versine, sine
+    from dynamics_cli.numerics import decimal_functions as functions
+
+    return functions.cosine(heading), functions.sine(heading)
 
 
-def widened(tree: "Any") -> "Any":
-    """The same records with their doubles as decimals, exactly."""
+def widened(tree: "Any", number: "Callable[[float], Any] | None" = None) -> "Any":
+    """The same records with their doubles as decimals, exactly, or as other numbers of many digits."""
     from decimal import Decimal
 
+    number = number or Decimal
     if isinstance(tree, (tuple, list)):
-        return tuple(map(widened, tree))
+        return tuple(widened(part, number) for part in tree)
     if hasattr(tree, "fields"):
-        return type(tree)(*(widened(getattr(tree, name)) for name in tree.fields))
-    return Decimal(tree) if isinstance(tree, (int, float)) and not isinstance(tree, bool) else tree
+        return type(tree)(*(widened(getattr(tree, name), number) for name in tree.fields))
+    return number(tree) if isinstance(tree, (int, float)) and not isinstance(tree, bool) else tree
