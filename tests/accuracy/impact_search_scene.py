@@ -105,7 +105,7 @@ def ask(rng: random.Random, tree: Tree) -> Iterator[Answer]:
     straight = keeps_its_line(tree)
     met: Met | None = None
     path = None
-    for own in variants(rng, tree, 4 if straight else 8):
+    for own in variants(rng, tree, 4 if straight else 7):
         contact = own["contact"]
         try:
             answer = answered(Scene(**{name: arguments(own[name], GROUPS) for name in ("first", "second", "contact")}))
@@ -226,7 +226,7 @@ def in_space(rng: random.Random) -> Tree:
 
 def draw(rng: random.Random) -> Tree:
     """A fresh scene."""
-    return rng.choices((particles, in_the_plane, in_space), (8, 9, 1))[0](rng)
+    return rng.choices((particles, in_the_plane, in_space), (12, 13, 1))[0](rng)
 
 
 def starts() -> list[Tree]:
@@ -253,4 +253,4 @@ def starts() -> list[Tree]:
 
 def question() -> Question:
     """`impact solve`."""
-    return Question("impact solve", starts(), draw, ask, drawn=0.9)
+    return Question("impact solve", starts(), draw, ask, drawn=0.96)
