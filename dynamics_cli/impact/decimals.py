@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def root(x: float) -> float:
     """Square root."""
-    return x.sqrt() if hasattr(x, "sqrt") else sqrt(x)  # type: ignore[no-any-return]
+    return x.sqrt() if hasattr(x, "sqrt") else sqrt(x)
 
 
 def length(x: float, y: float, z: float = 0) -> float:
@@ -26,7 +26,7 @@ def length(x: float, y: float, z: float = 0) -> float:
 
 def fused(a: float, b: float, c: float) -> float:
     """a·b + c, rounded once or nearly so."""
-    return a.fma(b, c) if hasattr(a, "fma") else multiply_add(a, b, c)  # type: ignore[no-any-return]
+    return a.fma(b, c) if hasattr(a, "fma") else multiply_add(a, b, c)
 
 
 def total(parts: "list[float]") -> float:
@@ -45,7 +45,7 @@ def cosine_and_sine(heading: float) -> tuple[float, float]:
         return cos(heading), sin(heading)
     from dynamics_cli.numerics import decimal_functions as functions
 
-    return functions.cosine(heading), functions.sine(heading)
+    return functions.cosine(heading), functions.sine(heading)  # type: ignore[arg-type, return-value]
 
 
 def widened(tree: "Any", number: "Callable[[float], Any] | None" = None) -> "Any":

@@ -403,7 +403,9 @@ class _Region:
                 rows, columns = np.nonzero(way * values >= bar)
             if len(found) + rows.size > MOST_NEAR:
                 return None
-            found += [self._point(start + row, column) for row, column in zip(rows, columns, strict=True)]
+            found += [
+                self._point(start + row, column) for row, column in zip(rows.tolist(), columns.tolist(), strict=True)
+            ]
         return found
 
     def _keep(self, name: str, values: "Array", start: int) -> None:

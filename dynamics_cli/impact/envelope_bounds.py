@@ -59,11 +59,11 @@ class ExactContact:
 
     def rounded(self) -> Meeting:
         """The same in doubles, every number rounded once."""
-        parts = {name: getattr(self.meeting, name) for name in Meeting.fields}
+        parts = dict(self.meeting.__dict__)
         k = parts.pop("mobility")
-        mobility = Mobility(*(_plain(getattr(k, name)) for name in Mobility.fields))
-        arms = tuple(map(_plain, parts.pop("arms")))
-        return Meeting(mobility=mobility, arms=arms, **{name: _plain(part) for name, part in parts.items()})
+        mobility = Mobility(**{name: _plain(part) for name, part in k.__dict__.items()})
+        along, across = map(_plain, parts.pop("arms"))
+        return Meeting(mobility=mobility, arms=(along, across), **{name: _plain(part) for name, part in parts.items()})
 
     def rounded_turns(self) -> "list[tuple[float, float] | None]":
         """Changes of spin per unit of impulse in doubles."""

@@ -54,7 +54,7 @@ def _middle(a: "list[float]", first: int, last: int) -> float:
     """Σ a_j a_(first + last − j) from `first` to `last`, every product once."""
     count = last - first + 1
     half = count // 2
-    total = 2 * sum(map(mul, a[first : first + half], a[last : last - half if last > half else None : -1]))
+    total: float = 2 * sum(map(mul, a[first : first + half], a[last : last - half if last > half else None : -1]))
     if count % 2:
         total += a[first + half] * a[first + half]
     return total
@@ -87,8 +87,13 @@ def value(coefficients: "list[float]", step: float) -> float:
 
 def crossing(coefficients: "list[float]", target: float, low: float, high: float, digits: int = DOUBLE) -> float:
     """Where a rising series reaches `target`, between two steps: Newton's method kept within the bracket."""
+    number = type(high)
     step = (low + high) / 2
-    least = high * type(high)(f"1e-{digits + 1}")
+    if number is not float:
+        # decimals begin where doubles end
+        start = crossing(list(map(float, coefficients)), float(target), float(low), float(high))
+        step = number(start) if low < start < high else step
+    least = high * number(f"1e-{digits + 1}")
     slopes = [index * coefficient for index, coefficient in enumerate(coefficients)][1:]
     for _ in range(200):
         short = value(coefficients, step) - target

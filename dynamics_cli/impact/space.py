@@ -52,6 +52,9 @@ class SolidInSpace:
         if self.inertia is None or self.inverse is None:
             return nothing(moment[0])
         change = times(self.inverse, moment)
+        if hasattr(change[0], "sqrt"):
+            # decimals have digits to spare
+            return change
         left = tuple(-residual(row, change, part) for row, part in zip(self.inertia, moment, strict=True))
         return add(change, times(self.inverse, left))  # type: ignore[arg-type]
 

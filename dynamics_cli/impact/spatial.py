@@ -250,7 +250,7 @@ def followed(
     with localcontext(getcontext()) as context:
         context.prec = digits + GUARDS
         # leave out the digits that the path does not follow
-        rows = tuple(tuple(+entry for entry in row) for row in k)  # type: ignore[attr-defined]
+        rows = tuple(tuple(+entry for entry in row) for row in k)
         start = tuple(+part for part in before)
         return travel(rows, start, +friction, +restitution, law, order, STRIDE, digits)  # type: ignore[arg-type]
 

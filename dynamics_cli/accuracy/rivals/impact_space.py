@@ -93,12 +93,13 @@ def decimals(case: Case) -> "Callable[[], Vector]":
     from dynamics_cli.impact.spatial_bounds import EFFORTS
 
     c = Contact(case)
-    given = widened((c.k, c.u, c.mu, c.e, c.law))
+    k, u, mu, e, law = widened((c.k, c.u, c.mu, c.e, c.law))
     order, digits, most = EFFORTS[0]
 
     def answer() -> "Vector":
         with localcontext(Context(prec=most)):
-            return tuple(map(float, followed(*given, order=order, digits=digits).impulse))  # type: ignore[return-value]
+            x, y, z = followed(k, u, mu, e, law, order=order, digits=digits).impulse
+            return float(x), float(y), float(z)
 
     return answer
 
