@@ -94,10 +94,9 @@ def exact(tree: Tree, places: list[tuple[float, float]]) -> dict[str, Number] | 
         energy = lost(contact, end)
         scale = abs(end.normal * contact.approach) + abs(end.tangential * contact.slip)
         work = max(work, scale)
-        if law != "stronge" or not end.normal > 0:
-            # refused, or nearly so: which of the points count is then told by rounding
-            if not (end.normal > 0 and energy > -0.5 * GAIN * scale):
-                return None
+        # refused, or nearly so: which of the points count is then told by rounding
+        if not end.normal > 0 or (law != "stronge" and not energy > -0.5 * GAIN * scale):
+            return None
         push = tuple(end.normal * n + end.tangential * t for n, t in zip(normal, tangent, strict=True))
         size = sqrt(end.normal * end.normal + end.tangential * end.tangential)
         found.setdefault("energy_lost", []).append(energy)
