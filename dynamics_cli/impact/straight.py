@@ -87,6 +87,9 @@ def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "
     """
     (k11, k12, k13), (_, k22, k23), _ = k
     x, y = slip.state[X], slip.state[Y]
+    if y == 0 and k12 == 0 and k23 == 0:
+        # nothing acts across it
+        return x / abs(x), y
     size = root(x * x + y * y)
     c, d = x / size, y / size
     a, b = k13 - friction * (k11 * c + k12 * d), k23 - friction * (k12 * c + k22 * d)

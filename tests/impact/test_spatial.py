@@ -182,10 +182,11 @@ def test_a_contact_that_gives_way_far_more_along_one_tangent(thin: float, law: s
 
 def test_slip_that_keeps_its_direction_is_followed_in_closed_form() -> None:
     k = ((2.0, 0.0, -1.0), (0.0, 3.0, 0.0), (-1.0, 0.0, 2.0))
-    slip = Slip([0.5, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-    assert settled(k, 0.4, slip) is None  # turning aside, it would go on turning
-    slip = Slip([-0.5, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-    assert settled(k, 0.4, slip) == (-1.0, 0.0)
+    for x in (0.5, -0.5):
+        slip = Slip([x, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+        assert settled(k, 0.4, slip) == (math.copysign(1.0, x), 0.0)
+    slip = Slip([0.5, 1e-20, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    assert settled(k, 0.4, slip) is None  # turning aside, it goes on turning
     turned = Slip([-0.5, 1e-9, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
     assert settled(k, 0.4, turned) is None
 
