@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 # How many roundings a bound may be of before it is worth a second pass.
-ROOM = 10.0
+ROOM = 50.0
 # Of the products of unit vectors that the turn between two frames is read from.
 TURN_ROUNDINGS = 32.0
 SIGNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
@@ -231,7 +231,7 @@ def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> floa
         exact = run(lambda: _angle(compose_scene(first), compose_scene(second))[0])
     except (DynamicsError, ArithmeticError):
         return tilt
-    return tilt if exact is None else measured_error(angle, exact, tilt)  # type: ignore[arg-type]
+    return tilt if exact is None else measured_error(angle, exact, tilt)
 
 
 def _tilt(one: "Composed") -> float:

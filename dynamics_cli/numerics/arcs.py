@@ -41,7 +41,7 @@ def _exact_horner(terms: "tuple[tuple[int, int], ...]", x: float) -> float:
 
 def one_less_sinc(x: float) -> float:
     """1 − sin x/x: how far the mean of cos over (−x, x) falls short of one."""
-    many = hasattr(x, "many_digits")
+    many = hasattr(x, "exact")
     if abs(x) > (SHORT if many else SINC_SWITCH):
         return 1.0 - sin(x) / x
     square = x * x
@@ -50,7 +50,7 @@ def one_less_sinc(x: float) -> float:
 
 def cosine_variance(alpha: float) -> float:
     """Variance of the cosine over (−α, α): ½(1 + sin 2α/(2α)) − (sin α/α)², about α⁴/45 for short arcs."""
-    many = hasattr(alpha, "many_digits")
+    many = hasattr(alpha, "exact")
     if abs(alpha) > (SHORT if many else SPREAD_SWITCH):
         mean = sin(alpha) / alpha
         return 0.5 * (1.0 + sin(2.0 * alpha) / (2.0 * alpha)) - mean * mean

@@ -27,7 +27,10 @@ class Constant(float):
     def __mul__(self, other: "Any") -> "Any":
         if isinstance(other, float):
             return Constant._of(float(self) * float(other), (*self._factors, *_factors(other)))
-        return other * self.exact() if hasattr(other, "many_digits") else float(self) * other
+        if hasattr(other, "exact"):
+            up, down = self.ratio()
+            return other * up / down
+        return float(self) * other
 
     def __rmul__(self, other: "Any") -> "Any":
         if isinstance(other, float):
@@ -40,18 +43,24 @@ class Constant(float):
         made._factors = factors
         return made
 
-    def exact(self) -> "Any":
-        """The constant as a decimal of as many digits as arithmetic has at the moment."""
-        from decimal import Decimal
-
-        total = Decimal(1)
+    def ratio(self) -> "tuple[int, int]":
+        """The constant to all the digits it was given in, as a ratio of whole numbers."""
+        up = down = 1
         for factor in self._factors:
-            total *= Decimal(factor)
-        return total
+            if isinstance(factor, str):
+                whole, _, decimals = factor.partition(".")
+                more = int(whole + decimals), 10 ** len(decimals)
+            else:
+                more = factor.as_integer_ratio()
+            up, down = up * more[0], down * more[1]
+        return up, down
 
     def beside(self, number: "Any") -> "Any":
         """The constant as a number like another one: of many digits, or the double."""
-        return number * 0.0 + self.exact() if hasattr(number, "many_digits") else float(self)
+        if not hasattr(number, "exact"):
+            return float(self)
+        up, down = self.ratio()
+        return (0.0 * number + up) / down
 
 
 def _factors(number: "Any") -> "tuple[str | float, ...]":
