@@ -3,7 +3,9 @@
 Most drawn bodies have a closed form: spheres struck along their levers, whose slip keeps its direction; bodies whose
 motion stays in one plane, laid into space by turns of whole numbers (3-4-5 triangles), so that every double is exact;
 contacts without friction. The shipped hard cases, what is disturbed of them and bodies of any kind are followed along
-the path (`impact_search_path`), one path for several laws and restitutions, each an answer of the program's own.
+the path (`impact_search_path`), one path for several laws and restitutions, each an answer of the program's own. Of the
+suite's 10,000 answers some 1,300 are followed along the path and 8,700 have a closed form: an answer that is followed
+costs the program five times as much.
 """
 
 import json
