@@ -16,6 +16,7 @@ TASK = Task(
         "dynamics accuracy skid yaw --hard --untimed",
         "dynamics accuracy gear ratio --full --untimed",
         "dynamics accuracy convert --peers --untimed",
+        "dynamics accuracy cam size --hard --cases",
     ),
     table="methods",
     arrays=False,

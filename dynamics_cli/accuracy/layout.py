@@ -1,5 +1,6 @@
 """The report for people: a block for every question, the program's own method first, as wide as the terminal."""
 
+from dynamics_cli.accuracy import listing
 from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE
 from dynamics_cli.core.render import quantity
 
@@ -46,6 +47,8 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     """The results of a report."""
     rows = results["methods"]
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
+    if "cases" in results:
+        return listing.lines(results["cases"], _wrapped, width)
     columns = _fitting(_columns(rows, digits), rows, width)
     made = ["", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)

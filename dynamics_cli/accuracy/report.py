@@ -4,6 +4,7 @@ from statistics import median
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import load
+from dynamics_cli.accuracy.listing import ReferenceCase, listed
 from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
 from dynamics_cli.accuracy.questions import Comparison
@@ -42,6 +43,8 @@ class Accuracy:
         What times were measured on.
     peers : tuple of Peer
         Libraries of others that answer some of these questions, where they were asked for.
+    cases : tuple of ReferenceCase
+        The reference cases, where they were asked for in place of the measurement.
     """
 
     methods: tuple[Row, ...]
@@ -51,6 +54,7 @@ class Accuracy:
     peers: tuple[Peer, ...] | None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
+    cases: tuple[ReferenceCase, ...] | None = None
 
 
 class Asked:
@@ -85,6 +89,7 @@ def accuracy(
     full: bool = False,
     untimed: bool = False,
     peers: bool = False,
+    cases: bool = False,
 ) -> Accuracy:
     """Measure speed against error of the program's methods and of their rivals, on this machine.
 
@@ -105,6 +110,8 @@ def accuracy(
     peers : bool
         Libraries of others too, as far as they are installed (uncertainties, GTC, mcerp, trimesh, and others: the
         answer lists them).
+    cases : bool
+        Measure nothing; list the reference cases instead, each with why it is hard and where it comes from.
 
     Returns
     -------
@@ -129,6 +136,8 @@ def accuracy(
         known = tasks or sorted({question.family for question in catalogue.questions("", "")})
         message = f"there are no references for {f'{family} {task}'.strip()!r}"
         raise UsageError(message, parameter="task" if tasks else "family", hint=_hint(task if tasks else family, known))
+    if cases:
+        return Accuracy((), 0, None, None, None, cases=listed(family, task, hard=hard))
     found = {name: peer(name) for name in _names(asked)} if peers else {}
     wanted = Asked(hard=hard, full=full, timed=not untimed, found=found)
     rows: list[Row] = []

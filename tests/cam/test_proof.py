@@ -1,13 +1,14 @@
 """The proof proved: points and accelerations against 60 digits, what is stated against what is, and wrong pieces."""
 
 import random
+import sys
 from math import atan, pi
+from pathlib import Path as FilePath
 
 import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, SWING
 from mpmath import diff, mp, mpc, mpf
-from references import generate_cam_geometry_references as geometry_references
 from references import generate_cam_motion_references as motion_references
 
 from dynamics_cli.cam import followers
@@ -19,6 +20,12 @@ from dynamics_cli.cam.program import motion_of
 from dynamics_cli.cam.proof import proved
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.outlines import Arc, Cubic
+
+sys.path.insert(0, str(FilePath(__file__).resolve().parents[1] / "references"))
+
+from cam_envelope import Carried
+from digits import MPMATH
+from taylor import of_numbers
 
 JOINED = [name for name in motion_references.LAWS if name != "linear" and not name.startswith("half")]
 FOLLOWERS = {
@@ -49,7 +56,7 @@ class Exact:
         )
         self.size = mpf(9) / 1000 if unit == "mm" else mpf(9) * mp.pi / 180
         tree = {"record": type(follower).__name__} | {key: repr(getattr(follower, key)) for key in follower.fields}
-        self.carried = geometry_references.Carried(tree, turn, side)
+        self.carried = Carried(tree, turn, side, MPMATH)
         self.away, self.angle = mpf(away), mpf(angle)
         self.geometry = Geometry(follower, "ccw" if turn > 0 else "cw", "inner" if side > 0 else "outer")
         self.path = Path(self.geometry, motion_of(NOTHING, self.program), away=away, start_angle=angle)
@@ -66,8 +73,9 @@ class Exact:
         return 0 * theta
 
     def point(self, theta):
-        z, n = self.carried.point(self.lift, theta)
-        return (z + self.away * n) * mp.exp(1j * self.angle)
+        z, n = self.carried.point(of_numbers(self.lift), theta)
+        z = z + n * self.away
+        return mpc(z.real, z.imag) * mp.exp(1j * self.angle)
 
 
 def cams(seeds: int):

@@ -1,6 +1,14 @@
-"""The worst inputs that the searches of tests/accuracy found, by the file of references that they belong to."""
+"""The worst inputs that the searches of tests/accuracy found, by the file of references that they belong to.
+
+To ship what a search has found: add a line to found_cases.json with the file's name, the task, a name that no other
+case of the task has, `why` ("found by search: …": which result, by how much, and what makes it hard there) and the
+inputs with doubles as text; then run the file's generator, which adds the results, and generate_manifest.py. Files
+whose generators call `found` take cases so. Those of inertia and of particles are in inertia_found.py and
+impact_found.py.
+"""
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -20,3 +28,15 @@ def doubles(tree: Any) -> Any:
     if isinstance(tree, list):
         return [doubles(part) for part in tree]
     return float(tree) if isinstance(tree, str) else tree
+
+
+def numbered(cases: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The same cases, each with a name of its own within its task: those that share one are counted."""
+    often = Counter((case["task"], case["name"]) for case in cases)
+    seen: Counter[tuple[str, str]] = Counter()
+    made = []
+    for case in cases:
+        key = (case["task"], case["name"])
+        seen[key] += 1
+        made.append({**case, "name": f"{case['name']}, {seen[key]}"} if often[key] > 1 else case)
+    return made

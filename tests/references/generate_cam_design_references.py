@@ -1,39 +1,31 @@
 """Write cam_design.json: smallest cams and lifts lost to 40 digits, from conditions solved together.
 
 A corner of an undercut cam is the point that two positions of the follower touch at once, each to first order: four
-equations for the point and the two cam angles, written with the follower carried round the cam and differentiated
-numerically. The lift lost is greatest where the follower, resting on the corner, falls behind its program no faster.
-A size under a curvature is where curvature, its derivative by cam angle and the condition of the least start radius
-hold at once, or where two constraints meet; that no other angle is sharper is looked for on a grid. Rough places are
-given here to four digits; the solutions do not depend on them.
+equations for the point and the two cam angles, written with the follower carried round the cam (cam_envelope.py). The
+lift lost is greatest where the follower, resting on the corner, falls behind its program no faster. A size under a
+curvature is where curvature, its derivative by cam angle and the condition of the least start radius hold at once, or
+where two constraints meet; that no other angle is sharper is looked for on a grid. Rough places are given here to four
+digits; the solutions do not depend on them.
 
-Run: python tests/references/generate_cam_design_references.py
+Run: python tests/references/generate_cam_design_references.py [FILE]. The same bytes every time.
 """
 
 import json
 import sys
 from pathlib import Path
 
-from generate_cam_geometry_references import (
-    CYCLE,
-    MM,
-    RISES,
-    STEEP,
-    SWING,
-    Carried,
-    Lift,
-    extreme,
-    flat,
-    program_text,
-    rocker,
-    roller,
-    smooth_zones,
-    written,
-)  # fmt: skip
-from mpmath import diff, exp, findroot, hypot, mp, mpc, mpf, pi, sqrt, tan
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import numpy as np
+from cam_envelope import Carried, extreme
+from cam_geometry_cases import CYCLE, MM, RISES, STEEP, SWING, flat, rocker, roller
+from cam_programs import at, program_text
+from digits import DOUBLES, MANY, solved
+from generate_cam_geometry_references import case, pairs, turned
+from taylor import Plane, circle, diff, expanded, sqrt
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
-DIGITS = 50
+number, tan = MANY.number, MANY.library.tan
 MERGED = (("60", "3-4-5", "0.02"), ("10", None, "0.02"), ("60", "cycloidal", "0"), ("230", None, "0"))
 QUICK = (("60", "cycloidal", "25"), ("60", None, "25"), ("70", "3-4-5", "0"), ("170", None, "0"))
 LEVER = (("90", "cycloidal", "18"), ("40", None, "18"), ("80", "3-4-5", "0"), ("150", None, "0"))
@@ -66,41 +58,34 @@ CORNERS = [
 ]  # fmt: skip
 
 
-def lift_of(segments, swing):
-    scale = pi / 180 if swing else mpf(1)
-    values = [mpf(float(mpf(to) * scale)) for _, _, to in segments]
-    return Lift([(span, law, to) for (span, law, _), to in zip(segments, values, strict=True)])
-
-
 def touching(carried, inner, point, theta):
-    """How far a point is from being touched, and how that changes with the cam angle."""
-
-    def away(t):
-        if carried.kind in ("FlatFace", "OscillatingFlat"):
-            normal, level = carried.face(inner(t))
-            return (point * (normal * carried.back(t)).conjugate()).real - level
-        return abs(point - carried.centre(inner(t)) * carried.back(t)) ** 2 - carried.roller**2
-
-    return away(theta), diff(away, theta)
+    """How far a point is from being touched."""
+    if carried.flat:
+        normal, level = carried.face(inner(theta))
+        return (point * (normal * carried.back(theta)).conjugate()).real - level
+    return (point - carried.carried(inner)(theta)).square() - carried.roller**2
 
 
-def corner_loss(segments, follower, turn, side, first, second, at):
+def corner_loss(segments, follower, turn, side, first, second, place):
     swing = follower["record"] in ("OscillatingRoller", "OscillatingFlat")
-    lift, carried = lift_of(segments, swing), Carried(follower, turn, side)
-    zone = lambda t: lift.within(lift.zone(t))  # noqa: E731
-    one, two, lost = (zone(mpf(angle)) for angle in (first, second, at))
-    start = carried.point(one, mpf(first))[0] / 2 + carried.point(two, mpf(second))[0] / 2
+    exact, _ = turned(segments, swing=swing)
+    carried = Carried(follower, turn, side)
+    one, two, lost = (at(exact, number(angle)) for angle in (first, second, place))
+    start = (carried.point(one, number(first))[0] + carried.point(two, number(second))[0]) * 0.5
 
     def both(x, y, a, b):
-        point = mpc(x, y)
-        return [*touching(carried, one, point, a), *touching(carried, two, point, b)]
+        point = Plane(x, y)
+        return [
+            *expanded(lambda t: touching(carried, one, point, t), a, 1),
+            *expanded(lambda t: touching(carried, two, point, t), b, 1),
+        ]
 
-    x, y, _, _ = findroot(both, (start.real, start.imag, mpf(first), mpf(second)), tol=1e-80, maxsteps=60)
-    point = mpc(x, y)
+    x, y, _, _ = solved(both, (start.real, start.imag, first, second))
+    point = Plane(x, y)
 
     def rest(level, t):
         """Whether the follower at a level touches the corner."""
-        return touching(carried, lambda _: level, point, t)[0]
+        return touching(carried, lambda _: level, point, t)
 
     def worst(level, t):
         # along the rest the level changes by -∂t/∂level; the program changes as fast
@@ -108,19 +93,16 @@ def corner_loss(segments, follower, turn, side, first, second, at):
         by_angle = diff(lambda one: rest(level, one), t)
         return [rest(level, t), by_angle + by_level * diff(lost, t)]
 
-    # the level where the follower rests: a secant from a little below the program, above on an outer flank
-    way = mpf(side)
-    near = findroot(
-        lambda level: rest(level, mpf(at)), (lost(mpf(at)) * (1 - way / 50), lost(mpf(at)) * (1 - way / 30))
-    )
-    level, theta = findroot(worst, (near, mpf(at)), tol=1e-80, maxsteps=60)
+    # the level where the follower rests is a little below the program, above on an outer flank
+    programmed = lost(number(place))
+    (near,) = solved(lambda level: [rest(level, number(place))], (programmed * (1 - number(side) / 40),))
+    level, theta = solved(worst, (near, place))
     key = "swing_lost" if swing else "lift_lost"
-    return {key: way * (lost(theta) - level)}
+    return {key: side * (lost(theta) - level)}
 
 
 def corner_cases():
     for name, why, segments, follower, turn, side, *places in CORNERS:
-        mp.dps = DIGITS
         swing = follower["record"] in ("OscillatingRoller", "OscillatingFlat")
         inputs = {
             "program": program_text(segments, *(("deg", 1) if swing else MM)),
@@ -128,7 +110,6 @@ def corner_cases():
             "rotation": "counter-clockwise" if turn > 0 else "clockwise",
             "flank": "inner" if side > 0 else "outer",
         }
-        print(name)
         yield name, why, inputs, corner_loss(segments, follower, turn, side, *places)
 
 
@@ -148,62 +129,69 @@ OFFSETS = [
 ]  # fmt: skip
 
 
-def bend(inner, e, d, theta):
+def bend(field, lift, e, d, theta):
     """Curvature of a roller's path, from two derivatives of the centre carried round."""
 
     def carried(t):
-        return mpc(e, d + inner(t)) * exp(-1j * t)
+        c, s = circle(field, t)
+        return Plane(e, d + lift(t)) * Plane(c, -s)
 
-    c1, c2 = diff(carried, theta), diff(carried, theta, 2)
-    return -(c1.conjugate() * c2).imag / abs(c1) ** 3
+    _, c1, c2 = expanded(carried, theta, 2)
+    square = c1.square()
+    return -(c1.conjugate() * c2).imag / (square * sqrt(field, square))
+
+
+def limits(both, rise, back):
+    """Cotangents of the limits of pressure, and the greatest of s′ cot φ − s for each."""
+    c1, c2 = 1 / tan(MANY.double(rise)), 1 / tan(MANY.double(back))
+    return c1, c2, farthest(both, c1, -1), farthest(both, -c2, -1)
+
+
+def farthest(both, slope, way, offset=0):
+    """The greatest of (s′ − e)·slope + way·s."""
+
+    def reached(c, e):
+        return lambda s, t: (diff(s, t) - e) * c + way * s(t)
+
+    return extreme(reached(slope, offset), both, 1, reached(float(slope), float(offset)))
 
 
 def offset_size(segments, radius, rise, back, least, start, offset):
-    lift = lift_of(segments, False)
-    zones = list(smooth_zones(lift))
-    wanted = mpf(float(least)) + mpf(float(radius))
-    e, d = mpf(offset), sqrt(mpf(start) ** 2 - mpf(offset) ** 2)
-    c1, c2 = 1 / tan(mpf(float(rise))), 1 / tan(mpf(float(back)))
-    a = extreme(lambda s, t: diff(s, t) * c1 - s(t), zones, 1)
-    b = extreme(lambda s, t: -diff(s, t) * c2 - s(t), zones, 1)
-    lines = [line for line in ((c1, a), (-c2, b)) if abs(d + e * line[0] - line[1]) < mpf("1e-6")]
+    both = pairs(*turned(segments))
+    wanted = MANY.double(least) + MANY.double(radius)
+    e = number(offset)
+    d = MANY.sqrt(number(start) ** 2 - e**2)
+    c1, c2, a, b = limits(both, rise, back)
+    lines = [line for line in ((c1, a), (-c2, b)) if abs(d + e * line[0] - line[1]) < 1e-6]
     peaks = []
-    for low, high, inner in zones:
-        mp.dps = 20
-        grid = [low + (high - low) * k / 100 for k in range(101)]
-        values = [bend(inner, e, d, t) for t in grid[1:-1]]
-        index = max(range(99), key=values.__getitem__)
-        mp.dps = DIGITS
-        if values[index] * wanted > 1 - mpf("2e-4"):
-            peaks.append((inner, grid[index + 1], 0 < index < 98, low if index == 0 else high))
-    mp.dps = DIGITS
-    print(len(lines), "pressure angles and", len(peaks), "peaks of curvature bind")
-    assert len(lines) + len(peaks) <= 2
+    for (low, high, lift), (begin, end, rough) in both:
+        grid = begin + (end - begin) * np.arange(1, 100) / 100
+        values = bend(DOUBLES, rough, float(e), float(d), grid) + 0 * grid
+        index = int(np.argmax(values))
+        if values[index] * float(wanted) > 1 - 2e-4:
+            place = low + (high - low) * (index + 1) / 100
+            peaks.append((lift, place, 0 < index < 98, low if index == 0 else high))
+    assert len(lines) + len(peaks) == 2
 
     def equations(e, d, *angles):
         found = [d + e * slope - level for slope, level in lines]
-        for (inner, _, inside, end), t in zip(peaks, angles, strict=True):
-            found.append(bend(inner, e, d, t) * wanted - 1)
-            found.append(diff(lambda u, inner=inner: bend(inner, e, d, u), t) if inside else t - end)
-        if len(lines) + len(peaks) == 1:
-            inner, t = peaks[0][0], angles[0]
-            by_e = diff(lambda u: bend(inner, u, d, t), e)
-            by_d = diff(lambda u: bend(inner, e, u, t), d)
-            found.append(e * by_d - d * by_e)
+        for (lift, _, inside, end), t in zip(peaks, angles, strict=True):
+            curvature, slope = expanded(lambda u, lift=lift: bend(MANY, lift, e, d, u), t, 1)
+            found.append(curvature * wanted - 1)
+            found.append(slope if inside else t - end)
         return found
 
-    root = findroot(equations, (e, d, *(peak[1] for peak in peaks)), tol=1e-70, maxsteps=40)
-    e, d = root[0], root[1]
-    for low, high, inner in zones:
+    e, d, *_ = solved(equations, (e, d, *(peak[1] for peak in peaks)))
+    for (low, high, lift), _ in both:
         # no angle of a grid is sharper
-        assert all(bend(inner, e, d, low + (high - low) * k / 400) * wanted < 1 + mpf("1e-12") for k in range(1, 400))
-    start = hypot(e, d)
-    return {"base_radius": start - mpf(float(radius)), "offset": e, "start_radius": start}
+        shares = (low + (high - low) * k / 400 for k in range(1, 400))
+        assert all(bend(MANY, lift, e, d, t) * wanted < 1 + 1e-12 for t in shares)
+    start = MANY.sqrt(e * e + d * d)
+    return {"base_radius": start - MANY.double(radius), "offset": e, "start_radius": start}
 
 
 def offset_cases():
     for name, why, segments, radius, rise, back, least, start, offset in OFFSETS:
-        mp.dps = DIGITS
         inputs = {
             "program": program_text(segments, *MM),
             "follower": {"record": "Roller", "roller_radius": radius},
@@ -211,7 +199,6 @@ def offset_cases():
             "return_limit": back,
             "least_radius": least,
         }
-        print(name)
         yield name, why, inputs, offset_size(segments, radius, rise, back, least, start, offset)
 
 
@@ -227,51 +214,51 @@ ROCKERS = [
 
 
 def rocker_size(segments, pivot, back, least):
-    lift = lift_of(segments, True)
-    c, f, wanted = mpf(float(pivot)), mpf(float(back)), mpf(float(least))
+    both = pairs(*turned(segments, swing=True))
+    wanted = MANY.double(least)
 
-    def radius(inner, start, t):
+    def radius(field, lift, start, t):
         # the support function h of the face, ρ = h + h″ by the angle of its normal, which turns by 1 + ψ′
-        level = lambda u: c * mp.sin(start + inner(u)) - f  # noqa: E731
-        rate = 1 + diff(inner, t)
-        first = lambda u: diff(level, u) / (1 + diff(inner, u))  # noqa: E731
-        return level(t) + diff(first, t) / rate
+        c, f = field.double(pivot), field.double(back)
 
-    zones = list(smooth_zones(lift))
+        def level(u):
+            return c * circle(field, start + lift(u))[1] - f
+
+        def first(u):
+            return diff(level, u) / (1 + diff(lift, u))
+
+        return level(t) + diff(first, t) / (1 + diff(lift, t))
 
     def sharpest(start):
         best = None
-        for low, high, inner in zones:
-            for k in range(1, 80):
-                t = low + (high - low) * k / 80
-                value = radius(inner, start, t)
-                if best is None or value < best[0]:
-                    best = value, inner, t
+        for (low, high, lift), (begin, end, rough) in both:
+            values = radius(DOUBLES, rough, start, begin + (end - begin) * np.arange(1, 80) / 80)
+            k = int(np.argmin(values))
+            if best is None or values[k] < best[0]:
+                best = values[k], lift, low + (high - low) * (k + 1) / 80
         return best
 
-    mp.dps = 20
-    low, high = mpf("0.01"), mpf("1.2")
+    low, high = 0.01, 1.2
     for _ in range(16):
         middle = (low + high) / 2
-        low, high = (middle, high) if sharpest(middle)[0] < wanted else (low, middle)
-    _, inner, place = sharpest(high)
-    mp.dps = DIGITS
-    start, _ = findroot(
-        lambda start, t: [radius(inner, start, t) - wanted, diff(lambda u: radius(inner, start, u), t)],
-        (high, place), tol=1e-60, maxsteps=40,
-    )  # fmt: skip
-    return {"base_radius": c * mp.sin(start) - f, "arm_start_angle": start}
+        low, high = (middle, high) if sharpest(middle)[0] < float(wanted) else (low, middle)
+    _, lift, place = sharpest(high)
+
+    def equations(start, t):
+        value, slope = expanded(lambda u: radius(MANY, lift, start, u), t, 1)
+        return [value - wanted, slope]
+
+    start, _ = solved(equations, (high, place))
+    return {"base_radius": MANY.double(pivot) * MANY.sin(start) - MANY.double(back), "arm_start_angle": start}
 
 
 def rocker_cases():
     for name, why, segments, pivot, back, least in ROCKERS:
-        mp.dps = DIGITS
         inputs = {
             "program": program_text(segments, "deg", 1),
             "follower": {"record": "OscillatingFlat", "pivot_distance": pivot, "face_offset": back},
             "least_radius": least,
         }
-        print(name)
         yield name, why, inputs, rocker_size(segments, pivot, back, least)
 
 
@@ -282,37 +269,29 @@ PAIRS = [
 
 
 def pair_size(segments, radius, offset, rise, back):
-    zones = list(smooth_zones(lift_of(segments, False)))
-    e, r = mpf(float(offset)), mpf(float(radius))
-    c1, c2 = 1 / tan(mpf(float(rise))), 1 / tan(mpf(float(back)))
+    both = pairs(*turned(segments))
+    e, r = MANY.double(offset), MANY.double(radius)
+    c1, c2 = 1 / tan(MANY.double(rise)), 1 / tan(MANY.double(back))
     # tan φ = (s′ − e)/(d + s) above the axis, (e − s′)/(d₂ − s) below it
-    first = max(
-        extreme(lambda s, t: (diff(s, t) - e) * c1 - s(t), zones, 1),
-        extreme(lambda s, t: (e - diff(s, t)) * c2 - s(t), zones, 1),
-    )
-    second = max(
-        extreme(lambda s, t: (e - diff(s, t)) * c1 + s(t), zones, 1),
-        extreme(lambda s, t: (diff(s, t) - e) * c2 + s(t), zones, 1),
-    )
-    return {"base_radius": hypot(e, first) - r, "roller_distance": first + second}
+    first = max(farthest(both, c1, -1, e), farthest(both, -c2, -1, e))
+    second = max(farthest(both, -c1, 1, e), farthest(both, c2, 1, e))
+    return {"base_radius": MANY.sqrt(e * e + first * first) - r, "roller_distance": first + second}
 
 
 def pair_cases():
     for name, why, segments, radius, offset, rise, back in PAIRS:
-        mp.dps = DIGITS
         inputs = {
             "program": program_text(segments, *MM),
             "follower": {"record": "ConjugateRoller", "roller_radius": radius, "offset": offset},
             "rise_limit": rise,
             "return_limit": back,
         }
-        print(name)
         yield name, why, inputs, pair_size(segments, radius, offset, rise, back)
 
 
 def main():
     sizes = [*offset_cases(), *rocker_cases(), *pair_cases()]
-    cases = [written("check", *case) for case in corner_cases()] + [written("size", *case) for case in sizes]
+    cases = [case("check", *parts) for parts in corner_cases()] + [case("size", *parts) for parts in sizes]
     about = "Written by generate_cam_design_references.py: SI inputs as doubles, results to 40 digits of 50."
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_design.json"
     text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)

@@ -16,7 +16,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from found_cases import found
+from found_cases import found, numbered
 from mpmath import cos, factorial, lu_solve, matrix, mp, mpf, pi, sin
 
 # values near the end of a rise are differences: a tenth power of 1e-15 must keep 40 digits
@@ -156,9 +156,9 @@ LAWS: dict[str, Law] = {
 }  # fmt: skip
 
 ENDS = {
-    "within 1e-9 of the start, where x − sin x and its like lose all digits": 1e-9,
-    "within 1e-9 of the end, where 1 − f must keep digits that x has lost": 1.0 - 1e-9,
-    "within 1e-15 of the end": 1.0 - 1e-15,
+    "within 1e-9 of the start of {0}, where differences such as x − sin x lose all digits": 1e-9,
+    "within 1e-9 of the end of {0}, where 1 − f must keep digits that x has lost": 1.0 - 1e-9,
+    "within 1e-15 of the end of {0}: four units in the last place of the share, which rule its jerk": 1.0 - 1e-15,
 }
 DERIVATIVES = ("lift", "velocity", "acceleration", "jerk")
 
@@ -184,17 +184,17 @@ def rises(generator: random.Random) -> list[dict[str, Any]]:
             cases.append(rise_case("ordinary", f"{name} {number + 1}", "", law, inputs))
         for why, share in ENDS.items():
             inputs = {"law": name, "lift": 0.02, "span": 1.5707963267948966, "at": 1.5707963267948966 * share}
-            cases.append(rise_case("hard", f"{name} at {share!r}", why, law, inputs))
+            cases.append(rise_case("hard", f"{name} at {share!r}", why.format(name), law, inputs))
     hard: list[tuple[str, str, Law, dict[str, Any]]] = []
     for at in (1e-15, 2.5e-7, 5e-7, 9.99999e-7):
         inputs = {"law": "cycloidal", "lift": 0.02, "span": 1e-6, "at": at}
-        hard.append(
-            (f"span of 1e-6 rad at {at}", "jerk of 1e17 m/rad³ on a millionth of a radian", LAWS["cycloidal"], inputs)
-        )
+        why = "2 cm in a millionth of a radian: a jerk of 1e17 m/rad³, and a share known to the rounding of the angle"
+        hard.append((f"span of 1e-6 rad at {at}", why, LAWS["cycloidal"], inputs))
     for b in (1e-6, 1e-12):
         shares = [b, 0.5, 0.5 - b]
         inputs = {"law": "scca", "shares": [repr(x) for x in shares], "lift": 0.02, "span": 1.0, "at": 0.3}
-        hard.append((f"scca with b = {b}", "a sine of almost no length", scca(*shares), inputs))
+        why = f"a sine over {b:g} of the rise beside a constant acceleration: a quotient of two vanishing numbers"
+        hard.append((f"scca with b = {b}", why, scca(*shares), inputs))
     for constant in (0.999, 1e-9):
         inputs = {
             "law": "modified-constant-velocity",
@@ -203,16 +203,19 @@ def rises(generator: random.Random) -> list[dict[str, Any]]:
             "span": 1.0,
             "at": 0.0004,
         }
-        hard.append(
-            (f"constant velocity for {constant}", "nearly all, or nearly nothing, at constant velocity",
-             scca(mpf(1) / 4, 0, mpf(3) / 4, mpf(constant)), inputs)
-        )  # fmt: skip
+        why = f"constant velocity over {constant:g} of the rise: the pieces of sine are what is left of it"
+        law = scca(mpf(1) / 4, 0, mpf(3) / 4, mpf(constant))
+        hard.append((f"constant velocity for {constant}", why, law, inputs))
     hard.append(
-        ("at the joint of the modified trapezoid", "a place where two formulas meet", LAWS["modified-trapezoid"],
+        ("at the joint of the modified trapezoid",
+         "the very joint of ramp and constant acceleration: both formulas must give the same, jerk that of one side",
+         LAWS["modified-trapezoid"],
          {"law": "modified-trapezoid", "lift": 0.02, "span": 1.0, "at": 0.125})
     )  # fmt: skip
     hard.append(
-        ("just past the middle", "where the fold changes sides", LAWS["4-5-6-7"],
+        ("just past the middle",
+         "one unit in the last place past the middle, where the fold changes sides and acceleration passes zero",
+         LAWS["4-5-6-7"],
          {"law": "4-5-6-7", "lift": 0.02, "span": 1.0, "at": 0.5000000000000001})
     )  # fmt: skip
     return cases + [rise_case("hard", name, why, law, inputs) for name, why, law, inputs in hard]
@@ -229,13 +232,15 @@ def free_polynomials(generator: random.Random) -> list[dict[str, Any]]:
             conditions += [(0.5, 0, 0.55), (0.25, 1, 0.7)]
         conditions = conditions[:10]
         at = 1.0 - 1e-9 if kind == "hard" else round(generator.random(), 3)
+        degree = len(conditions) - 1
+        why = f"of degree {degree}, a billionth before its end: expanded about zero it loses its digits"
         values = polynomial(conditions)(mpf(at))
         cases.append(
             {
                 "task": "polynomial",
                 "kind": kind,
-                "name": f"degree {len(conditions) - 1}",
-                "why": "expanded about zero it would lose its digits at the end" if kind == "hard" else "",
+                "name": f"degree {degree}, at {at!r}",
+                "why": why if kind == "hard" else "",
                 "inputs": {"conditions": [[repr(x), k, repr(v)] for x, k, v in conditions], "at": repr(at)},
                 "results": {key: text(values[k]) for k, key in enumerate(DERIVATIVES)},
             }
@@ -259,12 +264,19 @@ PROGRAMS: dict[str, list[Segment]] = {
 }  # fmt: skip
 
 
+def _joint(segment: Segment, number: int) -> str:
+    side = "after the start" if number % 2 else "before the end"
+    return f"a billionth of the span {side} of {segment[3]}: the rounding of the angle shows in the share that is left"
+
+
 def motions(generator: random.Random) -> list[dict[str, Any]]:
     cases = []
     for program, segments in PROGRAMS.items():
         whole = mpf(segments[-1][2])
         for number in range(10):
-            segment = segments[generator.choice([0, 2])]
+            chosen = generator.choice([0, 2])
+            # hard ones take turns: each end of each move once
+            segment = segments[chosen if number < 6 else 2 * (number // 2 % 2)]
             start, end = (2 * pi * mpf(edge) / whole for edge in segment[1:3])
             place = mpf(generator.random())
             hard = number >= 6
@@ -281,7 +293,7 @@ def motions(generator: random.Random) -> list[dict[str, Any]]:
                     "task": "motion",
                     "kind": "hard" if hard else "ordinary",
                     "name": f"{segment[3]} in {program[:24]}… {number + 1}",
-                    "why": "a billionth of the span from a joint: its rounding in radians shows" if hard else "",
+                    "why": _joint(segment, number) if hard else "",
                     "inputs": {"program": program, "theta": repr(theta), "lift": segment[0].lstrip("-"),
                                "span": repr(float(end - start)), "law": segment[3]},
                     "results": results,
@@ -301,7 +313,7 @@ def searched() -> list[dict[str, Any]]:
 
 def main() -> None:
     generator = random.Random(16_13)
-    cases = rises(generator) + free_polynomials(generator) + motions(generator) + searched()
+    cases = numbered(rises(generator) + free_polynomials(generator) + motions(generator) + searched())
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_motion.json"
     rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
     target.write_text(

@@ -35,13 +35,30 @@ KINDS: dict[str, dict[str, tuple[Fraction, int, Fraction]]] = {
     }.items()
 }  # fmt: skip
 HARD = {
-    "0.1": "a number whose double is not the decimal written",
-    "1e300": "near the largest double",
-    "3.3e-300": "near the smallest double",
-    "9007199254740993": "more digits than a double holds",
-    "-40": "a temperature at which two scales meet, and a negative number",
-    "1.0000000000000002": "one unit in the last place above one",
+    "0.1": "a tenth is no double: read as one before it is converted it is off in its 17th digit",
+    "1e300": "near the largest double: a product on the way to SI may overflow though the result does not",
+    "3.3e-300": "near the smallest double: a product on the way to SI may lose its digits though the result has them",
+    "9007199254740993": "more digits than a double holds: as a double it is even, and off by one",
+    "-40": "a negative number: what rounds to the nearest must not round towards zero",
+    "1.0000000000000002": "one unit in the last place above one: a factor rounded first hides it",
 }
+COLD = "forty below, where both scales meet: offsets of 273.15 and 459.67 cancel, and the result must be exact"
+DEGREES = {
+    "0.1": "a tenth of a degree beside an offset of hundreds: as a double it is not the decimal written",
+    "1e300": "so large that the offset is lost beside it, and must be",
+    "3.3e-300": "so small that nothing but the offset is left, correctly rounded",
+}
+
+
+def reason(value: str, source: str, kind: str) -> str:
+    """Why a value is hard to convert."""
+    if kind == "temperature":
+        return (
+            (COLD if source != "K" else "below absolute zero, yet a number to convert: offsets do not cancel")
+            if (value == "-40")
+            else DEGREES.get(value, HARD[value])
+        )
+    return HARD[value]
 
 
 def converted(value: str, source: str, target: str, kind: str) -> str | None:
@@ -62,7 +79,7 @@ def main() -> None:
         pairs = [(a, b) for a in units for b in units if a != b]
         for source, target in pairs:
             plain = f"{rng.choice([rng.uniform(0.1, 100), rng.randint(1, 500), rng.uniform(1, 9) * 1e4]):.6g}"
-            values = [(plain, "")] + [(value, HARD[value]) for value in rng.sample(list(HARD), 2)]
+            values = [(plain, "")] + [(value, reason(value, source, kind)) for value in rng.sample(list(HARD), 2)]
             for value, why in values:
                 expected = converted(value, source, target, kind)
                 if expected is None:

@@ -15,6 +15,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import inertia_found
+from found_cases import numbered
 from inertia_exact import answer, exact, rotation
 from inertia_scenes import arguments
 from mpmath import cos, mp, mpf, nstr, sin
@@ -365,7 +366,7 @@ def main(path: Path) -> None:
             "results": found,
         }
         cases.append(entry if why else {key: part for key, part in entry.items() if key != "why"})
-    text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in cases)
+    text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in numbered(cases))
     path.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
 
 

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import skid_hard_cases
 import skid_motion
-from found_cases import doubles, found
+from found_cases import doubles, found, numbered
 from mpmath import mp, mpf
 
 G = 9.80665
@@ -235,7 +235,7 @@ def generate() -> dict[str, Any]:
     about = (
         "Written by generate_skid_references.py: SI inputs as doubles, results to 40 digits from 60-digit arithmetic."
     )
-    return {"about": about, "cases": cases}
+    return {"about": about, "cases": numbered(cases)}
 
 
 def main(target: Path) -> None:

@@ -11,27 +11,30 @@ import sys
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
 from mpmath import mp, mpf
 from uncertainty_cases import CASES, Wanted
-from uncertainty_laws import precision
+from uncertainty_numbers import number, precision, real
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 PROBABILITIES = {"low": "0.025", "median": "0.5", "high": "0.975"}
 MOST_DIGITS = 40
 
 
-def numbers(wanted: Wanted) -> dict[str, Any]:
-    """Quantiles, mean and deviation."""
+def numbers(wanted: Wanted, near: dict[str, Any] | None = None) -> dict[str, Any]:
+    """Quantiles, mean and deviation; roots are looked for near those that are known."""
     law = wanted.law()
-    found = {name: law.quantile(mpf(p)) for name, p in PROBABILITIES.items()}
+    found = {name: law.quantile(number(p), (near or {}).get(name)) for name, p in PROBABILITIES.items()}
     first, second = law.moments()
-    return {**found, "mean": first, "std": mp.sqrt(second - first * first)}
+    return {**found, "mean": first, "std": real.sqrt(second - first * first)}
 
 
 def agreed(one: Any, other: Any) -> str:
     """The digits that two calculations share."""
     if one == other == 0:
         return "0"
+    one, other = mpf(str(one)), mpf(str(other))
     apart = abs(one - other)
     digits = MOST_DIGITS if not apart else min(MOST_DIGITS, int(-mp.log10(apart / abs(other))) - 1)
     if abs(other) < mpf(10) ** -45:
@@ -46,7 +49,7 @@ def line(wanted: Wanted) -> str:
     with precision(48, 1):
         once = numbers(wanted)
     with precision(60, 2):
-        twice = numbers(wanted)
+        twice = numbers(wanted, once)
         results = {name: agreed(once[name], twice[name]) for name in once}
     case = {"task": wanted.model, "kind": "hard" if wanted.why else "ordinary", "name": wanted.name}
     more = {"why": wanted.why} if wanted.why else {}

@@ -67,7 +67,7 @@ def kept(k: Any, mu: Number, state: "list[Number]") -> "tuple[Number, Number] | 
     a = k[0][2] - mu * (k[0][0] * c + k[0][1] * d)
     b = k[1][2] - mu * (k[0][1] * c + k[1][1] * d)
     back = (a * c + b * d) + mu * (k[0][0] * d * d - 2 * k[0][1] * c * d + k[1][1] * c * c)
-    return (c, d) if back > 0 and abs(b * c - a * d) < Decimal("1e-50") * back else None
+    return (c, d) if back > 0 and abs(b * c - a * d) < Decimal(10) ** (6 - DIGITS) * back else None
 
 
 def line(k: Any, mu: Number, state: "list[Number]", way: "tuple[Number, Number]") -> "list[list[Number]]":

@@ -1,0 +1,88 @@
+"""The reference cases by name, as the manifest has them: how difficult each is, why, and where it comes from."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+from dynamics_cli.quantities import Text
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MANIFEST = Path(__file__).resolve().parent / "manifest.json"
+HARD = "hard"
+
+
+@record
+class ReferenceCase:
+    """A reference case.
+
+    Parameters
+    ----------
+    command : Text
+        The command whose task it is a case of.
+    name : Text
+        Its name, which no other case of the task has.
+    difficulty : Text
+        ordinary, or hard: chosen, or found by search, for being difficult.
+    why : Text
+        Why it is hard.
+    source : Text
+        Where it comes from: drawn at random, chosen by hand, made up for a limit, or found by a search for the largest
+        error, for the error nearest to its bound, or for the loosest bound.
+    file : Text
+        The file of references that it stands in.
+    task : Text
+        The file's own word for what is calculated.
+    """
+
+    command: Text
+    name: Text
+    difficulty: Text
+    why: Text | None
+    source: Text
+    file: Text
+    task: Text
+
+
+@cache
+def manifest() -> "dict[str, Any]":
+    """Every file of references, what made it, and its cases."""
+    return json.loads(MANIFEST.read_text(encoding="utf-8"))  # type: ignore[no-any-return]
+
+
+def listed(family: str, task: str, *, hard: bool) -> tuple[ReferenceCase, ...]:
+    """The cases of a family and task, or all."""
+    return tuple(
+        _case(file, case)
+        for file in manifest()["files"]
+        if family in ("", file["family"])
+        for case in file["cases"]
+        if task in ("", case["command"]) and (case["kind"] == HARD or not hard)
+    )
+
+
+def _case(file: "dict[str, Any]", case: "dict[str, str]") -> ReferenceCase:
+    command = f"{file['family']} {case['command']}".strip()
+    return ReferenceCase(
+        command, case["name"], case["kind"], case.get("why"), case["source"], file["file"], case["task"]
+    )
+
+
+def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[str]":
+    """The cases for people: a block for each command, its hard cases with their reasons; `wrapped` breaks lines."""
+    made: list[str] = []
+    before = ""
+    for case in cases:
+        if case["command"] != before:
+            before = case["command"]
+            own = [one for one in cases if one["command"] == before]
+            hard = sum(one["difficulty"] == HARD for one in own)
+            made += ["", f"  {before}: {len(own)} reference cases, {hard} hard"]
+        mark = "▸ " if case["difficulty"] == HARD else "  "
+        made += [f"  {mark}{line}" for line in wrapped(f"{case['name']} ({case['source']})", width - 4)]
+        if case.get("why"):
+            made += [f"      {line}" for line in wrapped(case["why"], width - 6)]
+    return made

@@ -1,0 +1,149 @@
+"""What the manifest says of each file of references: what made it, how, and where its cases come from."""
+
+import re
+from typing import Any
+
+SOURCES = {
+    "drawn": "drawn at random among ordinary sizes, by the generator, whose seed is fixed",
+    "chosen": "chosen by hand among ordinary sizes",
+    "limit": "made up for a limit, which the reason names: where a textbook formula loses digits, or a branch changes",
+    "search, nearest to its bound": "found by search: the error that comes nearest to the bound that is stated",
+    "search, largest error": "found by search: the largest error in units of the last place",
+    "search, loosest bound": "found by search: the bound that exceeds its error most",
+    "search, nearest to a tie": "found by search: the exact result nearest to the middle between two doubles",
+}
+
+
+class Origin:
+    """A file of references.
+
+    `commands` gives the task of the command line for each task of the cases ("" for a family that is one task);
+    `drawn` matches the names of ordinary cases that were drawn at random, the others were chosen.
+    """
+
+    def __init__(
+        self, family: str, commands: dict[str, str], method: str, working: str, search: str, drawn: str = "",
+    ) -> None:  # fmt: skip
+        self.family = family
+        self.commands = commands
+        self.method = method
+        self.working = working
+        self.search = search
+        self.drawn = drawn
+
+    def source(self, case: dict[str, Any]) -> str:
+        """Where a case comes from."""
+        why = case.get("why", "")
+        if case["kind"] == "ordinary":
+            return "drawn" if self.drawn and re.match(self.drawn, case["name"]) else "chosen"
+        if not why.startswith("found by search"):
+            return "limit"
+        why = why.partition("nearby:")[0]
+        if "from a tie" in why:
+            return "search, nearest to a tie"
+        if re.search(r"bound of \S+ is [\d.e+]+ times|what it need be", why):
+            return "search, loosest bound"
+        return "search, nearest to its bound" if "bound" in why else "search, largest error"
+
+
+def _same(*tasks: str) -> dict[str, str]:
+    return {task: task.replace("_", "-") for task in tasks}
+
+
+BOUNDS = "tests/accuracy/bound_search.py"
+INDEPENDENT = "tests/accuracy/independent_search.py"
+SYSTEMS = ("cartesian", "cylindrical", "spherical")
+PARTICLES = ("central", "oblique", "drop", "pendulum", "seize", "step", "chain", "momentum", "crush", "yaw_inertia")
+FILES: dict[str, Origin] = {
+    "convert": Origin(
+        "convert", {"convert": ""},
+        "exact rationals of the units' legal definitions, written down by hand, and π to 60 digits",
+        "exact", INDEPENDENT, ".",
+    ),
+    "coords": Origin(
+        "coords", {f"{a}_to_{b}": "" for a in SYSTEMS for b in SYSTEMS if a != b},
+        "angles by arc cosines and by the argument of a complex exponential; no arc tangent",
+        "up to 1,400 digits", INDEPENDENT, ".",
+    ),
+    "skid": Origin(
+        "skid",
+        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "pedestrian", "avoid", "spin")
+        | {"vault_least_speed": "vault", "vault_known_angle": "vault"},
+        "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
+        "60 digits", BOUNDS, ".",
+    ),
+    "inertia_bodies": Origin(
+        "inertia", _same("body", "compare", "shape", "tensor", "torque"),
+        "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
+        "by QR",
+        "90 digits", "tests/inertia/exact_search.py", ".",
+    ),
+    "inertia_mesh": Origin(
+        "inertia", {"mesh": "mesh", "large mesh": "mesh", "overlapping mesh": "mesh"},
+        "exact rational sums over triangles about the file's origin, areas by square roots, principal moments by QR",
+        "exact, then 80 digits", "tests/inertia/exact_search.py",
+    ),
+    "inertia_sections": Origin(
+        "inertia", _same("section"),
+        "triangles from the first corner, each by its corners and centroid; moments by the roots of the matrix",
+        "90 digits", "tests/inertia/exact_search.py", "star",
+    ),
+    "eigen": Origin(
+        "inertia", {"eigen": "tensor"},
+        "roots of the characteristic cubic, axes across the rows of A − λ·1",
+        "400 digits", "tests/inertia/exact_search.py", ".",
+    ),
+    "impact_particles": Origin(
+        "impact", _same(*PARTICLES) | {"momentum_and_energy": "momentum", "approach": "momentum"},
+        "linear equations of momentum and restitution, kinetic energies as differences, constraints by multipliers",
+        "300 digits", BOUNDS, ".",
+    ),
+    "impact_rigid": Origin(
+        "impact", {"planar": "planar", "path": "planar"},
+        "unit impulses give the contact's matrix, the path is followed event by event, energies are differences",
+        "120 digits", BOUNDS, ".",
+    ),
+    "impact_spatial": Origin(
+        "impact", {"spatial": "spatial", "keller": "spatial"},
+        "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
+        "56 digits", BOUNDS, ".",
+    ),
+    "cam_motion": Origin(
+        "cam", {"rise": "rise", "polynomial": "rise", "motion": "motion"},
+        "accelerations integrated piece by piece over the whole rise, polynomials from their boundary conditions",
+        "200 digits", INDEPENDENT, ".",
+    ),
+    "cam_geometry": Origin(
+        "cam", {"profile": "profile", "size": "size"},
+        "envelopes by their definition, by Taylor arithmetic; extremes as roots of derivatives",
+        "90 digits", INDEPENDENT,
+    ),
+    "cam_forces": Origin(
+        "cam", _same("force"),
+        "statics of the follower at the envelope's point, by Taylor arithmetic; extremes as roots of derivatives",
+        "90 digits", INDEPENDENT,
+    ),
+    "cam_design": Origin(
+        "cam", _same("check", "size"),
+        "corners, losses and smallest sizes as roots of the conditions that define them, all at once",
+        "90 digits", INDEPENDENT,
+    ),
+    "gear_geometry": Origin(
+        "gear",
+        _same("spur", "helical", "pair", "bevel", "crossed", "worm") | {"inv": "involute", "inverse": "involute"},
+        "involutes by Newton's method, paths of contact as intersections of circles and a line, cones as "
+        "intersections of unit vectors, friction as a balance of forces",
+        "80 digits", BOUNDS, r"\w+ [\d.]",
+    ),
+    "gear_trains": Origin(
+        "gear", {"measure": "measure", "root": "profile"},
+        "a ball between two helicoids in space, base circles unrolled, envelopes of the rack's corner",
+        "60 digits", BOUNDS, ".",
+    ),
+    "uncertainty": Origin(
+        "uncertainty", {},
+        "distribution functions in closed form or as one-dimensional integrals, their roots as quantiles; every number "
+        "twice, by rules of other fineness in 48 and 60 digits",
+        "48 and 60 digits", "",
+    ),
+}  # fmt: skip
