@@ -207,7 +207,7 @@ ROCKERS = [
     ("flat rocker with offset face", "", LEVER, "0.11", "0.006", "0.01"),
     (
         "flat rocker with its face beyond the pivot",
-        "the radius of curvature gains what the face loses",
+        "the face lies beyond the pivot: its offset is negative, and lever and radius of curvature change sides",
         LEVER, "0.1", "-0.005", "0.002",
     ),
 ]  # fmt: skip

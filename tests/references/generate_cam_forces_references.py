@@ -133,7 +133,8 @@ def cusps():
         )  # fmt: skip
     low = extreme(lambda lift, t: lift(t) + diff(lift, t, 2), both, -1)
     base = float(-low + MANY.number("1e-9"))
-    yield ("flat face a nanometre off a cusp", "R + s + s″ is left over from centimetres", STEEP, "150", S,
+    yield ("flat face a nanometre off a cusp",
+        "R + s + s″ is a nanometre left over from centimetres: seven digits of the curvature cancel", STEEP, "150", S,
            flat(repr(base)), 1, True)  # fmt: skip
 
 

@@ -76,7 +76,7 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     why = "three lengths of different size: the tensor is graded"
     yield "hard", "blade", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN)
     yield "hard", "blade far off", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN, (300.0, 500.0, -200.0))
-    why = "equal moments determine no axes"
+    why = "equal moments determine no axes: what decides between them is the rounding of the corners"
     yield "hard", "cube turned", why, recipe("box", (1.0, 1.0, 1.0), TURN)
     yield "hard", "ball turned", why, recipe("ball 2", (1.0, 1.0, 1.0), TURN)
     yield "hard", "round needle", why, recipe("ball 2", (1.0, 1e-4, 1e-4), TURN)
@@ -84,7 +84,7 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "hard", "huge", why, recipe("bracket", (1e40, 1e40, 1e40), TURN)
     yield "hard", "minute", why, recipe("bracket", (1e-45, 1e-45, 1e-45), TURN)
     yield "hard", "least of single precision", why, recipe("bracket", (1e-38, 1e-38, 1e-38), TURN, single=True)
-    why = "a thin wall between two surfaces that nearly cancel"
+    why = "a thin wall between two surfaces that nearly cancel, each of them far from the origin"
     yield "hard", "hollow ball far off", why, recipe("hollow ball", (1.0, 0.75, 0.5), TURN, (1e3, -2e3, 5e2))
     for power in (4, 8):
         far = 10.0**power
