@@ -71,7 +71,7 @@ CASES = [
         "accelerations of 1e4 m per radian squared beside lifts of a "
         "nanometre: terms thirteen orders apart", SHORT, "10",
      slide("0.1", "5000", "60"), None, 1, False),
-    ("fall below the base circle", "the spring slackens to a millinewton where the acceleration is upwards", BELOW,
+    ("fall below the base circle", "the spring slackens to a millinewton, all that is left to press", BELOW,
      "10", slide("0.5", "5000", "20.001"), roller("0.03", "0.008"), 1, True),
     ("two places of the jump",
         "rise and return leave the cam at one speed: two "

@@ -164,7 +164,8 @@ DERIVATIVES = ("lift", "velocity", "acceleration", "jerk")
 
 
 def text(value: Any) -> str:
-    return mp.nstr(value, 40)
+    # what 200 digits leave of a zero is none; nothing here is truly so small
+    return mp.nstr(value, 40) if abs(value) > mpf(10) ** -120 else "0.0"
 
 
 def rise_case(kind: str, name: str, why: str, law: Law, inputs: dict[str, Any]) -> dict[str, Any]:

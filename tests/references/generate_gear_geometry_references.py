@@ -591,7 +591,7 @@ def hard() -> list[Case]:
             "large negative shifts",
             (20, 45.0, -0.9),
             (30, 45.0, -0.9),
-            "shifts take three quarters of inv α_n away: the rest is what the working angle is solved from",
+            "shifts take three quarters of inv α_n away: the working angle is solved from the small rest",
         ),
     ]
     return cases

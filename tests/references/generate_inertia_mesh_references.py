@@ -42,9 +42,9 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
                 yield "ordinary", name, "", recipe(solid, (1.0, 0.75, 0.5), turn, (0.25, -0.5, 1.0), single=single)
     for solid in ("ball 1", "bracket", "hollow ball"):
         yield "ordinary", f"shell of {solid}", "", recipe(solid, (1.0, 0.75, 0.5), TURN, (0.25, -0.5, 1.0), shell=True)
-    why = "moments about the origin exceed those about the centroid by the square of the offset"
     for power in (2, 4, 6, 8):
         far = 10.0**power
+        why = f"1e{power} sizes from the origin: moments about it exceed those about the centroid 1e{2 * power} times"
         yield (
             "hard",
             f"ball at 1e{power} sizes",
@@ -53,11 +53,12 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
         )
     for power in (1, 3, 5):
         far = 10.0**power
+        why = f"1e{power} sizes from the origin in single precision: corners keep {7 - power} digits, sums need more"
         inputs = recipe("ball 2", (1.0, 0.75, 0.5), TURN, (far, -0.7 * far, 0.3 * far), single=True)
         yield "hard", f"ball at 1e{power} sizes, single", why, inputs
-    why = "the least moment is the square of the slenderness smaller, and turning loses it"
     for power in (3, 6):
         thin = 10.0**-power
+        why = f"a needle: the least second moment is 1e-{2 * power} of the others, and turning loses it among them"
         for single in (False, True):
             last = " single" if single else ""
             for turn in (STILL, TURN):
@@ -142,7 +143,11 @@ def integrals(inputs: dict[str, Any]) -> dict[str, str]:
     out["principal_moments.first"] = spread[1] + spread[2]
     out["principal_moments.second"] = spread[2] + spread[0]
     out["principal_moments.third"] = spread[0] + spread[1]
-    return {name: nstr(value, 40) for name, value in out.items()}
+    # what roots of 80 digits leave of a zero is none
+    reach = mpf(max(abs(x) for corners in whole for p in corners for x in p)) / unit
+    sizes = {"centroid": reach, "moments": trace, "products": trace}
+    least = {name: sizes.get(name.partition("[")[0].partition(".")[0], 0) * mpf(10) ** -60 for name in out}
+    return {name: nstr(value, 40) if abs(value) > least[name] else "0.0" for name, value in out.items()}
 
 
 def in_whole_numbers(made: list[Any]) -> tuple[list[Any], int]:
