@@ -139,10 +139,12 @@ class TestListing:
         assert len(found) == sum(file["count"] for file in FILES)
 
     def test_people_read_a_block_for_each_command(self) -> None:
-        lines = run("accuracy", "cam", "size", "--hard", "--cases", "--format", "text").out.splitlines()
+        lines = run("accuracy", "cam", "size", "--hard", "--cases").out.splitlines()
         head = next(line for line in lines if "reference cases" in line)
-        hard = [case for file in FILES for case in file["cases"] if file["family"] == "cam" and case["command"] == "size"]
-        count = sum(case["kind"] == "hard" for case in hard)
+        sizes = [
+            case for file in FILES if file["family"] == "cam" for case in file["cases"] if case["command"] == "size"
+        ]
+        count = sum(case["kind"] == "hard" for case in sizes)
         assert head.strip().startswith(f"cam size: {count} reference cases")
         assert sum(line.startswith("  ▸ ") for line in lines) == count
         assert max(map(len, lines)) <= 118
