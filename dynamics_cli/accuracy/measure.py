@@ -10,7 +10,7 @@ from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
     from dynamics_cli.records import ErrorBound
@@ -21,6 +21,8 @@ SMALLEST_NORMAL = Decimal(2.0**-1022)
 # Errors beyond this are shown as this: a tiny number taken for one.
 MOST = Decimal("1e300")
 HALF_ULP = Decimal(2.0**-53)
+# No double is nearer to zero, so that no bound can be smaller either.
+SMALLEST = Decimal(2.0**-1074)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
 
@@ -64,12 +66,12 @@ class Errors:
             self.bounded += 1
             self.broken += Decimal(bound) < true
             # an answer that happens to be exact would make any bound infinitely loose
-            least = DIGITS.multiply(HALF_ULP, reference.copy_abs())
-            if bound and (whole := max(true, least)):
-                self.looseness.append(float(min(DIGITS.divide(Decimal(bound), whole), MOST)))
+            least = max(true, DIGITS.multiply(HALF_ULP, reference.copy_abs()))
+            if bound and least:
+                self.looseness.append(float(min(DIGITS.divide(Decimal(bound), max(least, SMALLEST)), MOST)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
-        """Count an error measured otherwise, beside the bound or the estimate stated for it."""
+        """Count an error measured as a share of a size, beside the bound or the estimate stated for it."""
         # numbers of numpy are not for documents
         error = float(error)
         self.relative.append(error)
@@ -79,8 +81,8 @@ class Errors:
             self.bounded += 1
             estimate = float(estimate)
             self.broken += estimate < error
-            if error > 0.0:
-                self.looseness.append(float(min(Decimal(estimate) / Decimal(error), MOST)))
+            if estimate:
+                self.looseness.append(float(min(Decimal(estimate) / max(Decimal(error), HALF_ULP), MOST)))
 
 
 def errors_of(
@@ -96,11 +98,19 @@ def errors_of(
             from dynamics_cli.numerics.tracked import Tracked
 
             numbers = Tracked.inputs(numbers)
+
+        def call(numbers: "Iterable[Any]", case: "Case" = case) -> "Any":
+            return function(**build(case.inputs, iter(numbers), groups), **case.choices)
+
         try:
-            answer = function(**build(case.inputs, iter(numbers), groups), **case.choices)
+            answer = call(numbers)
         except refusals:
             made.refused += 1
             continue
+        if tracked:
+            from dynamics_cli.core.tightening import tighten
+
+            tighten(answer, list(leaves(case.inputs)), call)
         results, stated = results_of(answer), stated_by(answer)
         shown = {
             name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results

@@ -69,6 +69,8 @@ class Row:
         Whether no other method of the question is as quick and as exact.
     worst_reference : Text
         The true value of the worst result, in SI units: where it all but vanishes, a share of it says little.
+    loosest : Ratio
+        The stated bound over the true error where that is largest, counted as in the median.
     """
 
     family: Text
@@ -94,6 +96,7 @@ class Row:
     entities: Count | None = None
     front: bool = False
     worst_reference: Text = ""
+    loosest: Ratio | None = None
 
     @property
     def is_proved(self) -> bool:
@@ -141,6 +144,7 @@ def row(
         array_time,
         entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
+        loosest=max(errors.looseness, default=None),
     )
 
 

@@ -78,11 +78,17 @@ def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
     leaves = [(address, si) for address, _, si in bound.leaves()] if task.tracked else []
     if not leaves:
         return Answer(call_model(task, model, bound), model, why, [])
+    from dynamics_cli.core.tightening import tighten
     from dynamics_cli.numerics.tracked import Tracked
 
-    numbers = Tracked.inputs([si for _, si in leaves])
-    values = {address: number for (address, _), number in zip(leaves, numbers, strict=True)}
-    return Answer(call_model(task, model, bound, values), model, why, leaves)
+    def call(numbers: "list[Any]") -> "Any":
+        values = {address: number for (address, _), number in zip(leaves, numbers, strict=True)}
+        return call_model(task, model, bound, values)
+
+    doubles = [si for _, si in leaves]
+    record = call(Tracked.inputs(doubles))
+    tighten(record, doubles, call)
+    return Answer(record, model, why, leaves)
 
 
 def result_leaves(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":

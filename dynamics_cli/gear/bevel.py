@@ -4,7 +4,7 @@ from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.limits import plain
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Teeth, Torque
 from dynamics_cli.records import Advice, Check, Choice, record
 
@@ -262,7 +262,7 @@ def bevel(
             )
         )
     transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
-    overlap = face_width * tan(spiral) / (pi * mean_module) if plain(spiral) > 0.0 else None
+    overlap = face_width * tan(spiral) / (pi_beside(mean_module) * mean_module) if plain(spiral) > 0.0 else None
     return BevelData(
         ratio=ratio,
         cone_distance=cone,
@@ -387,7 +387,7 @@ def _tredgold(
             return None
         reach = sqrt(square)
         total = total + ((reach if plain(cone) > 0.0 else -reach) - radius * sine)
-    return total / (pi * module * cosine)
+    return total / (pi_beside(module, cosine) * module * cosine)
 
 
 def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...]:

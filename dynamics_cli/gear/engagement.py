@@ -6,7 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.gear.gear import Gear
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.trochoid import root
-from dynamics_cli.numerics.elementary import absolute, atan2, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.quantities import Angle, Size
 from dynamics_cli.records import record
@@ -194,12 +194,14 @@ def specific_sliding(mesh: Engagement, curvature: float) -> tuple[float | None, 
     """ζ₁ and ζ₂ where the first flank has this radius of curvature, None at a base circle: sliding over own rolling."""
     other = mesh.line - curvature
     away = curvature - mesh.pitch_curvature
-    u = mesh.ratio
-    own = away * (1.0 + 1.0 / u) / curvature if plain(curvature) > 0.0 else None
-    mate = -away * (1.0 + u) / other if plain(other) * u > 0.0 else None
+    # 1 + 1/u and 1 + u, from teeth: with an internal gear the ratio itself would cancel
+    first, second = mesh.first.teeth, mesh.second.teeth
+    both = first + second
+    own = away * (both / second) / curvature if plain(curvature) > 0.0 else None
+    mate = -away * (both / first) / other if plain(other) * mesh.ratio > 0.0 else None
     return own, mate
 
 
 def overlap_ratio(gear: Gear, width: float) -> float:
     """ε_β = b sin β/(π m_n)."""
-    return width * sin(gear.helix_angle) / (pi * gear.module)
+    return width * sin(gear.helix_angle) / (pi_beside(gear.module) * gear.module)

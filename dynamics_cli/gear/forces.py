@@ -1,10 +1,8 @@
 """Forces of a tooth, what they ask of the bearings, and what sliding loses."""
 
-from math import pi
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.engagement import Engagement, Path
-from dynamics_cli.numerics.elementary import absolute, cos, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, cos, pi_beside, sqrt, tan
 from dynamics_cli.quantities import Coordinate, Force, Text
 from dynamics_cli.records import record
 
@@ -112,6 +110,6 @@ def loss_factor(mesh: Engagement, path: Path) -> float:
     pitch = mesh.first.base_pitch
     recess = (path.end - mesh.pitch_curvature) / pitch
     approach = (mesh.pitch_curvature - path.start) / pitch
-    both = 1.0 / mesh.first.teeth + 1.0 / mesh.second.teeth
+    both = (mesh.first.teeth + mesh.second.teeth) / (mesh.first.teeth * mesh.second.teeth)
     shape = 1.0 - (recess + approach) + recess * recess + approach * approach
-    return pi * both * shape / cos(mesh.first.base_helix_angle)
+    return pi_beside(both, shape) * both * shape / cos(mesh.first.base_helix_angle)

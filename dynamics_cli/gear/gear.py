@@ -10,7 +10,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.toothing import once
 from dynamics_cli.gear.trochoid import Cutter, transverse
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.quantities import Angle, DiametralPitch, Module, Ratio, Size
 from dynamics_cli.records import Advice, Choice, record
@@ -114,7 +114,7 @@ class NormalCircularPitch:
 
     def normal(self, helix_cosine: float) -> float:
         """The normal module."""
-        return self.circular_pitch / pi
+        return self.circular_pitch / pi_beside(self.circular_pitch)
 
 
 @record
@@ -165,7 +165,8 @@ class TransverseCircularPitch:
 
     def normal(self, helix_cosine: float) -> float:
         """The normal module."""
-        return self.transverse_circular_pitch * helix_cosine / pi
+        pitch = self.transverse_circular_pitch
+        return pitch * helix_cosine / pi_beside(pitch, helix_cosine)
 
 
 SpurPitch = NormalModule | NormalDiametralPitch | NormalCircularPitch
@@ -217,7 +218,7 @@ def basic_rack(
         radius = root_radius_factor
     else:
         sine, cosine = sin(pressure_angle), cos(pressure_angle)
-        widest = (0.25 * pi * cosine - dedendum * sine) / (1.0 - sine)
+        widest = (0.25 * pi_beside(cosine, dedendum) * cosine - dedendum * sine) / (1.0 - sine)
         require(
             widest >= 0.0,
             "the rack is pointed above its tip: π/4 − h_fP·tan α is {0:.6g}",
@@ -331,12 +332,12 @@ class Gear:
     @property
     def base_pitch(self) -> float:
         """p_bt = π·m_t·cos α_t."""
-        return pi * self.transverse_module * cos(self.transverse_angle)
+        return pi_beside(self.transverse_module) * self.transverse_module * cos(self.transverse_angle)
 
     @once
     def base_half_angle(self) -> float:
         """ψ_b: half the angle of a tooth on the base circle; of ISO's sign, negative for an internal gear."""
-        across = 0.5 * pi + 2.0 * self.shift * tan(self.rack.pressure_angle)
+        across = 0.5 * pi_beside(self.module) + 2.0 * self.shift * tan(self.rack.pressure_angle)
         tangent = tan(self.rack.pressure_angle) / cos(self.helix_angle)
         # near 90° the tangent says more than the angle
         own = involute(self.transverse_angle) if tangent < 1.0 else tangent - atan(tangent)

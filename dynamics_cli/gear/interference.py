@@ -10,7 +10,18 @@ from math import pi
 from dynamics_cli.gear.engagement import Engagement, Path
 from dynamics_cli.gear.limits import bare, plain
 from dynamics_cli.gear.trochoid import roll_less_arc
-from dynamics_cli.numerics.elementary import acos, atan, atan2, cos, hypot, maximum, minimum, sin
+from dynamics_cli.numerics.elementary import (
+    acos,
+    atan,
+    atan2,
+    cos,
+    hypot,
+    known_in_doubles,
+    maximum,
+    minimum,
+    pi_beside,
+    sin,
+)
 from dynamics_cli.quantities import Coordinate, Text
 from dynamics_cli.records import record
 
@@ -63,8 +74,8 @@ def verdicts(mesh: Engagement, path: Path) -> tuple[Verdict, ...]:
         running, pushing = (
             _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
         )
-        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
-        found.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
+        found.append(("trochoid: the pinion's tip past the ring's", known_in_doubles(corner.clearance(running))))
+        found.append(("trimming: the pinion put in radially", known_in_doubles(corner.sideways(pushing))))
     return tuple(Verdict(kind, plain(margin) >= 0.0, margin) for kind, margin in found)
 
 
@@ -89,7 +100,7 @@ class _Corner:
         self.share = -first.teeth / second.teeth
         self.half = first.base_half_angle - roll_less_arc(first.tip_roll)
         self.second = second
-        self.space = second.base_half_angle - pi / second.teeth
+        self.space = second.base_half_angle - pi_beside(second.base_half_angle) / second.teeth
         # the corner ends its contact where its pressure angle has taken it past the line of centres
         self.parting = atan(first.tip_roll) - mesh.angle - self.half
         self.ring_half = self.space - roll_less_arc(second.tip_roll)

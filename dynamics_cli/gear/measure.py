@@ -1,7 +1,5 @@
 """Measuring a gear: every size that shows its tooth thickness, and the profile shift back from a measured size."""
 
-from math import pi
-
 from dynamics_cli.errors import InadmissibleError, require
 from dynamics_cli.gear.door import fillet_of, gear_of, toothing
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign, module_advice
@@ -19,7 +17,7 @@ from dynamics_cli.gear.sizes import (
     shift_from_span,
     span,
 )
-from dynamics_cli.numerics.elementary import absolute, tan
+from dynamics_cli.numerics.elementary import absolute, pi_beside, tan
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, record
 
@@ -261,7 +259,7 @@ def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: li
 
 def _thickness(gear: "Toothing") -> float:
     own = -gear.shift if gear.internal else gear.shift
-    return gear.module * (0.5 * pi + 2.0 * own * tan(gear.pressure_angle))
+    return gear.module * (0.5 * pi_beside(gear.module) + 2.0 * own * tan(gear.pressure_angle))
 
 
 def _found(gear: "Toothing", shift: float) -> ShiftFound:

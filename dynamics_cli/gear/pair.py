@@ -20,7 +20,7 @@ from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.pair_data import ContactPoint, Mate, PairData
 from dynamics_cli.gear.single import normal_pressure_angle
 from dynamics_cli.gear.split import Split, Tips, engaged
-from dynamics_cli.numerics.elementary import absolute, cos, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, cos, pi_beside, sqrt, tan
 from dynamics_cli.quantities import (
     Angle,
     Friction,
@@ -217,7 +217,7 @@ def _result(
         code="friction",
     )
     common = gcd(one.teeth, two.teeth)
-    turns = None if speed is None else absolute(speed) / (2.0 * pi)
+    turns = None if speed is None else absolute(speed) / (2.0 * pi_beside(speed))
     pitch_curvature = mesh.pitch_curvature
     return PairData(
         centre_distance=absolute(mesh.centre_distance),
@@ -268,7 +268,7 @@ def _result(
 def _backlash(mesh: Engagement, mates: tuple[Mate, Mate]) -> float:
     """j_wt of the centre distance, and of the thinner teeth carried to the working circle; refuses jammed teeth."""
     for gear, mate in zip((mesh.first, mesh.second), mates, strict=True):
-        thickness = gear.module * (0.5 * pi + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
+        thickness = gear.module * (0.5 * pi_beside(gear.module) + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
         require(
             mate.thinning < thickness,
             "teeth of {0:.6g} mm normal thickness cannot be {1:.6g} mm thinner",
@@ -305,7 +305,8 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
     for name, curvature in places:
         other = mesh.line - curvature
         away = curvature - mesh.pitch_curvature
-        factor = 2.0 * away * (1.0 + 1.0 / mesh.ratio) / working
+        # 1 + 1/u
+        factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
         own, mate = specific_sliding(mesh, curvature)
         base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
         made.append(

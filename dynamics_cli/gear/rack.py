@@ -1,13 +1,11 @@
 """A gear on a rack: the rack's own dimensions, where it stands, how it touches and what it moves."""
 
-from math import pi
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.gear import Pitch, Profile, basic_rack, module_advice, module_of, signed_gear
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.single import normal_pressure_angle
 from dynamics_cli.gear.trochoid import root
-from dynamics_cli.numerics.elementary import absolute, sin, tan
+from dynamics_cli.numerics.elementary import absolute, pi_beside, sin, tan
 from dynamics_cli.quantities import Angle, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Teeth, Torque
 from dynamics_cli.records import Advice, record
 
@@ -185,7 +183,7 @@ def rack(
     first = approach if plain(margin) >= 0.0 else radius * sine - form
     ratio = (recess + first) / gear.base_pitch
     require(ratio > 0.0, "gear and rack never touch: the contact ratio would be {0:.6g}", ratio, code="open-mesh")
-    transverse = pi * gear.transverse_module
+    transverse = pi_beside(gear.transverse_module) * gear.transverse_module
     distance = radius + profile_shift * module
     if datum_height is not None:
         require(
@@ -199,8 +197,8 @@ def rack(
     tangential = None if torque is None else torque / radius
     return RackData(
         pitch=transverse,
-        normal_pitch=pi * module,
-        tooth_thickness=0.5 * pi * module,
+        normal_pitch=pi_beside(module) * module,
+        tooth_thickness=0.5 * pi_beside(module) * module,
         addendum=basic.addendum * module,
         dedendum=basic.dedendum * module,
         tooth_depth=(basic.addendum + basic.dedendum) * module,
@@ -210,7 +208,7 @@ def rack(
         base_diameter=gear.base_diameter,
         reference_diameter=gear.reference_diameter,
         transverse_contact_ratio=ratio,
-        overlap_ratio=None if face_width is None else face_width * sin(lean) / (pi * module),
+        overlap_ratio=None if face_width is None else face_width * sin(lean) / (pi_beside(module) * module),
         approach_length=first,
         recess_length=recess,
         root_margin=margin,

@@ -19,7 +19,7 @@ from dynamics_cli.gear.gear import (
 from dynamics_cli.gear.gear_data import GearData
 from dynamics_cli.gear.limits import LEAST_TIP, least_shift, plain, pointed_shift
 from dynamics_cli.gear.trochoid import root
-from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, tan
+from dynamics_cli.numerics.elementary import absolute, atan, cos, pi_beside, sin, tan
 from dynamics_cli.quantities import Angle, Ratio, Size, Teeth
 from dynamics_cli.records import Advice, Check
 
@@ -268,8 +268,8 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
     cosine = cos(beta)
     transverse = gear.transverse_angle
     base_helix = gear.base_helix_angle
-    normal_thickness = module * (0.5 * pi + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
-    normal_pitch = pi * module
+    normal_thickness = module * (0.5 * pi_beside(module) + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
+    normal_pitch = pi_beside(module) * module
     junction = None if gear.internal else root(gear.cutter)
     cos_base = cos(base_helix)
     least = None if gear.internal else least_shift(gear)
@@ -303,7 +303,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
         tip_pressure_angle=atan(roll),
         base_helix_angle=base_helix if helical_gear else None,
         tip_helix_angle=atan(tan(beta) * tip / gear.reference_diameter) if helical_gear else None,
-        lead=pi * absolute(gear.reference_diameter) / tan(beta) if tilted else None,
+        lead=pi_beside(module) * absolute(gear.reference_diameter) / tan(beta) if tilted else None,
         profile_shift=gear.shift,
         addendum=module * (gear.rack.addendum + gear.shift + gear.tip_change),
         dedendum=module * (gear.rack.dedendum - gear.shift),

@@ -1,11 +1,9 @@
 """Sizes that show the thickness of a tooth: span, over pins or balls, chordal and constant-chord thickness."""
 
-from math import pi
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.toothing import Toothing
 from dynamics_cli.gear.trochoid import roll_less_arc
-from dynamics_cli.numerics.elementary import asin, atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import asin, atan, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Count, Ratio, Size
 from dynamics_cli.records import record
@@ -133,14 +131,14 @@ def with_shift(gear: Toothing, shift: float) -> Toothing:
 def span_length(gear: Toothing, over: int) -> float:
     """W_k = m_n cos α_n ((k − ½) π + z inv α_t) + 2 x m_n sin α_n."""
     alpha = gear.pressure_angle
-    base = gear.module * cos(alpha) * ((over - 0.5) * pi + gear.teeth * gear.pitch_involute)
+    base = gear.module * cos(alpha) * ((over - 0.5) * pi_beside(gear.module) + gear.teeth * gear.pitch_involute)
     return base + 2.0 * gear.shift * gear.module * sin(alpha)
 
 
 def shift_from_span(gear: Toothing, over: int, length: float) -> float:
     """The profile shift whose span is `length`."""
     alpha = gear.pressure_angle
-    base = gear.module * cos(alpha) * ((over - 0.5) * pi + gear.teeth * gear.pitch_involute)
+    base = gear.module * cos(alpha) * ((over - 0.5) * pi_beside(gear.module) + gear.teeth * gear.pitch_involute)
     return (length - base) / (2.0 * gear.module * sin(alpha))
 
 
@@ -165,7 +163,7 @@ def ideal_over(gear: Toothing) -> float:
     length = 2.0 * base * gear.shifted_roll / gear.base_helix_cosine
     alpha = gear.pressure_angle
     turns = (length - 2.0 * gear.shift * gear.module * sin(alpha)) / (gear.module * cos(alpha))
-    return (turns - gear.teeth * gear.pitch_involute) / pi + 0.5
+    return (turns - gear.teeth * gear.pitch_involute) / pi_beside(turns) + 0.5
 
 
 def spans_that_serve(gear: Toothing) -> list[int]:
@@ -199,7 +197,8 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
     chosen = over
     if chosen is None:
         require(bool(serving), "no span touches on the flanks", code="span-off-flank", hint="measure over pins")
-        chosen = min(serving, key=lambda k: abs(k - plain(ideal)))
+        # halfway between two, rounding must not choose
+        chosen = min(serving, key=lambda k: round(abs(k - plain(ideal)), 9))
     require(chosen >= 1, "a span is over one tooth at least", code="span-off-flank")
     length = span_length(gear, chosen)
     contact = span_contact(gear, length)
@@ -245,7 +244,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
 
 
 def _odd(gear: Toothing) -> float:
-    return cos(0.5 * pi / gear.teeth) if gear.teeth % 2 else 1.0
+    return cos(0.5 * pi_beside(gear.module) / gear.teeth) if gear.teeth % 2 else 1.0
 
 
 def pin_roll(gear: Toothing, pin: float) -> float:
@@ -328,7 +327,8 @@ def shift_from_pins(gear: Toothing, pin: float, size: float) -> float:
     value = roll_less_arc(sqrt((ratio - 1.0) * (ratio + 1.0)))
     half = pin / (2.0 * gear.base_radius * gear.base_helix_cosine)
     shift_angle = (value + half if gear.internal else value - half) - gear.pitch_involute
-    shift_angle = shift_angle - 0.5 * pi / gear.teeth if gear.internal else shift_angle + 0.5 * pi / gear.teeth
+    space = 0.5 * pi_beside(shift_angle) / gear.teeth
+    shift_angle = shift_angle - space if gear.internal else shift_angle + space
     return 0.5 * shift_angle * gear.teeth / tan(gear.pressure_angle)
 
 
@@ -430,7 +430,7 @@ def chordal(gear: Toothing, allowances: "tuple[float | None, float | None]") -> 
 
     def half_angle(shift: float) -> float:
         own = -shift if gear.internal else shift
-        return (0.5 * pi + 2.0 * own * tan(gear.pressure_angle)) / equivalent
+        return (0.5 * pi_beside(own, gear.module) + 2.0 * own * tan(gear.pressure_angle)) / equivalent
 
     half = half_angle(gear.shift)
     require(
@@ -453,7 +453,7 @@ def shift_from_chord(gear: Toothing, thickness: float) -> float:
     equivalent = gear.teeth / (cosine * cosine * cosine)
     sine = thickness / (equivalent * gear.module)
     require(sine < 1.0, "a chord of {0:.6g} mm is longer than the pitch diameter", 1e3 * thickness, code="chord")
-    own = 0.5 * (asin(sine) * equivalent - 0.5 * pi) / tan(gear.pressure_angle)
+    own = 0.5 * (asin(sine) * equivalent - 0.5 * pi_beside(sine)) / tan(gear.pressure_angle)
     return -own if gear.internal else own
 
 
@@ -463,7 +463,7 @@ def constant_chord(gear: Toothing, allowances: "tuple[float | None, float | None
     sine, cosine = sin(gear.pressure_angle), cos(gear.pressure_angle)
 
     def chord(shift: float) -> float:
-        return gear.module * (0.5 * pi * cosine * cosine + 2.0 * shift * sine * cosine)
+        return gear.module * (0.5 * pi_beside(gear.module) * cosine * cosine + 2.0 * shift * sine * cosine)
 
     thickness = chord(gear.shift)
     upper, lower = (None if one is None else chord(thinned(gear, one)) for one in allowances)

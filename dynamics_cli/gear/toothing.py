@@ -1,9 +1,7 @@
 """The few numbers of a toothing that measuring sizes, profiles and meshes are made of, transverse and in metres."""
 
-from math import pi
-
 from dynamics_cli.gear.trochoid import transverse
-from dynamics_cli.numerics.elementary import cos, maximum, sin, sqrt
+from dynamics_cli.numerics.elementary import cos, maximum, pi_beside, sin, sqrt
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.records import record
 
@@ -106,9 +104,9 @@ class Toothing:
     @once
     def solid_half(self) -> float:
         """Half angle at the base circle of what the involutes bound: the tooth, or an internal gear's space."""
-        return 0.5 * pi / self.teeth + self.shift_angle + self.pitch_involute
+        return 0.5 * pi_beside(self.shift_angle) / self.teeth + self.shift_angle + self.pitch_involute
 
     @once
     def hollow_half(self) -> float:
         """Half angle at the base circle of what lies between: the space, or an internal gear's tooth."""
-        return 0.5 * pi / self.teeth - self.shift_angle - self.pitch_involute
+        return 0.5 * pi_beside(self.shift_angle) / self.teeth - self.shift_angle - self.pitch_involute

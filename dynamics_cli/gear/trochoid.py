@@ -9,7 +9,7 @@ when that normal passes through the pitch point.
 from math import pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import record
 
@@ -24,6 +24,9 @@ _TERMS = 24
 
 def roll_less_arc(t: float) -> float:
     """The involute function of atan t, t − atan t, without cancellation."""
+    if hasattr(t, "apply") and not hasattr(t, "slopes") and not hasattr(t, "dtype"):
+        # numbers of more digits than the coefficients here
+        return t.apply("roll_less_arc", t)  # type: ignore[no-any-return]
     if not absolute(t) < SERIES_LIMIT:
         return t - atan(t)
     square = t * t
@@ -101,7 +104,7 @@ class Cutter:
     def corner_offset(self) -> float:
         """Transverse distance of the corner's centre from the centreline of the rack's tooth."""
         sine, cosine = sin(self.pressure_angle), cos(self.pressure_angle)
-        flat = 0.25 * pi - self.dedendum * sine / cosine
+        flat = 0.25 * pi_beside(sine) - self.dedendum * sine / cosine
         return (flat - self.tip_radius * (1.0 - sine) / cosine) * self.stretch
 
     @property
@@ -113,7 +116,7 @@ class Cutter:
     def space_half_angle(self) -> float:
         """Half the angle of the tooth space where the involutes leave the base circle."""
         t = tan(self.transverse_angle)
-        across = 0.5 * pi - 2.0 * self.shift * tan(self.pressure_angle)
+        across = 0.5 * pi_beside(self.shift, self.pressure_angle) - 2.0 * self.shift * tan(self.pressure_angle)
         return across / self.teeth - roll_less_arc(t)
 
 

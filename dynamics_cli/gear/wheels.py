@@ -4,7 +4,7 @@ from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.limits import plain
-from dynamics_cli.numerics.elementary import absolute, acos, asin, exp, sqrt
+from dynamics_cli.numerics.elementary import absolute, acos, asin, exp, pi_beside, sqrt
 from dynamics_cli.quantities import (
     Angle,
     Force,
@@ -218,7 +218,8 @@ def _belt(first: float, second: float, distance: float | None, drive: str) -> tu
     lean = second - first
     span = sqrt((apart - lean) * (apart + lean))
     tilt = 2.0 * asin(lean / apart)
-    return apart, span, (pi - tilt, pi + tilt)
+    around = pi_beside(tilt)
+    return apart, span, (around - tilt, around + tilt)
 
 
 def _rolling(first: float, second: float, distance: float | None, drive: str) -> float:

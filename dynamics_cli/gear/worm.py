@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.worm_data import WormData
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, pi_beside, sin, sqrt, tan
 from dynamics_cli.quantities import (
     Angle,
     Friction,
@@ -208,8 +208,8 @@ def worm(
     return WormData(
         ratio=teeth / threads,
         lead_angle=gamma,
-        lead=pi * module * threads,
-        axial_pitch=pi * module,
+        lead=pi_beside(module) * module * threads,
+        axial_pitch=pi_beside(module) * module,
         axial_module=module,
         normal_module=module * cos(gamma),
         diameter_factor=diameter / module,
@@ -218,7 +218,7 @@ def worm(
         worm_diameter=diameter,
         worm_tip_diameter=diameter + 2.0 * add,
         worm_root_diameter=root,
-        worm_length=pi * module * (4.5 + 0.02 * teeth),
+        worm_length=pi_beside(module) * module * (4.5 + 0.02 * teeth),
         wheel_diameter=wheel,
         throat_diameter=wheel + 2.0 * (add + shift),
         wheel_outer_diameter=wheel + 2.0 * (add + shift) + module,

@@ -7,6 +7,7 @@ contact is then a function of the restitution alone.
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.quantities import Distance, Pressure
 from dynamics_cli.records import record
 
@@ -61,6 +62,7 @@ def _shapes(restitution: "Any") -> "Any":
         rows = np.array([_shape(e) for e in restitution.ravel().tolist()])
         columns = [rows[:, i].reshape(restitution.shape) for i in range(3)]
         return columns[0], columns[1], columns[2]
+    only_in_doubles(restitution)
     plain = float(getattr(restitution, "value", restitution))
     values = _shape(plain)
     if not hasattr(restitution, "slopes"):

@@ -2,7 +2,7 @@
 
 from dynamics_cli.inertia.lump import each, turned
 from dynamics_cli.inertia.principal import principal
-from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.elementary import only_in_doubles, sqrt
 from dynamics_cli.numerics.symmetric import eigen
 
 TYPE_CHECKING = False
@@ -49,6 +49,7 @@ def spread_of(second: "Matrix") -> Spread:
     A tracked matrix gives tracked moments: their slopes are those of vᵀ S v along the fixed axis v (Hellmann and
     Feynman), their bound is that of the same sum and of the eigenvalues' own.
     """
+    only_in_doubles(*second[0], *second[1], *second[2])
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
     found = principal(matrix)  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in second for x in row):

@@ -8,6 +8,7 @@ from dynamics_cli.inertia.properties import ProductSign
 from dynamics_cli.inertia.results import PrincipalMoments
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.spread import bounded, ellipsoid, plain, root
+from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.quantities import (
     Direction,
@@ -248,6 +249,7 @@ def require_tensor(
     InadmissibleError
         When no body can have it.
     """
+    only_in_doubles(*matrix[0], *matrix[1], *matrix[2])
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
     found = eigen(bare)  # type: ignore[arg-type]
     least, middle, most = values = found.values[::-1]

@@ -13,6 +13,26 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+def pi_beside(*numbers: "Any") -> float:
+    """π as the numbers it stands beside know it: a double, or with what a double leaves out of it."""
+    for number in numbers:
+        operation = getattr(number, "apply", None)
+        if operation is not None:
+            return operation("pi", number)  # type: ignore[no-any-return]
+    return math.pi
+
+
+def only_in_doubles(*numbers: "Any") -> None:
+    """Refuse a number of many digits: what follows iterates in doubles, and would pass its error off as none."""
+    if any(hasattr(number, "many_digits") for number in numbers):
+        raise ArithmeticError("known in doubles only")
+
+
+def known_in_doubles(number: float) -> float:
+    """The double in a number of many digits, whose place was searched in doubles; any other number as it is."""
+    return getattr(number, "value", number) if hasattr(number, "many_digits") else number
+
+
 def _over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
     import numpy as np
 

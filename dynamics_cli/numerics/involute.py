@@ -172,9 +172,8 @@ def _involute_in_other_numbers(phi: "Any") -> "Any":
     from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
     if not isinstance(phi, Tracked):
-        from dynamics_cli.numerics.elementary import tan
-
-        return tan(phi) - phi
+        # numbers with functions of their own
+        return phi.apply("involute", phi)
     value = involute(phi.value)
     end = abs(phi.value) + phi.error
     steepest = math.tan(end) ** 2 if end < _HALF_PI else math.inf

@@ -291,7 +291,13 @@ def _multiply_add(a: Tracked, b: Tracked, c: Tracked) -> "tuple[float, float, tu
     return value, spread, (b.value, a.value, 1.0), 0.0 if exact else 1.0
 
 
+def _pi(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    # a double is 1.23e-16 off
+    return math.pi, 0.0, (0.0,), 0.36
+
+
 _RULES: "dict[str, Rule]" = {
+    "pi": _pi,
     "sqrt": _sqrt,
     "sin": _sin,
     "cos": _cos,

@@ -46,6 +46,9 @@ _LIBRARY = gmpy2 or mp
 FUNCTIONS: dict[str, Any] = {
     name: getattr(_LIBRARY, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")
 } | {
+    "involute": lambda x: _LIBRARY.tan(x) - x,
+    "roll_less_arc": lambda x: x - _LIBRARY.atan(x),
+    "pi": lambda x: exact_pi(),
     "atan2": _LIBRARY.atan2,
     "hypot": _LIBRARY.hypot,
     "maximum": max,

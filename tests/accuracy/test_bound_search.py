@@ -41,12 +41,9 @@ def test_floats_give_the_bits_of_tracked_numbers(task: str) -> None:
     assert found(task).unlike == []
 
 
-# Results whose own median is above the room, and what it may be. Gear pairs: sliding, curvature and with them the loss
-# are differences of lengths along the path of contact; a ring's last margin is at the end of the contact, an angle from
-# its cosine.
-LOOSE: dict[str, dict[str, float]] = {
-    "gear pair": {"points[": 200.0, "loss_factor": 200.0, "verdicts[4].margin": 500.0}
-}
+# Results whose own median is above the room, and what it may be: the place of a ring's last margin is searched in
+# doubles, so that no second pass measures it.
+LOOSE: dict[str, dict[str, float]] = {"gear pair": {"verdicts[4].margin": 500.0}}
 
 
 def test_every_tracked_task_is_searched() -> None:

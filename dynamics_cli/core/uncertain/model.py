@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 MOST_REFUSALS = 20
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
-    "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
+    "pi": lambda x: np.pi, "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
     "multiply_add": lambda a, b, c: a * b + c, "maximum": np.maximum, "minimum": np.minimum,
 }  # fmt: skip
 

@@ -10,6 +10,7 @@ from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, Shaft, View, named_point, properties
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.spread import SHOWN
+from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.quantities import InputFile, PartPosition, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
@@ -100,6 +101,8 @@ def mesh(
     >>> mesh("part.stl", length_unit=LengthUnit("mm"), amount=OfMass(mass=2.0)).volume  # doctest: +SKIP
     0.000120
     """
+    numbers = list(_tracked((amount, thickness, about_point, turn, shaft)))
+    only_in_doubles(*numbers)
     shell = thickness is not None or isinstance(amount, OfArealDensity)
     require(
         thickness is None or not isinstance(amount, OfArealDensity),
@@ -117,8 +120,7 @@ def mesh(
         "have no area" if shell else "enclose nothing",
         code="no-volume",
     )
-    given = (amount, thickness, about_point, turn, shaft)
-    width = next((len(number.slopes) for number in _tracked(given)), None)
+    width = next((len(number.slopes) for number in numbers), None)
     lift = Lift(found, length_unit, width or 0)
     measure = lift.measure()
     body = measure * thickness if thickness is not None else measure
@@ -152,7 +154,7 @@ def mesh(
 
 def _tracked(thing: "Any") -> "Iterator[Any]":
     """Every tracked number within arguments."""
-    if hasattr(thing, "slopes"):
+    if hasattr(thing, "apply"):
         yield thing
     elif isinstance(thing, tuple):
         for part in thing:
