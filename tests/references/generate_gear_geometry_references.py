@@ -379,6 +379,8 @@ def ordinary() -> list[Case]:
         )
     cases.append(pair_case("ordinary", "internal", 16, 48, 0.2, -0.1, internal=True))
     cases.append(pair_case("ordinary", "wide", 20, 43, 0.3, 0.2, a=0.0962))
+    cases.append(pair_case("ordinary", "published, handbook table 4.1", 12, 24, 0.0, 0.0))
+    cases.append(pair_case("ordinary", "published, handbook table 4.3", 12, 24, 0.6, 0.36))
     cases.append(crossed_case("ordinary", "screws", (15, 20.0, 0.4), (24, 30.0, 0.2)))
     return cases
 
@@ -515,6 +517,16 @@ def hard() -> list[Case]:
             0.2,
             a=0.095937,
             why="backlash is what is left of two involute functions that agree in their first digits",
+        ),
+        pair_case(
+            "hard",
+            "published, handbook table 4.6",
+            16,
+            24,
+            0.0,
+            -0.5,
+            internal=True,
+            why="the pinion's contact would begin 0.03 mm beyond its base circle: a sign, left of a difference",
         ),
         pair_case(
             "hard",

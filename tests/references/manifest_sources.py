@@ -6,6 +6,7 @@ from typing import Any
 SOURCES = {
     "drawn": "drawn at random among ordinary sizes, by the generator, whose seed is fixed",
     "chosen": "chosen by hand among ordinary sizes",
+    "published": "a published example, whose source and printed digits stand in tests/validation",
     "limit": "made up for a limit, which the reason names: where a textbook formula loses digits, or a branch changes",
     "search, nearest to its bound": "found by search: the error that comes nearest to the bound that is stated",
     "search, largest error": "found by search: the largest error in units of the last place",
@@ -34,6 +35,8 @@ class Origin:
     def source(self, case: dict[str, Any]) -> str:
         """Where a case comes from."""
         why = case.get("why", "")
+        if case["name"].startswith("published"):
+            return "published"
         if case["kind"] == "ordinary":
             return "drawn" if self.drawn and re.match(self.drawn, case["name"]) else "chosen"
         if not why.startswith("found by search"):
