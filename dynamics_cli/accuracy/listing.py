@@ -4,6 +4,7 @@ import json
 from functools import cache
 from pathlib import Path
 
+from dynamics_cli.pictures import Axis, Bars, Panel, Picture
 from dynamics_cli.quantities import Text
 from dynamics_cli.records import record
 
@@ -86,3 +87,16 @@ def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[st
         if case.get("why"):
             made += [f"      {line}" for line in wrapped(case["why"], width - 6)]
     return made
+
+
+def counted(cases: tuple[ReferenceCase, ...]) -> Picture:
+    """How many cases each command has, a bar for the hard ones below that of all."""
+    commands = dict.fromkeys(case.command for case in cases)
+    names: list[str] = []
+    counts: list[float] = []
+    for command in commands:
+        own = [case for case in cases if case.command == command]
+        names += [command, "of these hard"]
+        counts += [float(len(own)), float(sum(case.difficulty == HARD for case in own))]
+    bars = Bars(tuple(names), [0.0] * len(names), counts)
+    return Picture((Panel(Axis("reference cases"), Axis(""), (bars,)),), "reference cases of 40 digits")
