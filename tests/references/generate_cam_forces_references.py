@@ -161,7 +161,7 @@ def main():
                 "results": {key: written(value) for key, value in results.items()},
             }
         )
-    about = "Written by generate_cam_forces_references.py: SI inputs as doubles, results to 40 digits of 60."
+    about = "Written by generate_cam_forces_references.py: SI inputs as doubles, results to 40 digits of 90."
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_forces.json"
     text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
     target.write_text(text + "\n", encoding="utf-8")

@@ -74,6 +74,9 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
             last = " single" if single else ""
             yield "hard", f"plate 1e{power} turned{last}", why, recipe("ball 2", (1.0, 0.75, thin), TURN, single=single)
         yield "hard", f"box plate 1e{power} turned", why, recipe("box", (1.0, 0.75, thin), TURN, (3.0, -2.0, 1.0))
+    far = (1e3, -7e2, 3e2)
+    why = "a plate of 1e-6 at a thousand sizes: the least second moment is 1e-18 of what its sums about the origin are"
+    yield "hard", "plate 1e6 turned at 1e3 sizes", why, recipe("ball 2", (1.0, 0.75, 1e-6), TURN, far)
     why = "three lengths of different size: the tensor is graded"
     yield "hard", "blade", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN)
     yield "hard", "blade far off", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN, (300.0, 500.0, -200.0))
