@@ -8,11 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import generate_manifest
 from manifest_sources import FILES
+
+HERE = Path(__file__).resolve().parent
 
 
 def main(names: list[str]) -> None:
