@@ -6,13 +6,12 @@ from dynamics_cli.impact.diagnostics import TOLERANCE, balance, not_above, requi
 from dynamics_cli.quantities import Restitution
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.impact.chain_laws import Answer, Told
+
 UNIT_ROUNDOFF = 2.0**-53
-# Closing speeds below this share of the greatest are rounding.
-NOTHING = 1e-14
-MOST_COLLISIONS = 20000
-MOST_ROUNDS = 2000
-
-
+LAWS = "sequential", "simultaneous"
 ALL = ChainLaw("all")
 
 
@@ -46,7 +45,8 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
     Notes
     -----
     Rigid bodies do not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at one
-    moment. Gaps, however small, and waves in real bodies favour pairs.
+    moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals of so
+    many digits that two runs agree: the bound stated is half a last bit.
 
     References
     ----------
@@ -80,29 +80,35 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
         code="no-impact",
         hint="velocities are positive from the first body to the last",
     )
-    laws = {"sequential": _sequential, "simultaneous": _simultaneous}
-    asked = list(laws) if law == "all" else [str(law)]
+    from dynamics_cli.impact.chain_laws import Answer, Chain, momentum
+
+    masses, speeds = [body.mass for body in bodies], [body.velocity for body in bodies]
+    row = Chain(masses, speeds, ratios)
+    asked = LAWS if law == "all" else (str(law),)
     answers: list[LawAnswer] = []
+    told: list[Answer] = []
     after: list[tuple[AfterChain, ...]] = []
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     for name in asked:
-        changes, impulses, collisions, lost, why = laws[name](bodies, ratios)
-        require(not why or law == "all", f"{name}: {why}", code="no-answer", hint="try the other law: --law all")
-        if why:
-            advice += (Advice(f"no-{name}", f"{name}: {why}", severity="caution"),)
+        said = Answer(row, name)
+        require(not said.why or law == "all", f"{name}: {said.why}", code="no-answer", hint="try --law all")
+        if said.why:
+            advice += (Advice(f"no-{name}", f"{name}: {said.why}", severity="caution"),)
             continue
-        answers.append(LawAnswer(name, lost, collisions))
-        after.append(_after(name, bodies, changes, impulses))
+        told.append(said)
+        answers.append(LawAnswer(name, said.lost.value, said.collisions))
+        after.append(_after(name, said))
         checks += _checks(answers[-1], after[-1], bodies)
     require(len(answers) > 0, "neither law has an answer: " + "; ".join(a.message for a in advice), code="no-answer")
+    whole = momentum(masses, speeds)
     return ChainFound(
-        momentum=_sum([body.mass * body.velocity for body in bodies]),
+        momentum=whole,
         laws=tuple(answers),
         bodies=tuple(row for rows in after for row in rows),
         checks=checks,
         advice=advice + _differ(after, fastest),
-        numerics=Numerics("pairs and complementarity", _bounds(bodies, answers, after)),
+        numerics=Numerics("pairs and complementarity, in decimals of many digits", _bounds(told, whole)),
     )
 
 
@@ -116,141 +122,34 @@ def _closing(velocities: list[float]) -> list[float]:
     return [velocities[i] - velocities[i + 1] for i in range(len(velocities) - 1)]
 
 
-# Changes of velocity, impulses between neighbours, collisions, energy lost, and why there is no answer.
-Answer = tuple[list[float], list[float], int, float, str]
+def _after(name: str, said: "Answer") -> tuple[AfterChain, ...]:
+    pushes = [*(push.value for push in said.impulses), None]
+    return tuple(
+        AfterChain(name, index + 1, velocity.value, change.value, push)
+        for index, (velocity, change, push) in enumerate(zip(said.velocities, said.changes, pushes, strict=True))
+    )
 
 
-def _sequential(bodies: tuple[Body, ...], ratios: list[float]) -> Answer:
-    """One pair at a time, the fastest first."""
-    masses = [body.mass for body in bodies]
-    changes = [0.0] * len(bodies)
-    impulses = [0.0] * len(ratios)
-    lost = 0.0
-    scale = max(abs(body.velocity) for body in bodies)
-    for count in range(MOST_COLLISIONS):
-        closing = _closing([body.velocity + change for body, change in zip(bodies, changes, strict=True)])
-        fastest = max(closing)
-        if fastest <= NOTHING * scale:
-            return changes, impulses, count, lost, ""
-        at = closing.index(fastest)
-        m, other = masses[at], masses[at + 1]
-        reduced = min(m, other) / (1.0 + min(m, other) / max(m, other))
-        push = (1.0 + ratios[at]) * reduced * fastest
-        lost += 0.5 * (1.0 - ratios[at]) * (1.0 + ratios[at]) * reduced * fastest * fastest
-        impulses[at] += push
-        changes[at] -= push / m
-        changes[at + 1] += push / other
-    why = f"the pairs go on colliding after {MOST_COLLISIONS} collisions"
-    return changes, impulses, MOST_COLLISIONS, lost, why
+def _bounds(answers: "list[Answer]", momentum: float) -> tuple[ErrorBound, ...]:
+    """What rounding the results to doubles leaves, and the little that two runs of many digits differ by."""
+    found: list[ErrorBound] = [ErrorBound("momentum", UNIT_ROUNDOFF)] if momentum else []
 
+    def add(name: str, told: "Told") -> None:
+        found.append(
+            ErrorBound(name, told.error / abs(told.value)) if told.value else ErrorBound(name, told.error, False)
+        )
 
-def _simultaneous(bodies: tuple[Body, ...], ratios: list[float]) -> Answer:
-    """All contacts at one moment, in rounds until no pair closes.
-
-    Relative velocities are what the law speaks of; a light body between heavy ones keeps its digits by them.
-    """
-    weights = [1.0 / body.mass for body in bodies]
-    start = _closing([body.velocity for body in bodies])
-    closing = list(start)
-    scale = max(abs(body.velocity) for body in bodies)
-    total = [0.0] * len(ratios)
-    lost, size = 0.0, 0.0
-    alike = len(set(ratios)) == 1
-    for count in range(MOST_ROUNDS):
-        if max(closing) <= NOTHING * scale:
-            gained = lost < -1e-12 * size
-            why = f"unlike restitutions would give {-lost:.4g} J to the bodies" if gained else ""
-            opened = [one - other for one, other in zip(start, closing, strict=True)]
-            return _spread(bodies, opened), total, count, lost, why
-        plastic, acting = _plastic(weights, closing)
-        held = [u if a else o for u, a, o in zip(closing, acting, _opened(weights, plastic), strict=True)]
-        if alike:
-            e = ratios[0]
-            opened = [(1.0 + e) * o for o in held]
-            works = [0.5 * (1.0 - e) * (1.0 + e) * p * o for p, o in zip(plastic, held, strict=True)]
-        else:
-            more = _opened(weights, [e * p for e, p in zip(ratios, plastic, strict=True)])
-            opened = [o + again for o, again in zip(held, more, strict=True)]
-            pushes = zip(ratios, plastic, closing, opened, strict=True)
-            works = [0.5 * (1.0 + e) * p * (u + u - o) for e, p, u, o in pushes]
-        lost += _sum(works)
-        size += _sum([abs(work) for work in works])
-        total = [one + (1.0 + e) * p for one, e, p in zip(total, ratios, plastic, strict=True)]
-        closing = [u - o for u, o in zip(closing, opened, strict=True)]
-    why = f"the pairs still close after {MOST_ROUNDS} rounds"
-    return [0.0] * len(bodies), total, MOST_ROUNDS, lost, why
-
-
-def _spread(bodies: tuple[Body, ...], opened: list[float]) -> list[float]:
-    """Changes of velocity that open the contacts by so much and leave the momentum: sums of shares of the mass."""
-    whole = _sum([body.mass for body in bodies])
-    behind = [_sum([body.mass for body in bodies[: j + 1]]) / whole for j in range(len(opened))]
-    ahead = [_sum([body.mass for body in bodies[j + 1 :]]) / whole for j in range(len(opened))]
-    return [_sum([behind[j] * o if j < i else -ahead[j] * o for j, o in enumerate(opened)]) for i in range(len(bodies))]
-
-
-def _plastic(weights: list[float], closing: list[float]) -> tuple[list[float], list[bool]]:
-    """Least impulses after which no pair closes: an M-matrix, so the set of acting contacts only grows."""
-    scale = max(abs(u) for u in closing)
-    acting = [u > 0.0 for u in closing]
-    impulses: list[float] = []
-    for _ in range(len(closing) + 1):
-        impulses = _tridiagonal(weights, closing, acting)
-        opened = _opened(weights, impulses)
-        short = [not a and o < u - 1e-15 * scale for a, o, u in zip(acting, opened, closing, strict=True)]
-        if not any(short):
-            break
-        acting = [a or s for a, s in zip(acting, short, strict=True)]
-    return impulses, acting
-
-
-def _opened(weights: list[float], impulses: list[float]) -> list[float]:
-    """K p: by how much the impulses open every contact."""
-    count = len(impulses)
-    opened = []
-    for i in range(count):
-        value = (weights[i] + weights[i + 1]) * impulses[i]
-        if i > 0:
-            value -= weights[i] * impulses[i - 1]
-        if i + 1 < count:
-            value -= weights[i + 1] * impulses[i + 1]
-        opened.append(value)
-    return opened
-
-
-def _tridiagonal(weights: list[float], wanted: list[float], acting: list[bool]) -> list[float]:
-    """K p = wanted on runs of acting contacts, p = 0 elsewhere."""
-    impulses = [0.0] * len(wanted)
-    start = 0
-    while start < len(wanted):
-        if not acting[start]:
-            start += 1
-            continue
-        end = start
-        while end < len(wanted) and acting[end]:
-            end += 1
-        # elimination without a subtraction: the diagonal keeps what it owes to the bodies before apart
-        right = wanted[start:end]
-        owed = weights[start]
-        diagonal = [owed + weights[start + 1]]
-        for i in range(1, end - start):
-            factor = weights[start + i] / diagonal[i - 1]
-            owed = factor * owed
-            diagonal.append(owed + weights[start + i + 1])
-            right[i] += factor * right[i - 1]
-        for i in reversed(range(end - start)):
-            following = weights[start + i + 1] * impulses[start + i + 1] if start + i + 1 < end else 0.0
-            impulses[start + i] = (right[i] + following) / diagonal[i]
-        start = end
-    return impulses
-
-
-def _after(name: str, bodies: tuple[Body, ...], changes: list[float], impulses: list[float]) -> tuple[AfterChain, ...]:
-    rows = []
-    for index, (body, change) in enumerate(zip(bodies, changes, strict=True)):
-        pushes = impulses[index] if index < len(impulses) else None
-        rows.append(AfterChain(name, index + 1, body.velocity + change, change, pushes))
-    return tuple(rows)
+    place = 0
+    for index, said in enumerate(answers):
+        add(f"laws[{index}].energy_lost", said.lost)
+        for velocity, change in zip(said.velocities, said.changes, strict=True):
+            add(f"bodies[{place}].velocity", velocity)
+            add(f"bodies[{place}].delta_v", change)
+            place += 1
+        first = place - len(said.velocities)
+        for j, push in enumerate(said.impulses):
+            add(f"bodies[{first + j}].impulse_to_next", push)
+    return tuple(found)
 
 
 def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body, ...]) -> tuple[Check, ...]:
@@ -285,28 +184,3 @@ def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice
             mend="choose --law sequential for bodies with gaps, however small",
         ),
     )
-
-
-def _bounds(
-    bodies: tuple[Body, ...], answers: list[LawAnswer], after: list[tuple[AfterChain, ...]]
-) -> tuple[ErrorBound, ...]:
-    """Rounding of so many collisions, absolute in size, stated relative to each result."""
-    found: list[tuple[str, float, float]] = []
-    place = 0
-    for index, (answer, rows) in enumerate(zip(answers, after, strict=True)):
-        impulses = [row.impulse_to_next or 0.0 for row in rows]
-        roundings = (8.0 + 4.0 * answer.collisions + 4.0 * len(bodies)) * UNIT_ROUNDOFF
-        # every impulse is as wrong as the velocities it came from, which all impulses made
-        fastest = max(abs(body.velocity) + abs(row.delta_v) for body, row in zip(bodies, rows, strict=True))
-        total = _sum([body.mass * body.velocity * body.velocity for body in bodies])
-        found.append((f"laws[{index}].energy_lost", answer.energy_lost, 2.0 * roundings * total))
-        for j, (body, row) in enumerate(zip(bodies, rows, strict=True)):
-            near = [bodies[k].mass for k in (j - 1, j, j + 1) if 0 <= k < len(bodies)]
-            wrong = roundings * (fastest + ((impulses[j - 1] if j else 0.0) + impulses[j]) / body.mass)
-            found.append((f"bodies[{place}].velocity", row.velocity, wrong))
-            found.append((f"bodies[{place}].delta_v", row.delta_v, wrong))
-            if row.impulse_to_next is not None:
-                push = roundings * (impulses[j] + max(near) * fastest)
-                found.append((f"bodies[{place}].impulse_to_next", row.impulse_to_next, push))
-            place += 1
-    return tuple(ErrorBound(name, wrong / abs(value)) for name, value, wrong in found if value != 0.0)

@@ -71,7 +71,8 @@ class LawAnswer:
     energy_lost : Energy
         Energy lost [J].
     collisions : Count
-        Collisions of single pairs, or rounds of all contacts at one moment.
+        Collisions of single pairs, or rounds of all contacts at one moment; ever slower ones are counted until they
+        change no digit of a result.
     """
 
     law: Text

@@ -67,6 +67,8 @@ def crush(
 
     Examples
     --------
+    >>> from dynamics_cli.impact.conventions import ByMass
+    >>> from dynamics_cli.impact.crush_stiffness import Coefficients
     >>> car = Damaged(ByMass(1500.0), Coefficients(60000.0, 500000.0), MeanCrush(0.3, 1.5))
     >>> round(crush(first=car).first.energy, 6)
     66150.0

@@ -1,10 +1,10 @@
 """ΔV over a region of restitution and friction: what an impact can have done when neither is known well."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.bodies import RigidBody, RigidTarget, Solid, cross, solid
+from dynamics_cli.impact.bodies import RigidBody, RigidTarget, Solid, solid
 from dynamics_cli.impact.conventions import AXES, Axes, direction_of
 from dynamics_cli.impact.diagnostics import require_finite
-from dynamics_cli.impact.laws import LAW, ON_THE_PATH, Law, Meeting
+from dynamics_cli.impact.laws import LAW, ON_THE_PATH, Law
 from dynamics_cli.impact.planar import meeting_of
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.quantities import (
@@ -29,11 +29,14 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.impact.envelope_bounds import ExactContact, Extreme
+
     Array = NDArray[Any]
 
-# Rounding of the path on arrays, relative to the impulse; det K is known without cancellation.
-ROUNDING = 2e-14
+UNIT_ROUNDOFF = 2.0**-53
 POINTS_MOST = 100_000_000
+# Points that doubles cannot tell from an extreme, which are calculated in 60 digits.
+MOST_NEAR = 40
 
 
 @record
@@ -223,7 +226,8 @@ def envelope(
 
     Notes
     -----
-    Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie.
+    Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie. Doubles
+    find their places, 60 digits their values; the bound is mostly that another point errs in doubles.
 
     References
     ----------
@@ -239,6 +243,8 @@ def envelope(
     (2.0, 1000000)
     """
     import numpy as np
+
+    from dynamics_cli.impact.envelope_bounds import ExactContact
 
     require(law != "all", "an envelope is of one law", code="one-law", hint="--law stronge")
     require(
@@ -275,24 +281,30 @@ def envelope(
     require_finite(8.0 * size * size / meeting.mobility.normal, "the energy of the impact")
     e = np.linspace(least_restitution, greatest_restitution, restitution_points)
     mu = np.linspace(least_friction, greatest_friction, friction_points)
-    region = _Region(meeting, law, e, mu)
-    region.scan(one, two, inward)
+    exact = ExactContact(first, second, normal, contact_point, closing_speed, axes, gravity)
+    region = _Region(exact, law, e, mu)
+    region.scan()
     require(region.good > 0, f"{law}: no point of the region has an answer", code="no-push", hint="--law stronge")
-    return _report(region, one, two, inward, map_points)
+    return _report(region, one, two, map_points)
 
 
 class _Region:
-    """The grid, gone through in blocks; keeps extremes only."""
+    """The grid, gone through in blocks; keeps the places of extremes only."""
 
-    def __init__(self, meeting: Meeting, law: str, e: "Array", mu: "Array") -> None:
-        self.meeting = meeting
+    def __init__(self, exact: "ExactContact", law: str, e: "Array", mu: "Array") -> None:
+        self.exact = exact
+        self.meeting = exact.rounded()
+        self.turns = exact.rounded_turns()
         self.law = str(law)
         self.e = e
         self.mu = mu
+        self.rows = max(1, 16384 // e.size)
         self.good = 0
         self.full = 0
         self.least: dict[str, tuple[float, int, int]] = {}
         self.greatest: dict[str, tuple[float, int, int]] = {}
+        # the extremes of every block of the grid, by quantity and end
+        self.blocks: dict[tuple[str, bool], list[tuple[int, float]]] = {}
 
     def answer(self, mu: "Array", e: "Array") -> "tuple[Array, Array, Array]":
         """p_n, p_t and energy lost; NaN where the law has no answer."""
@@ -312,14 +324,20 @@ class _Region:
             pn = np.where(gains, np.nan, pn)
         return pn, pt, lost
 
-    def scan(self, one: Solid, two: Solid, inward: "tuple[float, float]") -> None:
+    def found(self, pn: "Array", pt: "Array", lost: "Array") -> "dict[str, Array]":
+        """The quantities whose extremes are sought; the square of the impulse for its size."""
+        found = {"size": pn * pn + pt * pt, "lost": lost}
+        for name, turn in zip(("first", "second"), self.turns, strict=True):
+            if turn is not None:
+                found[name] = turn[0] * pn + turn[1] * pt
+        return found
+
+    def scan(self) -> None:
         """Go through all points."""
         import numpy as np
 
-        rows = max(1, 16384 // self.e.size)
-        turns = [_turn(body, inward) for body in (one, two)]
-        for start in range(0, self.mu.size, rows):
-            mu = self.mu[start : start + rows, None]
+        for start in range(0, self.mu.size, self.rows):
+            mu = self.mu[start : start + self.rows, None]
             pn, pt, lost = self.answer(mu, self.e)
             good = pn == pn
             count = int(np.count_nonzero(good))
@@ -327,12 +345,68 @@ class _Region:
                 continue
             self.good += count
             self.full += int(np.count_nonzero(np.abs(pt) >= (1.0 - 1e-14) * (mu * pn)))
-            found = {"square": pn * pn + pt * pt, "lost": lost}
-            for name, turn in zip(("first", "second"), turns, strict=True):
-                if turn is not None:
-                    found[name] = turn[0] * pn + turn[1] * pt
-            for name, values in found.items():
+            for name, values in self.found(pn, pt, lost).items():
                 self._keep(name, values if count == good.size else np.where(good, values, np.nan), start)
+
+    def at(self, mu: float, e: float) -> dict[str, float]:
+        """The same in doubles at one point; nothing where the law has no answer."""
+        import numpy as np
+
+        pn, pt, lost = self.answer(np.array([mu]), np.array([e]))
+        if pn[0] != pn[0]:
+            return {}
+        made = {name: float(values[0]) for name, values in self.found(pn, pt, lost).items()}
+        return {**made, "size": made["size"] ** 0.5}
+
+    def extremes(self) -> "dict[str, tuple[Extreme, Extreme]]":
+        """Least and greatest of every quantity, with their bounds."""
+        from dynamics_cli.impact.envelope_bounds import Extremes
+
+        found = Extremes(self.exact, self.law, self.at)
+        places = {(row, column) for store in (self.least, self.greatest) for _, row, column in store.values()}
+        corners = {(row, column) for row in (0, self.mu.size - 1) for column in (0, self.e.size - 1)}
+        found.learn(self._point(*place) for place in places | corners if self.at(*self._point(*place)))
+        missed = found.missed()
+        left = {}
+        for name, room in missed.items():
+            for greatest in (False, True):
+                near = self._near(name, greatest, found.end(name, greatest=greatest, missed=0.0).value, room)
+                left[name, greatest] = room if near is None else 0.0
+                found.learn(near or ())
+        return {
+            name: (
+                found.end(name, greatest=False, missed=left[name, False]),
+                found.end(name, greatest=True, missed=left[name, True]),
+            )
+            for name in missed
+        }
+
+    def _point(self, row: int, column: int) -> tuple[float, float]:
+        return float(self.mu[row]), float(self.e[column])
+
+    def _near(self, name: str, greatest: bool, value: float, room: float) -> "list[tuple[float, float]] | None":
+        """The points that may be beyond the extreme for all that doubles tell; None where they are many."""
+        import numpy as np
+
+        way = 1.0 if greatest else -1.0
+        # of the impulse the square was kept
+        limit = way * value - 2.0 * room
+        bar = limit if name != "size" else way * (way * limit) ** 2 if way * limit > 0.0 else -np.inf
+        found: list[tuple[float, float]] = []
+        for start, best in self.blocks[name, greatest]:
+            if way * best < bar:
+                continue
+            mu = self.mu[start : start + self.rows, None]
+            pn, pt, lost = self.answer(mu, self.e)
+            values = np.where(pn == pn, self.found(pn, pt, lost)[name], np.nan)
+            with np.errstate(invalid="ignore"):
+                rows, columns = np.nonzero(way * values >= bar)
+            if len(found) + rows.size > MOST_NEAR:
+                return None
+            found += [
+                self._point(start + row, column) for row, column in zip(rows.tolist(), columns.tolist(), strict=True)
+            ]
+        return found
 
     def _keep(self, name: str, values: "Array", start: int) -> None:
         import numpy as np
@@ -340,20 +414,13 @@ class _Region:
         for store, find, better in ((self.least, np.nanargmin, -1.0), (self.greatest, np.nanargmax, 1.0)):
             index = int(find(values))
             value = float(values.flat[index])
+            self.blocks.setdefault((name, better > 0.0), []).append((start, value))
             if name not in store or better * value > better * store[name][0]:
                 row, column = divmod(index, self.e.size)
                 store[name] = value, start + row, column
 
 
-def _turn(body: Solid, inward: "tuple[float, float]") -> "tuple[float, float] | None":
-    """Change of spin per unit of p_n and of p_t, as it acts on this body when it acts on the first."""
-    if body.inertia is None:
-        return None
-    across = -inward[1], inward[0]
-    return cross(body.lever, inward) / body.inertia, cross(body.lever, across) / body.inertia
-
-
-def _report(region: _Region, one: Solid, two: Solid, inward: "tuple[float, float]", map_points: int) -> Envelope:
+def _report(region: _Region, one: Solid, two: Solid, map_points: int) -> Envelope:
     import numpy as np
 
     total = region.e.size * region.mu.size
@@ -377,24 +444,22 @@ def _report(region: _Region, one: Solid, two: Solid, inward: "tuple[float, float
     if refused:
         text = f"{region.law} has no answer or gains energy at {refused} of {total} points; they are left out"
         advice = (Advice("law-inadmissible", text, "caution", mend="--law stronge answers everywhere"),)
-    ranges = {name: _delta_v_range(region, body) for name, body in (("first", one), ("second", two))}
-    bounds = tuple(
-        ErrorBound(f"{name}_delta_v.{end}", ROUNDING)
-        for name in ("first", "second") if ranges[name] is not None for end in ("least", "greatest")
-    )  # fmt: skip
-    greatest = region.greatest["lost"][0]
+    found = region.extremes()
+    bodies = {"first": one, "second": two}
+    ranges = {name: _delta_v_range(found["size"], body) for name, body in bodies.items()}
+    spins = {name: _spin_range(found.get(name), way) for name, way in (("first", 1.0), ("second", -1.0))}
+    least, greatest = found["lost"]
     checks: tuple[Check, ...] = ()
     if region.law == "stronge":
-        least = region.least["lost"][0]
-        scale = max(abs(greatest), 1e-300)
-        checks = (Check("energy never gained", least >= -1e-12 * scale, max(-least / scale, 0.0), 1e-12),)
+        scale = max(abs(greatest.value), 1e-300)
+        checks = (Check("energy never gained", least.value >= -1e-12 * scale, max(-least.value / scale, 0.0), 1e-12),)
     return Envelope(
         first_delta_v=ranges["first"],  # type: ignore[arg-type]
         second_delta_v=ranges["second"],
-        first_spin_change=_spin_range(region, "first", 1.0),  # type: ignore[arg-type]
-        second_spin_change=_spin_range(region, "second", -1.0),
-        least_energy_lost=region.least["lost"][0],
-        greatest_energy_lost=greatest,
+        first_spin_change=spins["first"],  # type: ignore[arg-type]
+        second_spin_change=spins["second"],
+        least_energy_lost=least.value,
+        greatest_energy_lost=greatest.value,
         law=region.law,
         points=total,
         refused=refused,
@@ -402,26 +467,47 @@ def _report(region: _Region, one: Solid, two: Solid, inward: "tuple[float, float
         map=points,
         checks=checks,
         advice=advice,
-        numerics=Numerics("closed-form path at every point of a grid", bounds),
+        numerics=Numerics("closed-form path at every point of a grid, extremes in 60 digits", _bounds(found, bodies)),
     )
 
 
-def _delta_v_range(region: _Region, body: Solid) -> DeltaVRange | None:
+def _delta_v_range(found: "tuple[Extreme, Extreme]", body: Solid) -> DeltaVRange | None:
     if body.mass is None:
         return None
-    low, high = region.least["square"], region.greatest["square"]
+    low, high = found
     return DeltaVRange(
-        least=low[0] ** 0.5 / body.mass,
-        greatest=high[0] ** 0.5 / body.mass,
-        least_restitution=float(region.e[low[2]]),
-        least_friction=float(region.mu[low[1]]),
-        greatest_restitution=float(region.e[high[2]]),
-        greatest_friction=float(region.mu[high[1]]),
+        least=low.value / body.mass,
+        greatest=high.value / body.mass,
+        least_restitution=low.place[1],
+        least_friction=low.place[0],
+        greatest_restitution=high.place[1],
+        greatest_friction=high.place[0],
     )
 
 
-def _spin_range(region: _Region, name: str, way: float) -> SpinRange | None:
-    if name not in region.least:
+def _spin_range(found: "tuple[Extreme, Extreme] | None", way: float) -> SpinRange | None:
+    if found is None:
         return None
-    ends = sorted((way * region.least[name][0], way * region.greatest[name][0]))
+    ends = sorted(way * end.value for end in found)
     return SpinRange(ends[0], ends[1])
+
+
+def _bounds(found: "dict[str, tuple[Extreme, Extreme]]", bodies: dict[str, Solid]) -> tuple[ErrorBound, ...]:
+    """Those of the extremes; ΔV is divided by the mass, which may be rounded, and rounded once more."""
+    low, high = found["lost"]
+    made = [("least_energy_lost", low.value, low.error), ("greatest_energy_lost", high.value, high.error)]
+    for name, body in bodies.items():
+        if body.mass is not None:
+            for end, size in zip(("least", "greatest"), found["size"], strict=True):
+                error = size.error + 2.0 * UNIT_ROUNDOFF * size.value
+                made.append((f"{name}_delta_v.{end}", size.value, error))
+        if name in found:
+            ends = found[name] if name == "first" else found[name][::-1]
+            made += [
+                (f"{name}_spin_change.{end}", one.value, one.error)
+                for end, one in zip(("least", "greatest"), ends, strict=True)
+            ]
+    return tuple(
+        ErrorBound(name, error / abs(value)) if value else ErrorBound(name, error, relative=False)
+        for name, value, error in made
+    )

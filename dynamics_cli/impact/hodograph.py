@@ -5,9 +5,11 @@ u_t' = −μ K_tt u_t + k_tn |u_t|: regular where the slip nearly stops and turn
 not monotone (a contact that jams), so that neither step by impulse nor step by normal velocity would do.
 """
 
-from math import exp, log, sqrt
+from math import exp, log
+from operator import mul
 
-from dynamics_cli.impact.straight import End, P, Slip, V, W, X, Y, end_of, from_rest, glide, settled
+from dynamics_cli.impact.decimals import root
+from dynamics_cli.impact.straight import DOUBLE, End, H, P, Slip, V, W, X, Y, end_of, from_rest, glide, settled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,34 +21,43 @@ ORDER = 24
 # Jorba and Zou (2005): with this share of the radius of convergence a series of this order keeps all digits.
 STRIDE = exp(-2.0)
 MOST_STEPS = 5000
-# Slip this much smaller than that which one impact makes has stopped.
-STOPPED = 1e-17
 
 
 def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "Series":
     """Taylor coefficients of the state in τ."""
     (k11, k12, k13), (_, k22, k23), (_, _, k33) = k
     x, y, v, p, fx, fy, w, h = ([value] for value in start)
-    s = [sqrt(x[0] * x[0] + y[0] * y[0])]
-    double = 0.5 / s[0]
+    square = x[0] * x[0] + y[0] * y[0]
+    s = [root(square)]
+    double = 1 / (2 * s[0])
     # τ in units of its own, so that no coefficient leaves the range
-    unit = 1.0 / ((1.0 + friction) * max(k11, k22, k33))
+    unit = 1 / ((1 + friction) * max(k11, k22, k33))
     for i in range(order):
         scale = unit / (i + 1)
         xi, yi, si = x[i], y[i], s[i]
+        rub = friction * scale
         x.append((k13 * si - friction * (k11 * xi + k12 * yi)) * scale)
         y.append((k23 * si - friction * (k12 * xi + k22 * yi)) * scale)
-        v.append((k33 * si - friction * (k13 * xi + k23 * yi)) * scale)
         p.append(si * scale)
-        fx.append(-friction * xi * scale)
-        fy.append(-friction * yi * scale)
-        w.append(sum([a * b for a, b in zip(v, s[i::-1], strict=False)]) * scale)
-        h.append(friction * sum([a * b for a, b in zip(s, s[i::-1], strict=False)]) * scale)
-        square = sum([a * b for a, b in zip(x, x[::-1], strict=True)])
-        square += sum([a * b for a, b in zip(y, y[::-1], strict=True)])
-        known = sum([a * b for a, b in zip(s[1:], s[:0:-1], strict=True)])
-        s.append((square - known) * double)
+        fx.append(-rub * xi)
+        fy.append(-rub * yi)
+        w.append(sum(map(mul, v, reversed(s))) * scale)
+        v.append((k33 * si - friction * (k13 * xi + k23 * yi)) * scale)
+        h.append(square * rub)
+        n = i + 1
+        square = _middle(x, 0, n) + _middle(y, 0, n)
+        s.append((square - _middle(s, 1, n - 1)) * double)
     return [x, y, v, p, fx, fy, w, h]
+
+
+def _middle(a: "list[float]", first: int, last: int) -> float:
+    """Σ a_j a_(first + last − j) from `first` to `last`, every product once."""
+    count = last - first + 1
+    half = count // 2
+    total: float = 2 * sum(map(mul, a[first : first + half], a[last : last - half if last > half else None : -1]))
+    if count % 2:
+        total += a[first + half] * a[first + half]
+    return total
 
 
 def reach(coefficients: "Series", order: int, stride: float) -> float:
@@ -54,37 +65,47 @@ def reach(coefficients: "Series", order: int, stride: float) -> float:
     x, y = coefficients[X], coefficients[Y]
     size = max(abs(x[0]), abs(y[0]))
     # where the slip hardly changes, no farther than compression and restitution can last
-    radius = 1e3 * (1.0 + abs(coefficients[V][0]) / size)
+    radius = 1e3 * (1.0 + float(abs(coefficients[V][0]) / size))
     for index in (order - 1, order):
         last = max(abs(x[index]), abs(y[index]))
-        if last > 0.0:
-            radius = min(radius, exp(log(size / last) / index))
-    return radius * stride
+        if last > 0:
+            radius = min(radius, exp(log(float(size / last)) / index))
+    # work and heat are products: where the slip dies down as an exponential, theirs converges half as far
+    heat = coefficients[H]
+    if heat[order] != 0:
+        radius = min(radius, exp(log(float(abs(heat[1] / heat[order]))) / (order - 1)))
+    return type(size)(radius * stride)
 
 
 def value(coefficients: "list[float]", step: float) -> float:
     """The series at `step`."""
-    total = 0.0
+    total = 0 * step
     for coefficient in reversed(coefficients):
         total = total * step + coefficient
     return total
 
 
-def crossing(coefficients: "list[float]", target: float, low: float, high: float) -> float:
+def crossing(coefficients: "list[float]", target: float, low: float, high: float, digits: int = DOUBLE) -> float:
     """Where a rising series reaches `target`, between two steps: Newton's method kept within the bracket."""
-    step = 0.5 * (low + high)
+    number = type(high)
+    step = (low + high) / 2
+    if number is not float:
+        # decimals begin where doubles end
+        start = crossing(list(map(float, coefficients)), float(target), float(low), float(high))
+        step = number(start) if low < start < high else step
+    least = high * number(f"1e-{digits + 1}")
     slopes = [index * coefficient for index, coefficient in enumerate(coefficients)][1:]
     for _ in range(200):
         short = value(coefficients, step) - target
-        if short > 0.0:
+        if short > 0:
             high = step
         else:
             low = step
         slope = value(slopes, step)
-        new = step - short / slope if slope > 0.0 else low
+        new = step - short / slope if slope > 0 else low
         if not low < new < high:
-            new = 0.5 * (low + high)
-        if abs(new - step) <= 1e-17 * high or new in (low, high):
+            new = (low + high) / 2
+        if abs(new - step) <= least or new in (low, high):
             return new
         step = new
     return step
@@ -98,17 +119,20 @@ def march(
     law: str,
     order: int = ORDER,
     stride: float = STRIDE,
+    digits: int = DOUBLE,
 ) -> Slip:
     """Slip from the velocity `start` (u_1, u_2, u_n) until the law ends the impact or the slip stops."""
-    slip = Slip([*start, 0.0, 0.0, 0.0, 0.0, 0.0])
-    # unit of slip: what the impact itself can make
-    unit = max(abs(start[2]), sqrt(start[0] * start[0] + start[1] * start[1]))
+    zero = type(start[2])(0)
+    slip = Slip([*start, zero, zero, zero, zero, zero])
+    # slip this much smaller than that which the impact itself can make has stopped
+    size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
+    stopped = size * type(size)(f"1e-{digits + 1}")
     while slip.steps < MOST_STEPS:
         state = slip.state
-        if sqrt(state[X] * state[X] + state[Y] * state[Y]) <= STOPPED * unit:
+        if root(state[X] * state[X] + state[Y] * state[Y]) <= stopped:
             slip.stopped = True
             return slip
-        way = settled(k, friction, slip)
+        way = settled(k, friction, slip, digits)
         if way is not None:
             glide(k, slip, way, friction, start[2], restitution, law)
             return slip
@@ -117,17 +141,17 @@ def march(
         slip.steps += 1
         index, target = _aim(slip, start[2], restitution, law)
         # where the aim is passed, within the step
-        pieces = [step * part for part in (0.25, 0.5, 0.75, 1.0)]
-        low = 0.0
+        pieces = [step * part / 4 for part in (1, 2, 3, 4)]
+        low = zero
         for high in pieces:
             if value(coefficients[index], high) >= target:
-                step = crossing(coefficients[index], target, low, high)
+                step = crossing(coefficients[index], target, low, high, digits)
                 slip.state = [value(series_, step) for series_ in coefficients]
                 slip.state[index] = target
                 if slip.restoring:
                     return slip
                 slip.compressed()
-                if restitution == 0.0:
+                if restitution == 0:
                     return slip
                 break
             low = high
@@ -139,12 +163,12 @@ def march(
 def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[int, float]":
     """Which quantity is to reach what: the end of compression, then that of the law."""
     if not slip.restoring:
-        return V, 0.0
+        return V, type(approach)(0)
     if law == "newton":
         return V, -restitution * approach
     if law == "poisson":
-        return P, (1.0 + restitution) * slip.compression  # type: ignore[operator]
-    return W, (restitution * restitution - 1.0) * slip.work
+        return P, (1 + restitution) * slip.compression  # type: ignore[operator]
+    return W, (restitution * restitution - 1) * slip.work
 
 
 def travel(
@@ -155,14 +179,19 @@ def travel(
     law: str,
     order: int = ORDER,
     stride: float = STRIDE,
+    digits: int = DOUBLE,
 ) -> End:
-    """The whole impact: curved slip, and after it stick or slip along the way out, both linear in the impulse."""
+    """The whole impact: curved slip, and after it stick or slip along the way out, both linear in the impulse.
+
+    Takes doubles, or decimals of a few more than `digits` digits.
+    """
     # without friction nothing depends on how it slips
-    at_rest = friction == 0.0 or (start[0] == 0.0 and start[1] == 0.0)
+    at_rest = friction == 0 or (start[0] == 0 and start[1] == 0)
     if at_rest:
-        slip = Slip([*start, 0.0, 0.0, 0.0, 0.0, 0.0])
+        zero = type(start[2])(0)
+        slip = Slip([*start, zero, zero, zero, zero, zero])
     else:
-        slip = march(k, start, friction, restitution, law, order, stride)
+        slip = march(k, start, friction, restitution, law, order, stride, digits)
         if not slip.stopped:
             return end_of(slip, "slip")
     return from_rest(k, slip, start[2], friction, restitution, law, at_rest)

@@ -83,11 +83,12 @@ def momentum(
 
     Examples
     --------
+    >>> from dynamics_cli.impact.conventions import ByMass
     >>> one = Vehicle(ByMass(1500.0), None, 0.0, 8.0, 0.6)
     >>> two = Vehicle(ByMass(1200.0), None, 1.5707963267948966, 9.0, 0.8)
     >>> found = momentum(first=one, second=two)
     >>> round(found.first.approach_speed, 6), round(found.second.approach_speed, 6)
-    (11.618971, 12.102631)
+    (11.618973, 12.10263)
     """
     require(
         damage is None,
@@ -159,6 +160,7 @@ def momentum_and_energy(
 
     Examples
     --------
+    >>> from dynamics_cli.impact.conventions import ByMass
     >>> one = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
     >>> two = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
     >>> found = momentum_and_energy(first=one, second=two, damage=CrushEnergies(20000.0, 5000.0))

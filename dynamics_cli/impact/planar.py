@@ -127,9 +127,10 @@ def planar(
     >>> from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
     >>> ball = RigidBody(ByMass(1.0), ByGyration(0.5), Lever((0.0, -1.0)), ByVelocity((1.0, -2.0)))
     >>> floor = RigidTarget(Fixed(True))
-    >>> hit = planar(first=ball, second=floor, normal=-1.5707963267948966, friction=0.1, contact=Restituted(0.5))
+    >>> from dynamics_cli.impact.conventions import Restituted
+    >>> hit = planar(first=ball, second=floor, normal=-1.5707963267948966, friction=0.05, contact=Restituted(0.5))
     >>> round(hit.normal_impulse, 12), round(hit.tangential_impulse, 12), hit.slip_history
-    (3.0, 0.3, 'slip')
+    (3.0, 0.15, 'slip')
     """
     one = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")

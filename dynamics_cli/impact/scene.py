@@ -5,11 +5,10 @@ All models see the scene through one matrix K in the frame of its contact; each 
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.conventions import BySpeed, Fixed, Restituted, direction_of, mass_of
-from dynamics_cli.impact.path import Mobility, travel
+from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of
+from dynamics_cli.impact.decimals import cosine_and_sine
 from dynamics_cli.impact.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
 from dynamics_cli.impact.space import (
-    ZERO,
     Matrix,
     SolidInSpace,
     Vector,
@@ -17,28 +16,27 @@ from dynamics_cli.impact.space import (
     frame_about,
     mobility,
     nose_in_plane,
+    nothing,
     relative_velocity,
     require_inertia,
     subtract,
     unit,
 )
-from dynamics_cli.impact.spatial import (
-    answer_in_space,
-    approach,
-    certified,
-    lever_of,
-)
-from dynamics_cli.impact.spatial_results import SpatialImpact, bounds
-from dynamics_cli.impact.straight import End
-from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.impact.spatial import approach, lever_of, solved_in_space
+from dynamics_cli.impact.spatial_results import Solved, SpatialImpact
+from dynamics_cli.impact.straight import End, Slip, end_of, from_rest, glide
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Gravity,
 )
-from dynamics_cli.records import Advice, Numerics
+from dynamics_cli.records import Advice
 
-# What is this much smaller than what it is compared with is the rounding of the inputs, and absent.
-ABSENT = 1e-13
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# What is so many times smaller than what it is compared with is the rounding of the inputs, and absent.
+ABSENT = 10**13
 
 
 class _Seen:
@@ -49,7 +47,7 @@ class _Seen:
         x, y, z = unit(contact.normal)
         self.inward = -x, -y, -z
         self.friction = contact.friction
-        self.contact = Restituted(contact.restitution)
+        self.restitution = contact.restitution
         self.law = str(contact.law)
         self.bodies = (
             _solid(scene.first, contact.point, gravity, "the first body"),
@@ -63,20 +61,21 @@ class _Seen:
         self.frame = frame_about(self.inward, slip)
         self.before = approach(self.bodies, self.frame)
         # the first tangent is the direction of slip
-        self.before = self.before[0], 0.0, self.before[2]
+        self.before = self.before[0], self.before[0] * 0, self.before[2]
         self.k = mobility(self.bodies, self.frame)
+        self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
-        coupled = abs(self.k[0][2]) > ABSENT * scale or abs(self.k[1][2]) > ABSENT * scale
-        if abs(self.before[0]) <= ABSENT * abs(self.before[2]):
-            self.before = 0.0, 0.0, self.before[2]
-            if coupled and contact.friction > 0.0:
+        coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
+        if ABSENT * abs(self.before[0]) <= abs(self.before[2]):
+            self.before = *nothing(self.before[2])[:2], self.before[2]
+            if coupled and contact.friction > 0:
                 # without slip the coupling says which way friction will act
                 push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
                 self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
                 self.k = mobility(self.bodies, self.frame)
-        self.rubs = contact.friction > 0.0 and (self.before[0] != 0.0 or coupled)
+        self.rubs = contact.friction > 0 and (self.before[0] != 0 or coupled)
         self.eccentric = coupled
-        self.turns = abs(self.k[0][1]) > ABSENT * scale or abs(self.k[1][2]) > ABSENT * scale
+        self.turns = ABSENT * max(abs(self.k[0][1]), abs(self.k[1][2])) > scale
         self.single = [name for name, body in (("first", scene.first), ("second", scene.second)) if _one_moment(body)]
 
     @property
@@ -85,7 +84,7 @@ class _Seen:
         for body in self.bodies:
             along = dot(body.velocity, self.inward)
             off = subtract(body.velocity, tuple(along * part for part in self.inward))  # type: ignore[arg-type]
-            if dot(off, off) > ABSENT * ABSENT * dot(body.velocity, body.velocity) or any(body.spin):
+            if ABSENT * ABSENT * dot(off, off) > dot(body.velocity, body.velocity) or any(body.spin):
                 return True
         return False
 
@@ -98,13 +97,16 @@ def _one_moment(body: SceneBody) -> bool:
 def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -> SolidInSpace:
     motion = body.motion
     if isinstance(motion, BySpeed):
-        along, across = direction_of(motion.heading)
-        velocity: Vector = (motion.speed * along, motion.speed * across, 0.0)
+        along, across = cosine_and_sine(motion.heading)
+        velocity: Vector = (motion.speed * along, motion.speed * across, motion.speed * 0)
     else:
         velocity = motion.velocity
-    spin: Vector = (0.0, 0.0, body.rotation.yaw_rate) if isinstance(body.rotation, YawRate) else body.rotation.spin
+    if isinstance(body.rotation, YawRate):
+        spin: Vector = *nothing(body.rotation.yaw_rate)[:2], body.rotation.yaw_rate
+    else:
+        spin = body.rotation.spin
     nose = nose_in_plane(body.nose, velocity)
-    lever = ZERO if body.arm is None else lever_of(body.arm, contact, name)
+    lever = nothing(velocity[0]) if body.arm is None else lever_of(body.arm, contact, name)
     if isinstance(body.bulk, Fixed):
         require(body.bulk.fixed, name + " has neither mass nor weight and is not fixed", code="no-mass")
         return SolidInSpace(None, None, lever, velocity, spin, nose)
@@ -135,7 +137,8 @@ def _tensor(turning: ByTensor | ByMoment | ByRadius, mass: float) -> Matrix:
         moment = mass * turning.radius_of_gyration * turning.radius_of_gyration
     else:
         moment = turning.moment
-    return (moment, 0.0, 0.0), (0.0, moment, 0.0), (0.0, 0.0, moment)
+    zero = type(moment)(0)
+    return (moment, zero, zero), (zero, moment, zero), (zero, zero, moment)
 
 
 def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
@@ -151,14 +154,14 @@ def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
     seen = _Seen(scene, gravity)
     if seen.rubs or seen.eccentric:
         return None
-    why = "without friction" if seen.friction == 0.0 else "without slip at the contact"
+    why = "without friction" if seen.friction == 0 else "without slip at the contact"
     return f"{why} and with the normal through the mass centres nothing acts across it and no spin changes"
 
 
 def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Say why the plane of normal and slip is enough, or nothing."""
     seen = _Seen(scene, gravity)
-    if seen.friction == 0.0:
+    if seen.friction == 0:
         return "without friction the direction of slip does not matter"
     if seen.turns:
         return None
@@ -183,7 +186,7 @@ def solve_central(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Sp
     neglects = _neglects(
         ("friction", seen.rubs), ("the levers", seen.eccentric), ("motion across the line", seen.across)
     )
-    return _smooth(seen, "central impact", neglects)
+    return _answered(_smooth, scene, gravity, "central impact", advice=neglects)
 
 
 def solve_oblique(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
@@ -201,35 +204,61 @@ def solve_oblique(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Sp
         Acceleration of gravity, for bodies given by weight [m/s^2].
     """
     seen = _Seen(scene, gravity)
-    return _smooth(seen, "oblique impact", _neglects(("friction", seen.rubs), ("the levers", seen.eccentric)))
+    neglects = _neglects(("friction", seen.rubs), ("the levers", seen.eccentric))
+    return _answered(_smooth, scene, gravity, "oblique impact", advice=neglects)
 
 
-def _smooth(seen: _Seen, name: str, advice: tuple[Advice, ...]) -> SpatialImpact:
+def _answered(
+    solver: "Callable[..., Solved]", scene: Scene, gravity: float, *more: str, advice: tuple[Advice, ...] = ()
+) -> SpatialImpact:
+    """The answer of a smaller model; where it leaves out what is absent but for rounding, its bounds hold that."""
+    from dynamics_cli.impact.spatial_bounds import answered, beside
+
+    found = answered(solver, scene, gravity, *more, advice=advice)
+    if advice or not _left_out(scene, gravity, plane=solver is _in_plane):
+        return found
+    return beside(found, answered(_in_space, scene, gravity))
+
+
+def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
+    """Whether a smaller model leaves out anything at all."""
+    from decimal import Context, localcontext
+
+    from dynamics_cli.impact.decimals import widened
+
+    with localcontext(Context(prec=80)):
+        seen = _Seen(widened(scene), widened(gravity))
+        k = seen.k
+        least = max(k[0][0], k[1][1], k[2][2]) / 10**60
+        coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
+        if any(abs(entry) > least for entry in coupled):
+            return seen.friction > 0 or not plane
+        return seen.slips and seen.friction > 0 and not seen.before[0]
+
+
+def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
-    bodies = tuple(
-        SolidInSpace(body.mass, None, ZERO, body.velocity if body.mass is not None else body.contact_velocity(),
-                     body.spin, body.nose)
-        for body in seen.bodies
-    )  # fmt: skip
-    one, two = bodies
+    seen = _Seen(scene, gravity)
+    # with inertia left out nothing turns; with its lever a spin still moves the contact
+    one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
     k = mobility((one, two), seen.frame)
     before = approach((one, two), seen.frame)
-    e = seen.contact.restitution
+    e = seen.restitution
     compression = -before[2] / k[2][2]
-    impulse = (1.0 + e) * compression
-    work = 0.5 * compression * -before[2]
+    impulse = (1 + e) * compression
+    work = compression * -before[2] / 2
+    zero = before[2] * 0
     end = End(
         velocity=(before[0], before[1], -e * before[2]),
-        impulse=(0.0, 0.0, impulse),
+        impulse=(zero, zero, impulse),
         compression=compression,
         work=work,
         work_back=e * e * work,
-        heat=0.0,
+        heat=zero,
         history="slip without friction" if before[0] or before[1] else "no slip",
-        slip_impulse=impulse,
+        slip_impulse=impulse if seen.friction == 0 else zero,
     )
-    numerics = Numerics(f"closed form of a {name}", bounds((one, two), seen.frame, k, before, end))
-    return certified(end, (one, two), seen.frame, k, before, 0.0, seen.contact, seen.law, numerics, advice)
+    return Solved((one, two), seen.frame, k, before, end, zero, e, seen.law, f"closed form of a {name}, in decimals")
 
 
 def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
@@ -247,35 +276,28 @@ def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Spa
         Acceleration of gravity, for bodies given by weight [m/s^2].
     """
     seen = _Seen(scene, gravity)
-    k = seen.k
-    plane = Mobility(k[0][0], k[0][2], k[2][2], multiply_add(k[0][0], k[2][2], -(k[0][2] * k[0][2])))
-    path = travel(plane, seen.before[0], seen.before[2], seen.friction, seen.contact.restitution, seen.law)
-    if seen.friction == 0.0:
-        words = "slip without friction"
-    elif seen.before[0] == 0.0:
-        words = "stick" if path.sticks else "slip from rest"
+    turns = seen.turns and seen.friction > 0
+    return _answered(_in_plane, scene, gravity, advice=_neglects(("the turning of the slip out of its plane", turns)))
+
+
+def _in_plane(scene: Scene, gravity: float, **_: int) -> Solved:
+    """Slip along its line, and then stick or reversed slip."""
+    seen = _Seen(scene, gravity)
+    k, before, zero = seen.k, seen.before, seen.before[2] * 0
+    plane = (k[0][0], zero, k[0][2]), (zero, k[1][1], zero), (k[0][2], zero, k[2][2])
+    slip = Slip([*before, zero, zero, zero, zero, zero])
+    given = before[2], seen.friction, seen.restitution, seen.law
+    slides = before[0] != 0 and seen.friction > 0
+    if slides and glide(plane, slip, (before[0] / abs(before[0]), zero), given[1], before[2], *given[2:]):
+        end = end_of(slip, "slip")
     else:
-        words = "slip" if path.ended_first else ("slip, stick" if path.sticks else "slip, reversed slip")
-    aside = k[0][1] * path.tangential + k[1][2] * path.normal
-    end = End(
-        velocity=(path.tangential_after, aside, path.normal_after),
-        impulse=(path.tangential, 0.0, path.normal),
-        compression=path.compression,
-        work=path.compression_work,
-        work_back=path.restitution_work,
-        heat=path.friction_work,
-        history=words,
-        slip_impulse=path.first_slip,
-    )
-    turns = seen.turns and seen.friction > 0.0
-    numerics = Numerics(
-        "closed-form Routh–Keller path in the plane of normal and slip",
-        bounds(seen.bodies, seen.frame, k, seen.before, end),
-    )
-    advice = _neglects(("the turning of the slip out of its plane", turns))
-    return certified(
-        end, seen.bodies, seen.frame, k, seen.before, seen.friction, seen.contact, seen.law, numerics, advice
-    )
+        end = from_rest(plane, slip, *given, at_rest=not slides)
+    if end.history == "slip, slip anew":
+        end.history = "slip, reversed slip"
+    aside = k[0][1] * end.impulse[0] + k[1][2] * end.impulse[2]
+    end.velocity = end.velocity[0], aside, end.velocity[2]
+    how = "closed-form Routh–Keller path in the plane of normal and slip, in decimals"
+    return Solved(seen.bodies, seen.frame, k, before, end, seen.friction, seen.restitution, seen.law, how)
 
 
 def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImpact:
@@ -313,7 +335,14 @@ def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImp
         code="one-moment",
         hint="give the inertia tensor, or choose --model planar and say why",
     )
-    return answer_in_space(seen.bodies, seen.inward, seen.friction, seen.contact, seen.law)
+    from dynamics_cli.impact.spatial_bounds import answered
+
+    return answered(_in_space, scene, gravity)
+
+
+def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
+    seen = _Seen(scene, gravity)
+    return solved_in_space(seen.bodies, seen.inward, seen.friction, seen.restitution, seen.law, **effort)
 
 
 def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:

@@ -1,10 +1,11 @@
-"""Rigid bodies in space as a contact sees them: vectors, tensors, and what an impulse does to the velocity there."""
+"""Rigid bodies in space as a contact sees them: vectors, tensors, and what an impulse does to the velocity there.
 
-from math import fsum
+All of it takes doubles and decimals.
+"""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.bodies import Pair
-from dynamics_cli.numerics.elementary import hypot, multiply_add, sqrt
+from dynamics_cli.impact.decimals import fused, length, root, total
 
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -18,6 +19,7 @@ class SolidInSpace:
     """A body as the contact sees it; `mass` is None when it is fixed, `inertia` when it is a particle."""
 
     __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
+    given = "mass", "inertia", "lever", "velocity", "spin", "nose"
 
     def __init__(
         self, mass: float | None, inertia: Matrix | None, lever: Vector, velocity: Vector, spin: Vector, nose: Pair
@@ -37,7 +39,7 @@ class SolidInSpace:
     def answer(self, impulse: Vector) -> Vector:
         """Change of velocity at the contact from an impulse there."""
         if self.mass is None:
-            return ZERO
+            return nothing(impulse[0])
         moved = impulse[0] / self.mass, impulse[1] / self.mass, impulse[2] / self.mass
         return add(cross(self.turned(cross(self.lever, impulse)), self.lever), moved)
 
@@ -48,15 +50,18 @@ class SolidInSpace:
         right to its last digits although its inverse tensor is not.
         """
         if self.inertia is None or self.inverse is None:
-            return ZERO
+            return nothing(moment[0])
         change = times(self.inverse, moment)
+        if hasattr(change[0], "sqrt"):
+            # decimals have digits to spare
+            return change
         left = tuple(-residual(row, change, part) for row, part in zip(self.inertia, moment, strict=True))
         return add(change, times(self.inverse, left))  # type: ignore[arg-type]
 
 
 def residual(row: Vector, vector: Vector, given: float) -> float:
     """row·vector − given, rounded once."""
-    return fsum([*exact_products(zip(row, vector, strict=True)), -given])
+    return total([*exact_products(zip(row, vector, strict=True)), -given])
 
 
 def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
@@ -64,7 +69,7 @@ def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
     found = []
     for a, b in pairs:
         product = a * b
-        found += [product, multiply_add(a, b, -product)]
+        found += [product, fused(a, b, -product)]
     return found
 
 
@@ -79,31 +84,37 @@ def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:
             (-two.spin[j], two.lever[k]),
             (two.spin[k], two.lever[j]),
         ]
-        parts.append(fsum([one.velocity[i], -two.velocity[i], *exact_products(turning)]))
+        parts.append(total([one.velocity[i], -two.velocity[i], *exact_products(turning)]))
     return parts[0], parts[1], parts[2]
 
 
 def nose_in_plane(nose: Vector | None, velocity: Vector) -> Pair:
     """Unit vector of the nose in the plane x, y: given, else that of travel, else x."""
     for x, y in [] if nose is None else [nose[:2]]:
-        size = hypot(x, y)
-        require(size > 0.0, "the nose points along z: it has no direction in the plane", code="no-nose")
+        size = length(x, y)
+        require(size > 0, "the nose points along z: it has no direction in the plane", code="no-nose")
         return x / size, y / size
-    size = hypot(velocity[0], velocity[1])
-    return (velocity[0] / size, velocity[1] / size) if size > 0.0 else (1.0, 0.0)
+    size = length(velocity[0], velocity[1])
+    return (velocity[0] / size, velocity[1] / size) if size > 0 else (type(size)(1), type(size)(0))
+
+
+def nothing(like: float) -> Vector:
+    """The zero vector of such numbers."""
+    zero = type(like)(0)
+    return zero, zero, zero
 
 
 def dot(a: Vector, b: Vector) -> float:
     """Scalar product."""
-    return multiply_add(a[0], b[0], multiply_add(a[1], b[1], a[2] * b[2]))
+    return fused(a[0], b[0], fused(a[1], b[1], a[2] * b[2]))
 
 
 def cross(a: Vector, b: Vector) -> Vector:
     """Vector product."""
     return (
-        multiply_add(a[1], b[2], -(a[2] * b[1])),
-        multiply_add(a[2], b[0], -(a[0] * b[2])),
-        multiply_add(a[0], b[1], -(a[1] * b[0])),
+        fused(a[1], b[2], -(a[2] * b[1])),
+        fused(a[2], b[0], -(a[0] * b[2])),
+        fused(a[0], b[1], -(a[1] * b[0])),
     )
 
 
@@ -146,12 +157,13 @@ def scaled(a: Vector, factor: float) -> Vector:
 
 def frame_about(normal: Vector, along: Vector = ZERO) -> Matrix:
     """Two tangents and the normal, right-handed; the first tangent as near `along` as it may be, else any."""
-    tangent = cross(cross(normal, along), normal)
-    size = sqrt(dot(tangent, tangent))
-    if not size > 0.0:
+    number = type(normal[0])
+    tangent = cross(cross(normal, along), normal) if any(along) else along
+    size = root(dot(tangent, tangent)) if any(along) else 0
+    if not size > 0:
         index = min(range(3), key=lambda i: abs(normal[i]))
-        tangent = cross(normal, (float(index == 0), float(index == 1), float(index == 2)))
-        size = sqrt(dot(tangent, tangent))
+        tangent = cross(normal, (number(index == 0), number(index == 1), number(index == 2)))
+        size = root(dot(tangent, tangent))
     first = tangent[0] / size, tangent[1] / size, tangent[2] / size
     return first, cross(normal, first), normal
 
@@ -159,9 +171,9 @@ def frame_about(normal: Vector, along: Vector = ZERO) -> Matrix:
 def unit(vector: Vector) -> Vector:
     """The contact normal at length one; refuses the zero vector."""
     largest = max(map(abs, vector))
-    require(largest > 0.0, "the normal is the zero vector: it has no direction", code="no-normal")
+    require(largest > 0, "the normal is the zero vector: it has no direction", code="no-normal")
     x, y, z = vector[0] / largest, vector[1] / largest, vector[2] / largest
-    size = hypot(hypot(x, y), z)
+    size = length(x, y, z)
     return x / size, y / size, z / size
 
 
@@ -169,12 +181,12 @@ def require_inertia(inertia: Matrix, name: str) -> None:
     """Refuse a tensor that is none of a body."""
     (a, b, _), (_, d, _), (_, _, f) = inertia
     require(
-        a > 0.0 and multiply_add(a, d, -(b * b)) > 0.0 and determinant(inertia) > 0.0,
+        a > 0 and fused(a, d, -(b * b)) > 0 and determinant(inertia) > 0,
         name + " has a tensor that is no inertia: its principal moments are not all above zero",
         code="no-inertia",
     )
     require(
-        a + d >= f * (1.0 - 1e-9) and a + f >= d * (1.0 - 1e-9) and d + f >= a * (1.0 - 1e-9),
+        all(one + other - third >= -third / 10**9 for one, other, third in ((a, d, f), (a, f, d), (d, f, a))),
         name + " has a tensor that no body has: one moment exceeds the sum of the other two",
         code="no-inertia",
         hint="check the signs and the axes of the tensor",

@@ -1,9 +1,9 @@
 """What an impact in space reports, and proves."""
 
-from dynamics_cli.impact.conventions import clock, pdof
+from dynamics_cli.impact.conventions import clock
+from dynamics_cli.impact.decimals import angle, fused, length, root
 from dynamics_cli.impact.diagnostics import balance, not_above
 from dynamics_cli.impact.space import (
-    ZERO,
     Matrix,
     SolidInSpace,
     Vector,
@@ -11,12 +11,12 @@ from dynamics_cli.impact.space import (
     combine,
     cross,
     dot,
+    nothing,
     scaled,
     subtract,
     times,
 )
 from dynamics_cli.impact.straight import End, stick_ratio
-from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.quantities import (
     Angle,
     AngularVelocity,
@@ -29,10 +29,9 @@ from dynamics_cli.quantities import (
     Text,
     Velocity,
 )
-from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, Numerics, record
 
-# Impulses beside the references are off by less than an eighth of this.
-ROUNDINGS = 4e-15
+PI = 3.141592653589793
 
 
 @record
@@ -145,106 +144,115 @@ class SpatialImpact:
     numerics: Numerics | None = None
 
 
-def report(
-    end: End,
-    bodies: tuple[SolidInSpace, SolidInSpace],
-    frame: Matrix,
-    k: Matrix,
-    before: Vector,
-    lost: float,
-    law: str,
-    numerics: Numerics,
-    advice: tuple[Advice, ...],
-) -> SpatialImpact:
-    """The answer from the end of the path in the frame of the contact."""
+class Solved:
+    """An impact in space as its solver leaves it: the bodies, the frame of the contact, K, u before, and the end."""
+
+    __slots__ = ("before", "bodies", "end", "frame", "friction", "how", "k", "law", "restitution")
+
+    def __init__(
+        self,
+        bodies: tuple[SolidInSpace, SolidInSpace],
+        frame: Matrix,
+        k: Matrix,
+        before: Vector,
+        end: End,
+        friction: float,
+        restitution: float,
+        law: str,
+        how: str,
+    ) -> None:
+        self.bodies = bodies
+        self.frame = frame
+        self.k = k
+        self.before = before
+        self.end = end
+        self.friction = friction
+        self.restitution = restitution
+        self.law = law
+        self.how = how
+
+    @property
+    def lost(self) -> float:
+        """Energy that the normal impulse took."""
+        if self.law == "stronge":
+            return (1 - self.restitution) * (1 + self.restitution) * self.end.work
+        return self.end.work - self.end.work_back
+
+
+def report(solved: Solved) -> SpatialImpact:
+    """The answer from the end of the path in the frame of the contact, in the numbers it was solved in."""
+    end, frame, before = solved.end, solved.frame, solved.before
     x, y, z = combine(frame, end.impulse)
-    sideways = hypot(end.impulse[0], end.impulse[1])
+    sideways = length(end.impulse[0], end.impulse[1])
+    still = before[0] * 0
     return SpatialImpact(
-        first=after_impact(bodies[0], (x, y, z)),
-        second=after_impact(bodies[1], (0.0 - x, 0.0 - y, 0.0 - z)),
-        law=law,
+        first=after_impact(solved.bodies[0], (x, y, z)),
+        second=after_impact(solved.bodies[1], (0 - x, 0 - y, 0 - z)),
+        law=solved.law,
         slip_history=end.history,
-        impulse=(0.0 - x, 0.0 - y, 0.0 - z),
-        impulse_magnitude=hypot(sideways, end.impulse[2]),
+        impulse=(0 - x, 0 - y, 0 - z),
+        impulse_magnitude=length(sideways, end.impulse[2]),
         normal_impulse=end.impulse[2],
         tangential_impulse=sideways,
         impulse_ratio=sideways / end.impulse[2],
-        stick_friction=hypot(*stick_ratio(k)),
+        stick_friction=length(*stick_ratio(solved.k)),
         compression_impulse=end.compression,
         slip_impulse=end.slip_impulse,
         closing_speed=-before[2],
         separation_speed=end.velocity[2],
-        sliding_before=combine(frame, (before[0], before[1], 0.0)),
-        sliding_after=combine(frame, (end.velocity[0], end.velocity[1], 0.0)),
-        energy_lost=lost + end.heat,
-        energy_lost_normal=lost,
+        sliding_before=combine(frame, (before[0], before[1], still)),
+        sliding_after=combine(frame, (end.velocity[0], end.velocity[1], still)),
+        energy_lost=solved.lost + end.heat,
+        energy_lost_normal=solved.lost,
         energy_lost_tangential=end.heat,
-        advice=advice,
-        numerics=numerics,
     )
-
-
-def bounds(
-    bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix, k: Matrix, before: Vector, end: End
-) -> tuple[ErrorBound, ...]:
-    """The bound on the results that are a size: a few roundings, as often as K and the closing speed enlarge them."""
-    impulse = hypot(hypot(end.impulse[0], end.impulse[1]), end.impulse[2])
-    # along an axis the closing speed is rounded once; along a normal that is itself rounded, slip leaks into it
-    slip = 0.0 if max(map(abs, frame[2])) == 1.0 else hypot(before[0], before[1])
-    stretch = (max(k[0][0], k[1][1], k[2][2]) * impulse + slip) / -before[2]
-    tolerance = ROUNDINGS * max(stretch, 1.0)
-    names = ["impulse_magnitude", "normal_impulse", "compression_impulse"]
-    sides = zip(("first", "second"), bodies, strict=True)
-    names += [f"{name}.delta_v_magnitude" for name, body in sides if body.mass is not None]
-    return tuple(ErrorBound(name, tolerance) for name in names)
 
 
 def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
     """State of one body after its impulse."""
     change: Vector | None = None
-    turned = half = ZERO
+    turned = half = nothing(impulse[0])
     moment = cross(body.lever, impulse)
     after = body.velocity
-    angle = hours = elevation = size = None
+    came = hours = elevation = size = None
     if body.mass is not None:
         change = impulse[0] / body.mass, impulse[1] / body.mass, impulse[2] / body.mass
-        half = 0.5 * change[0], 0.5 * change[1], 0.5 * change[2]
+        half = change[0] / 2, change[1] / 2, change[2] / 2
         turned = body.turned(moment)
         after = add(body.velocity, change)
-        size = sqrt(dot(change, change))
-        angle = pdof((impulse[0], impulse[1]), body.nose)
-        hours = clock(angle)
-        elevation = atan2(-impulse[2], hypot(impulse[0], impulse[1]))
-    spun = body.spin[0] + 0.5 * turned[0], body.spin[1] + 0.5 * turned[1], body.spin[2] + 0.5 * turned[2]
+        size = root(dot(change, change))
+        came = _pdof(impulse, body.nose)
+        hours = clock(came)
+        elevation = angle(-impulse[2], length(impulse[0], impulse[1]))
+    spun = body.spin[0] + turned[0] / 2, body.spin[1] + turned[1] / 2, body.spin[2] + turned[2] / 2
     return AfterSpatial(
         velocity=after,
-        speed=sqrt(dot(after, after)),
+        speed=root(dot(after, after)),
         spin=add(body.spin, turned),
         spin_change=turned,
         delta_v=change,
         delta_v_magnitude=size,
-        pdof=angle,
+        pdof=came,
         clock=hours,
         elevation=elevation,
         energy_change=dot(impulse, add(body.velocity, half)) + dot(moment, spun),
     )
 
 
+def _pdof(impulse: Vector, nose: tuple[float, float]) -> float:
+    """Angle from the nose, clockwise seen from above, to where the force came from, in (−π, π]."""
+    x, y = 0 - impulse[0], 0 - impulse[1]
+    found = angle(fused(x, nose[1], -(y * nose[0])), fused(x, nose[0], y * nose[1]))
+    return found if found > -PI else PI
+
+
 State = tuple[SolidInSpace, AfterSpatial]
 
 
-def certificate(
-    answer: SpatialImpact,
-    end: End,
-    bodies: tuple[SolidInSpace, SolidInSpace],
-    frame: Matrix,
-    k: Matrix,
-    friction: float,
-    restitution: float,
-    law: str,
-    before: Vector,
-) -> tuple[Check, ...]:
+def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     """Momentum, angular momentum, velocities at the contact, energy, friction, no tension, the law's own definition."""
+    end, bodies, frame, k, before = solved.end, solved.bodies, solved.frame, solved.k, solved.before
+    friction, restitution, law = solved.friction, solved.restitution, solved.law
     size = answer.impulse_magnitude
     states = (bodies[0], answer.first), (bodies[1], answer.second)
     checks = _momentum(states, size)
@@ -256,9 +264,9 @@ def certificate(
     work = end.work + end.heat + moved * size + abs(answer.first.energy_change) + abs(answer.second.energy_change)
     for body, after in states:
         # the work of the impulse on a body is that on its mass centre and that on its spin, which may cancel
-        reach = sqrt(dot(body.lever, body.lever))
-        turning = sqrt(dot(body.spin, body.spin)) + sqrt(dot(after.spin, after.spin))
-        work += size * (sqrt(dot(body.velocity, body.velocity)) + after.speed + reach * turning)
+        reach = root(dot(body.lever, body.lever))
+        turning = root(dot(body.spin, body.spin)) + root(dot(after.spin, after.spin))
+        work += size * (root(dot(body.velocity, body.velocity)) + after.speed + reach * turning)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
     if restitution <= 1.0:
@@ -294,23 +302,23 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
         return ()
     held = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
     left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
-    reach = sqrt(dot(body.lever, body.lever))
-    scale = reach * size + sqrt(dot(held, held)) + reach * body.mass * sqrt(dot(body.velocity, body.velocity))
+    reach = root(dot(body.lever, body.lever))
+    scale = reach * size + root(dot(held, held)) + reach * body.mass * root(dot(body.velocity, body.velocity))
     # the spin's own rounding, which a slender body turns about its long axes with
-    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * sqrt(dot(after.spin, after.spin))
+    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
     apart = subtract(held, left)
-    return balance(f"angular momentum of the {name} about the contact", sqrt(dot(apart, apart)), 0.0, scale)
+    return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, scale)
 
 
 def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector, least: float) -> tuple[Check, ...]:
     """Velocities after, taken to the contact, give the relative velocity that the path ended with."""
     moved = [add(after.velocity, cross(after.spin, body.lever)) for body, after in states]
     relative = subtract(moved[0], moved[1])
-    speeds = least + abs(before[2]) + hypot(before[0], before[1])
+    speeds = least + abs(before[2]) + length(before[0], before[1])
     for (body, after), velocity in zip(states, moved, strict=True):
-        reach = sqrt(dot(body.lever, body.lever))
-        speeds += sqrt(dot(velocity, velocity)) + reach * (
-            sqrt(dot(body.spin, body.spin)) + sqrt(dot(after.spin, after.spin))
+        reach = root(dot(body.lever, body.lever))
+        speeds += root(dot(velocity, velocity)) + reach * (
+            root(dot(body.spin, body.spin)) + root(dot(after.spin, after.spin))
         )
     checks: tuple[Check, ...] = ()
     for axis, value, name in zip(frame, end.velocity, ("slip 1", "slip 2", "separation"), strict=True):

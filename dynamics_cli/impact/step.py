@@ -152,7 +152,7 @@ def step(
     Examples
     --------
     >>> round(step(radius=0.3, height=0.1).least_speed, 6)
-    1.470191
+    1.470192
     """
     require_sizes(radius=radius, height=height, wheel=wheel, speed=speed, mass=mass, gravity=gravity)
     require(radius > 0.0, "a wheel of radius {0:.6g} m does not roll", radius, code="no-radius")

@@ -2,12 +2,11 @@
 
 Slip is straight once it keeps its direction, from rest along the one way out, and where friction holds the contact.
 Everything is then linear in the normal impulse, and the end of compression and of the impact are roots in closed form.
+All of it takes doubles and decimals.
 """
 
-from math import inf, sqrt
-
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.impact.decimals import fused, root
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,9 +14,8 @@ if TYPE_CHECKING:
     Matrix = tuple[Vector, Vector, Vector]
     Pair = tuple[float, float]
 
-# Slip whose turning is no more than rounding leaves of it keeps its direction, when that is as near as this.
-SETTLED = 2e-16
-NEAR = 1e-9
+# Digits of a double.
+DOUBLE = 16
 # u_t, u_n, p_n, p_t, normal work, heat of friction
 X, Y, V, P, FX, FY, W, H = range(8)
 
@@ -32,7 +30,7 @@ class Slip:
         self.steps = 0
         self.stopped = False
         self.compression: float | None = None
-        self.work = 0.0
+        self.work = type(state[V])(0)
         self.restoring = False
 
     def compressed(self) -> None:
@@ -45,7 +43,7 @@ class Slip:
 def _difference(a: float, b: float, c: float, d: float) -> float:
     """a·b − c·d to about one rounding, however much cancels (Kahan)."""
     product = c * d
-    return multiply_add(a, b, -product) - multiply_add(c, d, -product)
+    return fused(a, b, -product) - fused(c, d, -product)
 
 
 def stick_ratio(k: "Matrix") -> "tuple[float, float]":
@@ -67,37 +65,42 @@ def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
         det = _difference(a, d, b, b)
         return _difference(d, k13, b, k23) / det, _difference(a, k23, b, k13) / det
 
-    low, high = 0.0, sqrt(k13 * k13 + k23 * k23)
-    for _ in range(200):
-        middle = 0.5 * (low + high)
+    low, high = type(k13)(0), root(k13 * k13 + k23 * k23)
+    for _ in range(400):
+        middle = (low + high) / 2
         if middle in (low, high):
             break
         x, y = direction(middle)
-        if x * x + y * y > 1.0:
+        if x * x + y * y > 1:
             low = middle
         else:
             high = middle
-    x, y = direction(0.5 * (low + high))
-    size = sqrt(x * x + y * y)
+    x, y = direction((low + high) / 2)
+    size = root(x * x + y * y)
     return x / size, y / size
 
 
-def settled(k: "Matrix", friction: float, slip: Slip) -> "Pair | None":
-    """The direction that the slip has come to keep, to which all near it turn.
+def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "Pair | None":
+    """The direction that the slip has come to keep in as many digits, to which all near it turn.
 
     With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt n̂.
     """
     (k11, k12, k13), (_, k22, k23), _ = k
     x, y = slip.state[X], slip.state[Y]
-    size = sqrt(x * x + y * y)
+    if y == 0 and k12 == 0 and k23 == 0:
+        # nothing acts across it
+        return x / abs(x), y
+    size = root(x * x + y * y)
     c, d = x / size, y / size
     a, b = k13 - friction * (k11 * c + k12 * d), k23 - friction * (k12 * c + k22 * d)
-    slope = -(a * c + b * d) - friction * (k11 * d * d - 2.0 * k12 * c * d + k22 * c * c)
-    if not slope < 0.0:
+    slope = -(a * c + b * d) - friction * (k11 * d * d - 2 * k12 * c * d + k22 * c * c)
+    if not slope < 0:
         return None
     across = a * d - b * c
     rounding = abs(k13) + abs(k23) + friction * (k11 + k22)
-    if abs(across) > SETTLED * rounding or abs(across) > NEAR * -slope:
+    # rounding leaves no more of its turning, and the direction is near
+    number = type(size)
+    if abs(across) > number(f"2e-{digits}") * rounding or abs(across) > number(f"1e-{digits // 2 + 1}") * -slope:
         return None
     aside = across / slope
     return c - aside * d, d + aside * c
@@ -108,20 +111,21 @@ def restitution_of(slip: Slip, speed: float, slope: float, approach: float, rest
 
     A contact that jams while it slips may press the bodies together again: then `slope` or `speed` is negative.
     """
+    inf = type(slope)("inf")
     if law == "newton":
         after = -restitution * approach
-        return ((after - speed) / slope, after) if slope > 0.0 else (inf, after)
+        return ((after - speed) / slope, after) if slope > 0 else (inf, after)
     if law == "poisson":
-        rest = (1.0 + restitution) * slip.compression - slip.state[P]  # type: ignore[operator]
+        rest = (1 + restitution) * slip.compression - slip.state[P]  # type: ignore[operator]
         return rest, speed + slope * rest
-    left = max(restitution * restitution * slip.work - (slip.state[W] + slip.work), 0.0)
-    square = speed * speed + 2.0 * slope * left
-    if square < 0.0:
-        return inf, 0.0
-    after = sqrt(square)
-    if speed < 0.0:
-        return ((after - speed) / slope, after) if slope > 0.0 else (inf, after)
-    return (2.0 * left / (speed + after) if after > 0.0 else 0.0), after
+    left = max(restitution * restitution * slip.work - (slip.state[W] + slip.work), type(slope)(0))
+    square = speed * speed + 2 * slope * left
+    if square < 0:
+        return inf, type(slope)(0)
+    after = root(square)
+    if speed < 0:
+        return ((after - speed) / slope, after) if slope > 0 else (inf, after)
+    return (2 * left / (speed + after) if after > 0 else type(slope)(0)), after
 
 
 def rates_along(k: "Matrix", way: "Pair", friction: float) -> "tuple[Pair, float, float]":
@@ -137,13 +141,14 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
     state = slip.state
     speed = state[X] * way[0] + state[Y] * way[1]
     ratio, growth, slope = rates_along(k, way, friction)
-    left = -speed / growth if growth < 0.0 else inf
+    inf = type(speed)("inf")
+    left = -speed / growth if growth < 0 else inf
 
     def ahead(more: float) -> None:
         """Go on by so much normal impulse."""
         nonlocal speed, left
-        state[W] += more * (state[V] + 0.5 * slope * more)
-        state[H] += friction * more * (speed + 0.5 * growth * more)
+        state[W] += more * (state[V] + slope * more / 2)
+        state[H] += friction * more * (speed + growth * more / 2)
         state[V] += slope * more
         state[P] += more
         state[FX] += ratio[0] * more
@@ -153,15 +158,15 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
         state[X], state[Y] = speed * way[0], speed * way[1]
 
     if not slip.restoring:
-        more = -state[V] / slope if slope > 0.0 else inf
+        more = -state[V] / slope if slope > 0 else inf
         if more > left:
             ahead(left)
             slip.stopped = True
             return False
         ahead(more)
-        state[V] = 0.0
+        state[V] = type(slope)(0)
         slip.compressed()
-        if restitution == 0.0:
+        if restitution == 0:
             return True
     more, after = restitution_of(slip, state[V], slope, approach, restitution, law)
     if more > left:
@@ -207,7 +212,7 @@ def end_of(slip: Slip, history: str) -> End:
     return End(
         velocity=(state[X], state[Y], state[V]),
         impulse=(state[FX], state[FY], state[P]),
-        compression=slip.compression or 0.0,
+        compression=type(state[V])(0) if slip.compression is None else slip.compression,
         work=slip.work,
         work_back=state[W] + slip.work,
         heat=state[H],
@@ -225,33 +230,33 @@ def from_rest(
     state = slip.state
     ratio = stick_ratio(k)
     sticks = ratio[0] * ratio[0] + ratio[1] * ratio[1] <= friction * friction
-    growth = 0.0, 0.0
+    growth = type(k13)(0), type(k13)(0)
     if not sticks:
         out = way_out(k, friction)
         ratio = -friction * out[0], -friction * out[1]
         growth = tuple(row[0] * ratio[0] + row[1] * ratio[1] + row[2] for row in k[:2])  # type: ignore[assignment]
     slope = k33 + k13 * ratio[0] + k23 * ratio[1]
     require(
-        slope > 0.0,
+        slope > 0,
         "at the contact the bodies give way in one direction alone, as far as doubles tell: no impulse follows",
         code="singular",
         hint="check levers and inertias: the lever is very long beside the radius of gyration",
     )
     begin, work = state[P], state[W]
     words = ("slip from rest", "stick") if at_rest else ("slip, slip anew", "slip, stick")
-    more, speed = 0.0, state[V]
+    more, speed = type(slope)(0), state[V]
     if not slip.restoring:
         more = -speed / slope
-        state[P], state[W] = begin + more, work - 0.5 * more * -speed
+        state[P], state[W] = begin + more, work + more * speed / 2
         slip.compressed()
-        speed = 0.0
+        speed = type(slope)(0)
     rest, after = restitution_of(slip, speed, slope, approach, restitution, law)
     more += rest
-    state[W] += 0.5 * (speed + after) * rest
-    state[H] += 0.5 * friction * more * more * sqrt(growth[0] * growth[0] + growth[1] * growth[1])
-    before = (state[X], state[Y]) if at_rest else (0.0, 0.0)
+    state[W] += (speed + after) * rest / 2
+    state[H] += friction * more * more * root(growth[0] * growth[0] + growth[1] * growth[1]) / 2
+    before = (state[X], state[Y]) if at_rest else (type(slope)(0), type(slope)(0))
     state[X], state[Y], state[V] = before[0] + growth[0] * more, before[1] + growth[1] * more, after
     state[FX], state[FY], state[P] = state[FX] + ratio[0] * more, state[FY] + ratio[1] * more, begin + more
-    end = end_of(slip, words[sticks] if friction > 0.0 else "slip without friction")
-    end.slip_impulse = begin if friction > 0.0 else begin + more
+    end = end_of(slip, words[sticks] if friction > 0 else "slip without friction")
+    end.slip_impulse = begin if friction > 0 else begin + more
     return end

@@ -4,7 +4,7 @@ By normal impulse the slip's direction is singular where the slip stops, so the 
 start and go on straight, as the program does.
 """
 
-from math import hypot, sqrt
+from math import hypot
 
 from dynamics_cli.accuracy.cases import Case, load
 from dynamics_cli.accuracy.rivals.impact_shares import Rival, compared
@@ -84,15 +84,24 @@ def taylor(order: int, stride: float) -> "Callable[[Case], Callable[[], Vector]]
     return prepare
 
 
-def stated(case: Case) -> float:
-    """The bound that the program states for a contact whose K and velocity are exact."""
-    from dynamics_cli.impact.hodograph import travel
-    from dynamics_cli.impact.spatial_results import ROUNDINGS
+def decimals(case: Case) -> "Callable[[], Vector]":
+    """The program's own, in the decimals that its answers are rounded from."""
+    from decimal import Context, localcontext
+
+    from dynamics_cli.impact.decimals import widened
+    from dynamics_cli.impact.spatial import followed
+    from dynamics_cli.impact.spatial_bounds import EFFORTS
 
     c = Contact(case)
-    end = travel(c.k, c.u, c.mu, c.e, c.law)
-    most: float = max(c.k[0][0], c.k[1][1], c.k[2][2])
-    return ROUNDINGS * max(1.0, most * sqrt(sum(part * part for part in end.impulse)) / -c.u[2])
+    k, u, mu, e, law = widened((c.k, c.u, c.mu, c.e, c.law))
+    order, digits, most = EFFORTS[0]
+
+    def answer() -> "Vector":
+        with localcontext(Context(prec=most)):
+            x, y, z = followed(k, u, mu, e, law, order=order, digits=digits).impulse
+            return float(x), float(y), float(z)
+
+    return answer
 
 
 def _euler(c: Contact, y: "State", step: float) -> "State":
@@ -202,8 +211,11 @@ def dop853(tolerance: float) -> "Callable[[Case], Callable[[], Vector]]":
 
 
 CHOSEN = 24, 0.1353352832366127
+# Half a last bit of the largest part.
+ROUNDED = 1.0001 * 2.0**-53
 RIVALS = (
-    Rival("Taylor of order 24 (chosen)", taylor(*CHOSEN), stated),
+    Rival("Taylor in decimals, rounded once (chosen)", decimals, lambda _: ROUNDED),
+    Rival("Taylor of order 24", taylor(*CHOSEN)),
     Rival("Taylor of order 16", taylor(16, CHOSEN[1])),
     Rival("Taylor of order 10", taylor(10, CHOSEN[1])),
     Rival("Taylor of order 24, strides of half the radius", taylor(24, 0.5)),
