@@ -8,6 +8,7 @@ from dynamics_cli.inertia.properties import Axes, MassProperties, ProductSign, S
 from dynamics_cli.inertia.report import reported
 from dynamics_cli.inertia.rotation import Turn, matrix_of
 from dynamics_cli.inertia.spread import plain
+from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.quantities import PartPosition, Text
 from dynamics_cli.records import record
 
@@ -127,7 +128,12 @@ def _tracked() -> type:
 
 def compose_scene(scene: Assembly) -> "Composed":
     """Put an assembly together; tracked numbers carry their rounding along, and their slopes where these are few."""
-    given = _width(scene.parts)
+    number = _first_number(scene.parts)
+    if _has_mesh(scene.parts):
+        # a mesh is integrated in doubles, whatever the numbers beside it
+        only_in_doubles(number)
+    slopes = getattr(number, "slopes", None)
+    given = None if slopes is None else len(slopes)
     parts, width = _carried(scene.parts, given)
     walk = Walk(width)
     walk.into(parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
@@ -146,19 +152,23 @@ def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part,
     return each_number(parts, lambda x: Tracked(x.value, 0.0, ()), Tracked), 0
 
 
-def _width(tree: "Any") -> int | None:
-    """How many slopes the first tracked number of a tree has; None when its numbers are bare."""
+def _first_number(tree: "Any") -> "Any":
+    """The first number of a tree that carries something along; None when all are bare."""
     if tree is None or type(tree) is float:
         return None
-    if hasattr(tree, "slopes"):
-        return len(tree.slopes)
+    if hasattr(tree, "apply"):
+        return tree
     if isinstance(tree, tuple):
-        found = map(_width, tree)
+        found = map(_first_number, tree)
     elif hasattr(tree, "fields"):
-        found = map(_width, (getattr(tree, name) for name in tree.fields))
+        found = map(_first_number, (getattr(tree, name) for name in tree.fields))
     else:
         return None
-    return next((width for width in found if width is not None), None)
+    return next((number for number in found if number is not None), None)
+
+
+def _has_mesh(parts: "tuple[Part, ...]") -> bool:
+    return any(part.mesh or _has_mesh(part.parts) for part in parts)
 
 
 def _count(parts: "tuple[Part, ...]") -> int:

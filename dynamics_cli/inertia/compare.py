@@ -2,12 +2,12 @@
 
 from math import inf
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.inertia.assembly import Assembly, compose_scene
 from dynamics_cli.inertia.lump import less, product, tensor_of, transposed, turned
 from dynamics_cli.inertia.parts import each_number
 from dynamics_cli.inertia.report import stated
-from dynamics_cli.inertia.spread import plain
+from dynamics_cli.inertia.spread import in_many_digits, plain
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.quantities import Angle, Mass, PartPosition, ProductOfInertia, Ratio, SignedMass, Size, Text
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.lump import Matrix
 
 UNIT_ROUNDOFF = 2.0**-53
+# How many roundings a bound may be of before it is worth a second pass.
+ROOM = 50.0
 # Of the products of unit vectors that the turn between two frames is read from.
 TURN_ROUNDINGS = 32.0
 SIGNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
@@ -145,7 +147,7 @@ def compare(scene: Pair, /) -> Compared:
     shift = less(b.lump.centroid, a.lump.centroid)
     rows = tuple(_row(*row) for row in _numbers(a, b))
     angle, advice = _angle(a, b)
-    tilt = None if angle is None else _tilt(a) + _tilt(b) + TURN_ROUNDINGS * UNIT_ROUNDOFF
+    tilt = None if angle is None or in_many_digits(a.spread.axes) else _turn_error(scene, a, b, angle)
     first, second = a.lump.mass, b.lump.mass
     found = {
         "first_mass": first,
@@ -214,6 +216,22 @@ def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, .
             ),
         )
     return min(turn_between(a.spread.axes, b.spread.axes, signs) for signs in SIGNS), ()
+
+
+def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> float:
+    """How far the angle between the axes may be off: by the tilts of both, or as measured in many digits."""
+    tilt = _tilt(a) + _tilt(b) + TURN_ROUNDINGS * UNIT_ROUNDOFF
+    if not ROOM * UNIT_ROUNDOFF * (1.0 + angle) < tilt < inf:
+        return tilt
+    from dynamics_cli.numerics.many_digits import ManyDigits, measured_error, run
+    from dynamics_cli.numerics.tracked import Tracked
+
+    first, second = each_number((scene.first, scene.second), lambda x: ManyDigits.inputs((x.value,))[0], Tracked)
+    try:
+        exact = run(lambda: _angle(compose_scene(first), compose_scene(second))[0])
+    except (DynamicsError, ArithmeticError):
+        return tilt
+    return tilt if exact is None else measured_error(angle, exact, tilt)  # type: ignore[arg-type]
 
 
 def _tilt(one: "Composed") -> float:

@@ -16,8 +16,7 @@ from dynamics_cli.inertia.lump import (
 )
 from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.rotation import departure
-from dynamics_cli.inertia.spread import Spread, bounded, plain, spread_of
-from dynamics_cli.numerics.symmetric import eigen
+from dynamics_cli.inertia.spread import Spread, bounded, in_many_digits, plain, spread_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +29,8 @@ class Composed:
 
     def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, asked: bool) -> None:
         self.sloped = bool(walk.width)
+        # whether its numbers are floats, of which nothing has to be taken off
+        self.bare = walk.width is None and type(lump.mass) is float
         self.unbounded = asked and walk.width is None
         self.leaves = walk.leaves
         self.origins = walk.origins
@@ -125,6 +126,8 @@ def _require_body(whole: Lump, spread: Spread) -> None:
 def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     """Principal second moments composed in the principal frame, where those of a needle keep their digits."""
     frame = first.axes
+    if in_many_digits(frame):
+        return first
     if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
         return first
     whole = _sum([_piece(leaf, base, frame) for leaf in leaves])
@@ -133,7 +136,7 @@ def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     seconds = found.seconds
     if not any(hasattr(x, "slopes") for row in whole.second for x in row):
         return Spread(seconds, product(found.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, eigen(matrix).vectors)  # type: ignore[arg-type]
+    seconds = bounded(whole.second, seconds, found.vectors)  # type: ignore[arg-type]
     # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]

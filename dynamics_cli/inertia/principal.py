@@ -1,5 +1,7 @@
 """Principal moments and axes of a body from its second moments, with axes declared undetermined where they are."""
 
+from dynamics_cli.inertia.lump import IDENTITY
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.symmetric import UNIT_ROUNDOFF, eigen
 
 TYPE_CHECKING = False
@@ -8,22 +10,26 @@ if TYPE_CHECKING:
 
 # Moments closer than this many roundings (2⁻⁵²) of the greatest one are equal as far as doubles can tell.
 EQUAL = 8.0
+# What is said of axes that are not determined.
+_EVERY = "every axis is principal"
+_FIRST_TWO = "axes 1 and 2 are any two in the plane across axis 3"
+_LAST_TWO = "axes 2 and 3 are any two in the plane across axis 1"
 
 
 class Principal:
     """Second moments along the principal axes, the moments about them, the axes as rows, and what is undetermined.
 
-    The moments are in ascending order, so the second moments descend. `bounds` are absolute errors of the second
-    moments from the solution of the eigenproblem alone.
+    The moments are in ascending order, so the second moments descend. `vectors` are the eigenvectors that they were
+    found with, in the axes of the matrix, also where the axes are not determined.
     """
 
-    __slots__ = ("axes", "bounds", "degeneracy", "seconds")
+    __slots__ = ("axes", "degeneracy", "seconds", "vectors")
 
-    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str, bounds: "Vector") -> None:
+    def __init__(self, seconds: "Vector", axes: "Matrix", degeneracy: str, vectors: "Matrix") -> None:
         self.seconds = seconds
         self.axes = axes
         self.degeneracy = degeneracy
-        self.bounds = bounds
+        self.vectors = vectors
 
     @property
     def moments(self) -> "Vector":
@@ -77,26 +83,39 @@ def principal(second_moments: "Matrix", uncertainty: float = 0.0, frame: "Matrix
     tolerance = max(EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b), uncertainty)
     vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
     axes, words = _axes(vectors, a - b <= tolerance, b - c <= tolerance, beyond=uncertainty >= tolerance > 0.0)
-    return Principal(seconds, axes, words, found.bounds)  # type: ignore[arg-type]
+    return Principal(seconds, axes, words, found.vectors)  # type: ignore[arg-type]
+
+
+def principal_of_many_digits(second_moments: "Matrix") -> Principal:
+    """The same of second moments in many digits; axes are determined or not as those of the nearest doubles are."""
+    from dynamics_cli.numerics.symmetric_digits import eigen_of_many_digits
+
+    near = principal(tuple(tuple(getattr(x, "value", x) for x in row) for row in second_moments))  # type: ignore[arg-type]
+    values, vectors = eigen_of_many_digits(second_moments)  # type: ignore[arg-type]
+    upper, lower = (near.degeneracy.startswith((_EVERY, words)) for words in (_FIRST_TWO, _LAST_TWO))
+    axes, _ = _axes(vectors, upper, lower, beyond=False)  # type: ignore[arg-type]
+    return Principal(values, tuple(map(_alike, axes, near.axes)), near.degeneracy, vectors)  # type: ignore[arg-type]
+
+
+def _alike(axis: "Vector", near: "Vector") -> "Vector":
+    """An axis with the sense of another one."""
+    along = axis[0] * near[0] + axis[1] * near[1] + axis[2] * near[2]
+    return axis if along >= 0.0 else (-axis[0], -axis[1], -axis[2])
 
 
 def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tuple[Matrix, str]":
     """Axes in order of their moments, and the sentence about them; `upper`: the first two moments are equal."""
     why = "their moments differ by less than is known of them" if beyond else "their moments are equal"
     if upper and lower:
-        return (
-            (1.0, 0.0, 0.0),
-            (0.0, 1.0, 0.0),
-            (0.0, 0.0, 1.0),
-        ), f"every axis is principal: {why.replace('their', 'all')}"
+        return IDENTITY, f"{_EVERY}: {why.replace('their', 'all')}"
     if upper:
         third = _positive(vectors[2])
         first, second = _across(third)
-        return (first, second, third), f"axes 1 and 2 are any two in the plane across axis 3: {why}"
+        return (first, second, third), f"{_FIRST_TWO}: {why}"
     if lower:
         first = _positive(vectors[0])
         second, third = _across(first)
-        return (first, second, third), f"axes 2 and 3 are any two in the plane across axis 1: {why}"
+        return (first, second, third), f"{_LAST_TWO}: {why}"
     first, second = _positive(vectors[0]), _positive(vectors[1])
     return (first, second, _cross(first, second)), "none: the principal moments are different"
 
@@ -117,7 +136,7 @@ def _across(u: "Vector") -> "tuple[Vector, Vector]":
     """Two unit vectors right-handed with `u`, the first the projection of the input axis most across it."""
     k = min(range(3), key=lambda i: (abs(u[i]), i))
     along = tuple((1.0 if i == k else 0.0) - u[k] * u[i] for i in range(3))
-    length = (along[0] * along[0] + along[1] * along[1] + along[2] * along[2]) ** 0.5
+    length = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2])
     first = (along[0] / length, along[1] / length, along[2] / length)
     return first, _cross(u, first)
 

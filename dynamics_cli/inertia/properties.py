@@ -23,6 +23,7 @@ from dynamics_cli.inertia.results import (
     ShaftMoment,
 )
 from dynamics_cli.inertia.spread import Spread, ellipsoid, root, spread_of
+from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.quantities import (
     Area,
     Direction,
@@ -285,6 +286,8 @@ def properties(
 
 def _axes(view: View, own: Spread) -> "tuple[str, Matrix]":
     if view.axes == "principal":
+        # results are about the axes that are shown, which are doubles
+        only_in_doubles(*own.axes[0])
         return "principal", own.axes
     if view.rotation is not None:
         return "turned", view.rotation

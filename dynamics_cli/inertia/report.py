@@ -26,7 +26,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
     rows, cancels = _shares(whole, view, answer)
     bounds: list[ErrorBound] = []
     values = dict(answer.__dict__)
-    if not whole.sloped:
+    if not whole.sloped and not whole.bare:
         values = {name: stated(name, value, bounds) for name, value in values.items()}
     values |= {
         "parts": rows,
@@ -76,11 +76,12 @@ def measures_of(whole: "Composed") -> "dict[str, Any]":
 def _shares(
     whole: "Composed", view: View, answer: MassProperties
 ) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
-    rotation: Matrix = bare(_rotation(view, whole))
-    point: Vector = bare(answer.reference_point)
+    off = (lambda value: value) if whole.bare else bare
+    rotation: Matrix = off(_rotation(view, whole))
+    point: Vector = off(answer.reference_point)
     rows = []
     for leaf, tracked in zip(whole.leaves, whole.pieces, strict=True):
-        piece: Lump = bare(tracked)
+        piece: Lump = off(tracked)
         tensor = tensor_of(turned(about(piece, point), rotation))
         rows.append(PartShare(leaf.name, piece.mass, piece.centroid, (tensor[0][0], tensor[1][1], tensor[2][2])))
     if all(leaf.sign > 0.0 for leaf in whole.leaves):

@@ -40,7 +40,7 @@ def deviation(whole: "Composed") -> Deviation | None:
         for k in range(3):
             centroid[k] += (away[k] / total * sigma) ** 2 + share * share * along[k][k]
         _add(given, leaf, piece, away, along, IDENTITY)
-        _add(own, leaf, piece, away, along, whole.spread.axes)
+        _add(own, leaf, piece, away, along, _bare(whole.spread.axes))
     roots = [x**0.5 for x in given]
     return Deviation(
         mass=mass_variance**0.5,

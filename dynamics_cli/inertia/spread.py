@@ -1,9 +1,8 @@
 """Principal second moments of numbers that may carry derivatives: axes from the doubles, moments along them."""
 
-from dynamics_cli.inertia.lump import each, turned
-from dynamics_cli.inertia.principal import principal
-from dynamics_cli.numerics.elementary import only_in_doubles, sqrt
-from dynamics_cli.numerics.symmetric import eigen
+from dynamics_cli.inertia.lump import each
+from dynamics_cli.inertia.principal import principal, principal_of_many_digits
+from dynamics_cli.numerics.elementary import sqrt
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +29,11 @@ def plain(x: float) -> float:
     return getattr(x, "value", x)
 
 
+def in_many_digits(matrix: "Matrix") -> bool:
+    """Whether any number of a matrix is of many digits."""
+    return any(hasattr(x, "many_digits") for row in matrix for x in row)
+
+
 def root(x: float) -> float:
     """√x, zero where rounding made a zero negative."""
     return sqrt(x) if x > 0.0 else 0.0
@@ -49,50 +53,30 @@ def spread_of(second: "Matrix") -> Spread:
     A tracked matrix gives tracked moments: their slopes are those of vᵀ S v along the fixed axis v (Hellmann and
     Feynman), their bound is that of the same sum and of the eigenvalues' own.
     """
-    only_in_doubles(*second[0], *second[1], *second[2])
+    if in_many_digits(second):
+        precise = principal_of_many_digits(second)
+        return Spread(precise.seconds, precise.axes, precise.degeneracy)
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
     found = principal(matrix)  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in second for x in row):
         return Spread(found.seconds, found.axes, found.degeneracy)
-    return Spread(bounded(second, found.seconds, eigen(matrix).vectors), found.axes, found.degeneracy)  # type: ignore[arg-type]
+    return Spread(bounded(second, found.seconds, found.vectors), found.axes, found.degeneracy)  # type: ignore[arg-type]
 
 
 def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
-    """Eigenvalues of a tracked matrix with the slopes of their Rayleigh quotients and bounds proved afterwards.
+    """Eigenvalues of a tracked matrix with the slopes of their Rayleigh quotients and bounds proved afterwards."""
+    from dynamics_cli.numerics.residual import residual_bounds
+    from dynamics_cli.numerics.tracked import Tracked
 
-    Along its axes the matrix is T = V S Vᵀ. Gershgorin's disc about T's element k holds an eigenvalue; scaled so that
-    the others stay apart, its radius is Σ 2 tₖⱼ²/gapₖⱼ over the elements beside it, tₖⱼ itself where there is no gap
-    (Wilkinson, The Algebraic Eigenvalue Problem, 2.15). The axes are unit vectors to a few roundings, which turns
-    every eigenvalue by as many of its own (Ostrowski).
-    """
-    from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
-
-    along = turned(second, axes)
-    # where discs overlap, which eigenvalue is in which is not told: all of a group may be off by its largest
-    alike = [[k == j for j in range(3)] for k in range(3)]
-    errors = []
-    off = [[abs(plain(x)) + getattr(x, "error", 0.0) for x in row] for row in along]
-    found = []
-    for k in range(3):
-        mine = along[k][k]
-        slopes = getattr(mine, "slopes", None)
-        radius = 0.0
-        for j in range(3):
-            gap = abs(values[k] - values[j]) - getattr(mine, "error", 0.0) - getattr(along[j][j], "error", 0.0)
-            alike[k][j] = alike[k][j] or gap <= 0.0 or abs(values[k] - values[j]) <= 2.0 * off[k][j]
-            if j != k and off[k][j] > 0.0:
-                radius += off[k][j] * min(1.0, 2.0 * off[k][j] / gap if gap > 0.0 else 1.0)
-        error = getattr(mine, "error", 0.0) + abs(plain(mine) - values[k]) + radius
-        if any(x not in (0.0, 1.0, -1.0) for row in axes for x in row):
-            error += 8.0 * UNIT_ROUNDOFF * abs(values[k])
-        errors.append(error)
-        found.append(slopes if slopes is not None else _no_slopes(second))
-    widest = [max(error for error, near in zip(errors, group, strict=True) if near) for group in alike]
-    made = [Tracked(*parts) for parts in zip(values, widest, found, strict=True)]
-    return made[0], made[1], made[2]  # type: ignore[return-value]
+    bare = tuple(tuple(plain(x) for x in row) for row in second)
+    errors = tuple(tuple(getattr(x, "error", 0.0) for x in row) for row in second)
+    bounds = residual_bounds(bare, values, axes, errors)  # type: ignore[arg-type]
+    slopes = [_slopes(second, axis) for axis in axes]
+    return tuple(map(Tracked, values, bounds, slopes))  # type: ignore[return-value]
 
 
-def _no_slopes(second: "Matrix") -> "tuple[float, ...]":
-    """As many zeros as the tracked elements of a matrix have slopes."""
-    count = next(len(x.slopes) for row in second for x in row if hasattr(x, "slopes"))
-    return (0.0,) * count
+def _slopes(second: "Matrix", axis: "Vector") -> "tuple[float, ...]":
+    """Slopes of vᵀ S v along a fixed axis v."""
+    parts = [(axis[i] * axis[j], getattr(second[i][j], "slopes", ())) for i in range(3) for j in range(3)]
+    width = max(len(own) for _, own in parts)
+    return tuple([sum([share * own[n] for share, own in parts if own]) for n in range(width)])

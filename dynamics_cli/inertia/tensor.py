@@ -7,8 +7,7 @@ from dynamics_cli.inertia.principal import principal
 from dynamics_cli.inertia.properties import ProductSign
 from dynamics_cli.inertia.results import PrincipalMoments
 from dynamics_cli.inertia.rotation import Turn, matrix_of
-from dynamics_cli.inertia.spread import bounded, ellipsoid, plain, root
-from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.inertia.spread import bounded, ellipsoid, in_many_digits, plain, root
 from dynamics_cli.numerics.symmetric import eigen
 from dynamics_cli.quantities import (
     Direction,
@@ -249,9 +248,9 @@ def require_tensor(
     InadmissibleError
         When no body can have it.
     """
-    only_in_doubles(*matrix[0], *matrix[1], *matrix[2])
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
-    found = eigen(bare)  # type: ignore[arg-type]
+    # the least moment of a needle is a small difference of the tensor's elements
+    found = eigen(bare).refined()  # type: ignore[arg-type]
     least, middle, most = values = found.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="a body has mass away from any axis")
     room = plain(tolerance) * most
@@ -276,6 +275,10 @@ def require_tensor(
         hint=other or hint,
     )
     own = principal(second_of(bare))  # type: ignore[arg-type]
+    if in_many_digits(matrix):
+        from dynamics_cli.numerics.symmetric_digits import eigen_of_many_digits
+
+        return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[arg-type, return-value]
     if not any(hasattr(x, "slopes") for row in matrix for x in row):
         return values, own.axes, own.degeneracy
     moments = bounded(matrix, values, found.vectors[::-1])

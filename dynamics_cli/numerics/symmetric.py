@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     Rows: TypeAlias = tuple[Triple, Triple, Triple]
 
 UNIT_ROUNDOFF = 2.0**-53
-# Roundings that each rotation may add, in units of the norm, or of each eigenvalue times the scaled condition.
-ROUNDINGS = 1.5
 SWEEPS = 40
 _PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
 
@@ -23,12 +21,35 @@ _PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
 class Eigen:
     """Eigenvalues, the greatest first, their unit vectors as rows in that order, and a bound of each one's error."""
 
-    __slots__ = ("bounds", "values", "vectors")
+    __slots__ = ("_bounds", "_matrix", "values", "vectors")
 
-    def __init__(self, values: "Triple", vectors: "Rows", bounds: "Triple") -> None:
+    def __init__(self, values: "Triple", vectors: "Rows", matrix: "Rows | None") -> None:
         self.values = values
         self.vectors = vectors
-        self.bounds = bounds
+        # None of a diagonal matrix, which is its own answer
+        self._matrix = matrix
+        self._bounds: Triple | None = None if matrix is not None else (0.0, 0.0, 0.0)
+
+    @property
+    def bounds(self) -> "Triple":
+        """How far each eigenvalue is at most from that of the matrix given, proved afterwards."""
+        if self._bounds is None:
+            assert self._matrix is not None
+            from dynamics_cli.numerics.residual import residual_bounds
+
+            self._bounds = residual_bounds(self._matrix, self.values, self.vectors)
+        return self._bounds
+
+    def refined(self) -> "Eigen":
+        """The same with every eigenvalue to its own last bits, be it ever so small beside the others."""
+        if self._matrix is None:
+            return self
+        from dynamics_cli.numerics.residual import quotients
+
+        found = quotients(self._matrix, self.vectors)
+        order = sorted(range(3), key=lambda k: (-found[k], k))
+        values, vectors = (tuple(part[k] for k in order) for part in (found, self.vectors))
+        return Eigen(values, vectors, self._matrix)  # type: ignore[arg-type]
 
 
 def eigen(matrix: "Rows") -> Eigen:
@@ -55,10 +76,10 @@ def eigen(matrix: "Rows") -> Eigen:
 
     Notes
     -----
-    The bound is the smaller of c u ‖A‖ and, for a positive matrix, c u κ λ with κ the condition of A scaled to a unit
-    diagonal (Demmel and Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13 (1992)
-    1204, theorem 2.4), c = 3/2 for each rotation and u = 2⁻⁵³. It is of the eigenvalues of the doubles given,
-    not of the data behind them. Eigenvectors are good to about u ‖A‖ over the gap to the next eigenvalue.
+    Errors are some u ‖A‖ at most and, for a positive matrix, some u κ λ with κ the condition of A scaled to a unit
+    diagonal and u = 2⁻⁵³ (Demmel and Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13
+    (1992) 1204). Bounds are not these but `residual_bounds`. They are of the eigenvalues of the doubles given, not of
+    the data behind them. Eigenvectors are good to about u ‖A‖ over the gap to the next eigenvalue.
 
     Examples
     --------
@@ -72,21 +93,13 @@ def eigen(matrix: "Rows") -> Eigen:
     exponent = -frexp(largest)[1]
     a = [[ldexp(matrix[max(i, j)][min(i, j)], exponent) for j in range(3)] for i in range(3)]
     diagonal = a[1][0] == a[2][0] == a[2][1] == 0.0
-    condition = 0.0 if diagonal else _condition(a)
-    norm = sqrt(sum(x * x for row in a for x in row))
-    roundings = 0.0
     for _ in range(SWEEPS):
-        turned = sum(_rotate(a, axes, *pair) for pair in _PAIRS)
-        if not turned:
+        if not sum(_rotate(a, axes, *pair) for pair in _PAIRS):
             break
-        roundings += ROUNDINGS * turned
     order = sorted(range(3), key=lambda k: (-a[k][k], k))
     values = tuple(ldexp(a[k][k], -exponent) for k in order)
-    bounds = tuple(
-        0.0 if diagonal else ldexp(roundings * UNIT_ROUNDOFF * min(norm, condition * abs(a[k][k])), -exponent)
-        for k in order
-    )
-    return Eigen(values, tuple(_normal(axes[k]) for k in order), bounds)  # type: ignore[arg-type]
+    whole = None if diagonal else tuple(tuple(matrix[max(i, j)][min(i, j)] for j in range(3)) for i in range(3))
+    return Eigen(values, tuple(_normal(axes[k]) for k in order), whole)  # type: ignore[arg-type]
 
 
 def _rotate(a: "list[list[float]]", axes: "list[list[float]]", p: int, q: int, r: int) -> bool:
@@ -117,24 +130,6 @@ def _rotate(a: "list[list[float]]", axes: "list[list[float]]", p: int, q: int, r
         axes[p][k] = x - s * (y + tau * x)
         axes[q][k] = y + s * (x - tau * y)
     return True
-
-
-def _condition(a: "list[list[float]]") -> float:
-    """The condition of a positive matrix scaled to a unit diagonal, infinite when it cannot be shown positive.
-
-    With a unit diagonal the eigenvalues add up to 3, so the least is at least det/(3/2)².
-    """
-    if not min(a[0][0], a[1][1], a[2][2]) > 0.0:
-        return float("inf")
-    d = [sqrt(a[k][k]) for k in range(3)]
-    if min(d) < 1e-140:
-        return float("inf")
-    x, y, z = (a[i][j] / (d[i] * d[j]) for i, j in ((0, 1), (1, 2), (2, 0)))
-    determinant = 1.0 + 2.0 * x * y * z - (x * x + y * y + z * z) - 32.0 * UNIT_ROUNDOFF
-    if not determinant > 0.0:
-        return float("inf")
-    least = max(determinant / 2.25, 1.0 - max(abs(x) + abs(y), abs(y) + abs(z), abs(z) + abs(x)))
-    return 1.0 / least
 
 
 def _normal(vector: "list[float]") -> "Triple":

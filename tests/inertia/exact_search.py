@@ -60,7 +60,11 @@ def mesh(rng: random.Random) -> Iterator[Result]:
     lift = Lift(found, LengthUnit("m"), 0)
     tensor = tensor_of(lift.second(1.0))
     made = inertia_mesh.named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
-    yield from ((name, text, made[name]) for name, text in true.items())
+    # results that come to nothing come to the noise of these digits in the reference
+    reach, most = float(np.abs(corners).max()), max(abs(float(text)) for name, text in true.items() if "." in name)
+    for name, text in true.items():
+        size = reach if name.startswith("centroid") else most
+        yield name, text if abs(float(text)) > 1e-45 * size else "0.0", made[name]
 
 
 def section(rng: random.Random) -> Iterator[Result]:

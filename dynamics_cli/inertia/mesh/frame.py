@@ -55,6 +55,14 @@ class Frame:
         seen += self._high @ lead.reshape(flat)
         return out
 
+    def blur(self, extent: "Array") -> "Array":
+        """By how many times a rounding a point that reaches so far along these axes may be off along the file's.
+
+        An axis of the file's own is seen without the grain of the grid.
+        """
+        own = np.isin(self.rows, (-1.0, 0.0, 1.0)).all(axis=1)
+        return np.abs(self.rows.T) @ (extent + np.where(own, 0.0, self.grain))  # type: ignore[no-any-return]
+
 
 def departure(rows: "Array") -> "Array":
     """R Rᵀ − 1 of the very doubles of the axes."""

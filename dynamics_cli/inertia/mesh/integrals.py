@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
 # sums themselves are compensated from block to block.
-ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.0
+ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.5
+# What gradual underflow can take from a product.
+TINY = 5e-324
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
 # What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
@@ -45,7 +47,7 @@ class Moments:
     `measure` is the volume (or the area of a shell), `second` the second moments about `centroid`, both in the axes of
     the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are bounds of what
     rounding did: of the measure, of each coordinate, and of each second moment; `terms` is that of the weights of all
-    triangles, `box` how far they reach from the reference along the axes of the file.
+    triangles, `box` how far they reach, or what they are off by reaches, from the reference along the axes of the file.
     """
 
     def __init__(
@@ -55,7 +57,7 @@ class Moments:
         scale = (2.0, 2.0, 2.0) if sums.shell else (6.0, 8.0, 10.0)
         self.shell = sums.shell
         self.frame = None if frame is None else frame.rows
-        self.box = sums.extent if box is None else box
+        self.box = sums.extent if box is None or frame is None else np.maximum(box, frame.blur(sums.extent))
         # how much longer than one the axes are, to first order: a solid is given back what they stretched
         longer = np.zeros(3) if frame is None or sums.shell else 0.5 * np.diag(departure(frame.rows))
         self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
@@ -66,28 +68,62 @@ class Moments:
         # turned axes stretch a shell by a few roundings, which are not given back
         weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
         unit = ROUNDINGS * UNIT_ROUNDOFF
+        # what underflow may have taken from each product, before others made it larger
+        weight += sums.count * 32.0 * TINY * (1.0 + float(extent.max())) / unit
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
         if self.measure == 0.0:
             self.centre = np.zeros(3)
             self.second = second
             self.centre_error = self.second_error = extent * 0.0
-            self.terms = 0.0
+            self.terms, self.known = 0.0, False
             return
         centre = first * (1.0 - float(longer.sum())) / self.measure
         self.centre = centre
         second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
         self.second = second * (1.0 - (longer[:, None] + longer))
-        self.centre_error = unit * weight * extent / (scale[1] * abs(self.measure))
-        self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2])
+        # of a volume that may be half its own error nothing that is divided by it is known
+        share = self.measure_error / abs(self.measure)
+        room = abs(self.measure) * (1.0 - share) if share < 0.5 else 0.0
+        self.known = room > 0.0
+        self.centre_error = unit * weight * extent / scale[1] / room if self.known else np.full(3, np.inf)
+        self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) / (1.0 - min(share, 0.5))
         reach = np.sqrt(sums.spread) + sums.grain if sums.grain else extent
-        self.second_error = self.terms * np.outer(reach, reach)
+        self.second_error = self.terms * np.outer(reach, reach) if self.known else np.full((3, 3), np.inf)
 
     @property
     def centroid(self) -> "Array":
         """The mass centre in the axes of the file."""
         offset = self.centre if self.frame is None else self.frame.T @ self.centre
         return self.reference + offset
+
+    @property
+    def centroid_error(self) -> "Array":
+        """How far each coordinate of the mass centre may be off, with the rounding of the sum that it is."""
+        error = self.centre_error
+        if self.frame is not None and self.known:
+            error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
+        return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]
+
+    def in_file(self) -> "tuple[Array, Array]":
+        """Second moments in the axes of the file, and how far they may be off."""
+        matrix, error = self.second, self.second_error
+        if self.frame is None:
+            return matrix, error
+        back = self.frame.T @ matrix @ self.frame
+        if not self.known:
+            return back, error
+        turn, size = abs(self.frame.T), abs(matrix)
+        # axes that are not quite across one another do not turn back by their transpose
+        apart = abs(departure(self.frame))
+        # what weights are off by is told as well by how far the body reaches along the axes of the file
+        error = np.minimum(turn @ error @ turn.T, self.terms * np.outer(self.box, self.box))
+        error = error + turn @ (8.0 * UNIT_ROUNDOFF * size + apart @ size + size @ apart) @ turn.T
+        return back, error + UNIT_ROUNDOFF**2 * size.sum()
+
+    def spread_error(self, value: float) -> float:
+        """By how much an eigenvalue of `second` is stretched by axes that are orthonormal to rounding only."""
+        return 0.0 if self.frame is None else 2.0 * UNIT_ROUNDOFF * abs(value)
 
 
 class Sums:

@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.inertia.mesh.integrals import Moments
     from dynamics_cli.inertia.mesh.stl import Source
     from dynamics_cli.inertia.mesh.surface import Faults
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 # as it costs them nothing that can be felt.
 GRADED = 1e-4
 SMALL = 100_000
+# Up to this many triangles whole numbers take no longer than that second pass does.
+FEW = 128
 
 
 class Measured:
@@ -23,27 +26,27 @@ class Measured:
 
     def __init__(self, source: "Source", *, shell: bool, diagnosed: bool = False) -> None:
         from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
+        from dynamics_cli.inertia.mesh.whole import WholeMoments
 
         self.form = source.form
         self.single = source.single
-        self.sums, self.moments = first_pass(source, shell=shell, prove=True)
-        self.again = False
+        self.moments: Moments | WholeMoments
+        self.sums, first = first_pass(source, shell=shell, prove=True)
+        self.moments = first
+        self.way = "once"
         self.faults: Faults | None = None
         if diagnosed:
             from dynamics_cli.inertia.mesh.diagnosis import diagnose
 
             self.faults = diagnose(source)
-        if self.moments.measure and self._graded():
-            first = self.moments
-            axes = principal(rows(first.second if first.measure > 0.0 else -first.second)).axes
-            self.moments = second_pass(source, self.sums, first, array(axes))
-            self.again = True
-
-    def _graded(self) -> bool:
-        if self.sums.count <= SMALL:
-            return True
-        seconds = principal(rows(self.moments.second * (1.0 if self.moments.measure > 0.0 else -1.0))).seconds
-        return seconds[2] < GRADED * seconds[0]
+        if self.sums.count <= FEW:
+            self.moments = WholeMoments(source, shell=shell)
+            self.way = "whole"
+        elif first.measure:
+            found = principal(rows(first.second if first.measure > 0.0 else -first.second))
+            if self.sums.count <= SMALL or found.seconds[2] < GRADED * found.seconds[0]:
+                self.moments = second_pass(source, self.sums, first, array(found.axes))
+                self.way = "again"
 
     @property
     def closed(self) -> bool:

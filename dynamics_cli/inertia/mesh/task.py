@@ -20,7 +20,11 @@ if TYPE_CHECKING:
     from typing import Any
 
 METHOD = "divergence theorem over triangles by edges and centroids, in blocks; Jacobi on the second moments"
-AGAIN = METHOD + "; once more from the mass centre in the principal axes"
+METHODS = {
+    "once": METHOD,
+    "again": METHOD + "; once more from the mass centre in the principal axes",
+    "whole": "divergence theorem over few triangles in whole numbers, rounded once; Jacobi on the second moments",
+}
 
 
 def mesh(
@@ -146,7 +150,7 @@ def mesh(
         spread=lift.spread(density),
         checks=checks_of(found, shell),
         advice=advice_of(found, shell=shell, wall=lift.in_file_unit(thickness)),
-        numerics=Numerics(AGAIN if found.again else METHOD),
+        numerics=Numerics(METHODS[found.way]),
     )
     whole = MassProperties(**{**made.__dict__, "surface": surface_of(found, lift)})
     return whole if width is not None else _plain(whole)

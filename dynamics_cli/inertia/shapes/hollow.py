@@ -5,7 +5,7 @@ The measure is the volume.
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.sizes import cubes, inner_radius, inner_side, require_ring
-from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
+from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS, PI, TWO_THIRDS, Unit
 from dynamics_cli.quantities import Size
 from dynamics_cli.records import record, tagged
 
@@ -33,7 +33,7 @@ class HollowSphere:
         """Of mass one."""
         size, fourth = cubes(self.radius, inner_radius(self.radius, self.thickness))
         own = fourth / size / 5.0
-        return Unit((4.0 / 3.0) * PI * self.thickness * size, CENTRE, own, own, own)
+        return Unit(FOUR_THIRDS * PI * self.thickness * size, CENTRE, own, own, own)
 
 
 @tagged("shape")
@@ -66,7 +66,7 @@ class HollowHemisphere:
         ends = 19.0 + s * (38.0 + s * (57.0 + s * (12.0 + s * (57.0 + s * (38.0 + s * 19.0)))))
         one = 1.0 + s * (1.0 + s)
         return Unit(
-            (2.0 / 3.0) * PI * self.thickness * size,
+            TWO_THIRDS * PI * self.thickness * size,
             (0.0, 0.0, 0.375 * (a + b) * (a * a + b * b) / size),
             own,
             own,

@@ -116,7 +116,7 @@ class RegularPrism:
     def unit(self) -> Unit:
         """Of mass one."""
         require(self.sides >= 3, "a polygon of {0} sides has no area", self.sides, code="polygon")
-        step = 2.0 * PI / self.sides
+        step = 2.0 * PI.beside(self.radius) / self.sides
         square = self.radius * self.radius
         own = square * (2.0 + cos(step)) / 12.0
         return Unit(

@@ -1,6 +1,6 @@
 """Solids bounded by ellipsoids, elliptic cylinders and paraboloids. The measure is the volume."""
 
-from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
+from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS, PI, TWO_THIRDS, Unit
 from dynamics_cli.quantities import Size
 from dynamics_cli.records import record, tagged
 
@@ -89,7 +89,7 @@ class Ellipsoid:
     def unit(self) -> Unit:
         """Of mass one."""
         a, b, c = self.x_radius, self.y_radius, self.z_radius
-        return Unit((4.0 / 3.0) * PI * a * b * c, CENTRE, a * a / 5.0, b * b / 5.0, c * c / 5.0)
+        return Unit(FOUR_THIRDS * PI * a * b * c, CENTRE, a * a / 5.0, b * b / 5.0, c * c / 5.0)
 
 
 @tagged("shape")
@@ -117,4 +117,4 @@ class HalfEllipsoid:
     def unit(self) -> Unit:
         """Of mass one."""
         a, b, c = self.x_radius, self.y_radius, self.z_radius
-        return Unit((2.0 / 3.0) * PI * a * b * c, (0.0, 0.0, 0.375 * c), a * a / 5.0, b * b / 5.0, 19.0 * c * c / 320.0)
+        return Unit(TWO_THIRDS * PI * a * b * c, (0.0, 0.0, 0.375 * c), a * a / 5.0, b * b / 5.0, 19.0 * c * c / 320.0)

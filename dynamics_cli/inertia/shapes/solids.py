@@ -2,7 +2,17 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.sizes import require_ring
-from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS_OVER_PI, HALF_DISK, PI, QUARTER_DISK, Unit
+from dynamics_cli.inertia.shapes.unit import (
+    CENTRE,
+    FIFTH,
+    FOUR_THIRDS,
+    FOUR_THIRDS_OVER_PI,
+    HALF_DISK,
+    PI,
+    QUARTER_DISK,
+    TWO_THIRDS,
+    Unit,
+)
 from dynamics_cli.quantities import Size
 from dynamics_cli.records import record, tagged
 
@@ -27,7 +37,7 @@ class Sphere:
         """Of mass one."""
         square = self.radius * self.radius
         own = square / 5.0
-        return Unit((4.0 / 3.0) * PI * square * self.radius, CENTRE, own, own, own)
+        return Unit(FOUR_THIRDS * PI * square * self.radius, CENTRE, own, own, own)
 
 
 @tagged("shape")
@@ -51,7 +61,7 @@ class Hemisphere:
         square = self.radius * self.radius
         own = square / 5.0
         return Unit(
-            (2.0 / 3.0) * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0
+            TWO_THIRDS * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0
         )
 
 
@@ -243,7 +253,7 @@ class Capsule:
         balls = 4.0 * r / 3.0
         both = length + balls
         require(both > 0.0, "a capsule needs a radius or a length", code="capsule")
-        own = r * r * (0.25 * length + 0.2 * balls) / both
+        own = r * r * (0.25 * length + FIFTH * balls) / both
         # a half ball's centroid is 3R/8 off its face: its spread is 19R²/320 and the square of that distance
         away = 0.5 * length + 0.375 * r
         along = (length * length * length / 12.0 + balls * (19.0 * r * r / 320.0 + away * away)) / both

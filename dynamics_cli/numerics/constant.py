@@ -1,0 +1,67 @@
+"""Numbers of formulas that a double only comes near to: π, and what is made of it."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Constant(float):
+    """A double, known to all its digits beside numbers of many digits, which would take its rounding for exact.
+
+    It has to stand on the left of these, alone or times floats and other constants: ½ π r, not r·π/2. Beside any other
+    number it is the double that it is.
+    """
+
+    __slots__ = ("_factors",)
+    _factors: "tuple[str | float, ...]"
+
+    def __new__(cls, *factors: "str | float") -> "Constant":
+        """The constant that is the product of numbers in digits and of doubles."""
+        value = float(factors[0])
+        for factor in factors[1:]:
+            value *= float(factor)
+        made = super().__new__(cls, value)
+        made._factors = factors
+        return made
+
+    def __mul__(self, other: "Any") -> "Any":
+        if isinstance(other, float):
+            return Constant._of(float(self) * float(other), (*self._factors, *_factors(other)))
+        if hasattr(other, "exact"):
+            up, down = self.ratio()
+            return other * up / down
+        return float(self) * other
+
+    def __rmul__(self, other: "Any") -> "Any":
+        if isinstance(other, float):
+            return Constant._of(float(other) * float(self), (*_factors(other), *self._factors))
+        return other * float(self)
+
+    @classmethod
+    def _of(cls, value: float, factors: "tuple[str | float, ...]") -> "Constant":
+        made = super().__new__(cls, value)
+        made._factors = factors
+        return made
+
+    def ratio(self) -> "tuple[int, int]":
+        """The constant to all the digits it was given in, as a ratio of whole numbers."""
+        up = down = 1
+        for factor in self._factors:
+            if isinstance(factor, str):
+                whole, _, decimals = factor.partition(".")
+                more = int(whole + decimals), 10 ** len(decimals)
+            else:
+                more = factor.as_integer_ratio()
+            up, down = up * more[0], down * more[1]
+        return up, down
+
+    def beside(self, number: "Any") -> "Any":
+        """The constant as a number like another one: of many digits, or the double."""
+        if not hasattr(number, "exact"):
+            return float(self)
+        up, down = self.ratio()
+        return (0.0 * number + up) / down
+
+
+def _factors(number: "Any") -> "tuple[str | float, ...]":
+    return number._factors if isinstance(number, Constant) else (float(number),)

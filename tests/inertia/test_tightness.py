@@ -1,0 +1,104 @@
+"""Every stated bound of every shipped case of the family: never below the error, and no more than 100 times it.
+
+The error counts as half a last bit of the result at least, or of the size that errors are shares of where the result
+may pass through zero: the largest coordinate, the moments, what a difference is of.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from mpmath import mp, mpf
+
+from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.measure import Errors
+from dynamics_cli.accuracy.rivals import (
+    inertia_bodies,
+    inertia_eigen,
+    inertia_mesh,
+    inertia_sections,
+    inertia_table,
+)
+from dynamics_cli.core.tightening import tighten
+from dynamics_cli.inertia.torque import torque
+from dynamics_cli.numerics.tracked import Tracked
+
+ROOM = 100.0
+HALF_ULP = 2.0**-53
+
+
+def of_bodies(task: str) -> Callable[..., Any]:
+    """Results of a task as the program gives them: bounds that come out loose are measured in many digits."""
+
+    def compare(*_: Any, **__: Any) -> None:
+        for case in (case for case in load("inertia_bodies.json") if case.task == task):
+            numbers = list(leaves(case.inputs))
+
+            def call(given: Any, case: Any = case) -> Any:
+                return FUNCTIONS[task](**build(case.inputs, iter(given), inertia_bodies._groups()))
+
+            answer = call(Tracked.inputs(numbers))
+            tighten(answer, numbers, call)
+            found = flat(answer)
+            stated = answer.numerics.bounds if getattr(answer, "numerics", None) else ()
+            angle = {one.result: Tracked(found[one.result], one.bound, ()) for one in stated if not one.relative}
+            inertia_table.count(Errors(), case, found | angle)
+
+    return compare
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "shape": inertia_bodies.shape,
+    "body": inertia_bodies.body,
+    "compare": inertia_bodies.both,
+    "tensor": inertia_bodies.tensor,
+    "torque": torque,
+}
+# A question, and how many results of it carry a bound at least.
+QUESTIONS: list[tuple[str, Callable[..., Any], int]] = [
+    ("shape", of_bodies("shape"), 1800),
+    ("body", of_bodies("body"), 300),
+    ("compare", of_bodies("compare"), 300),
+    ("tensor", of_bodies("tensor"), 60),
+    ("torque", of_bodies("torque"), 25),
+    ("mesh", inertia_mesh.compare, 700),
+    ("large mesh", inertia_mesh.compare_large, 20),
+    ("overlapping mesh", inertia_mesh.compare_overlapping, 10),
+    ("shell", inertia_mesh.compare_shells, 130),
+    ("section", inertia_sections.compare, 850),
+    ("eigen", inertia_eigen.compare, 100),
+]
+
+
+def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple[str, float, float]]:
+    """Case and result, error and bound of the program's own method, as shares of the result or of its size."""
+    kept: list[tuple[str, float, float]] = []
+
+    def of_size(_: Errors, where: str, error: float, bound: float | None) -> None:
+        if bound is not None:
+            kept.append((where, error, bound))
+
+    def of_itself(own: Errors, where: str, value: float, text: str, bound: float | None, key: str = "") -> None:
+        reference = mpf(text)
+        size = abs(reference) or mpf(1)
+        error = max(abs(mpf(value) - reference) - abs(reference) * mpf(10) ** -39, mpf(0))
+        of_size(own, where, float(error / size), None if bound is None else float(bound / size))
+
+    patch.setattr(Errors, "note", of_size)
+    patch.setattr(Errors, "add", of_itself)
+    # the report's rows are of errors that it has noted
+    patch.setattr("dynamics_cli.accuracy.rivals.inertia_table.row", lambda *_: None)
+    patch.setattr("dynamics_cli.accuracy.rivals.inertia_eigen.row", lambda *_: None)
+    mp.dps = 60
+    compare("", hard=False, full=False, timed=False)
+    return kept
+
+
+@pytest.mark.parametrize(("compare", "least"), [one[1:] for one in QUESTIONS], ids=[one[0] for one in QUESTIONS])
+def test_every_bound_is_between_the_error_and_a_hundred_times_it(
+    compare: Callable[..., Any], least: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = stated(compare, monkeypatch)
+    assert len(kept) >= least
+    assert [one for one in kept if one[2] < one[1]] == []
+    assert [one for one in kept if one[2] > ROOM * max(one[1], HALF_ULP)] == []
