@@ -6,21 +6,23 @@ from math import inf, pi
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
-from dynamics_cli.cam.followers import OscillatingFlat
-from dynamics_cli.cam.pieces import over_pieces, pieces, turning_places, within
+from dynamics_cli.cam.followers import FlatFace
+from dynamics_cli.cam.pieces import Cover, Ends, pieces, within
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.chebyshev import Extremes
 from dynamics_cli.records import ErrorBound, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-GAUSS = 20
-"""Nodes of a quadrature on a piece of 15 degrees at most."""
+GAUSS = 12
+"""Nodes of a quadrature on a piece of 15 degrees at most, its halves and its quarters."""
 
+PIECE = pi / 12.0
 # Roundings of a quadrature, as a share of a size that does not cancel.
-QUADRATURE = 1e-14
+QUADRATURE = 8e-15
+# Halving helps for good once it does by this.
+FAST = 0.01
 
 
 @record
@@ -29,17 +31,17 @@ class Analysis:
 
     Parameters
     ----------
-    curvature : Extremes
+    curvature : Ends
         Curvature of the pitch curve, or under a flat face the radius of curvature of the cam.
-    pressure : Extremes
+    pressure : Ends
         Pressure angle.
-    along : Extremes
+    along : Ends
         Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.
     """
 
-    curvature: Extremes
-    pressure: Extremes
-    along: Extremes | None
+    curvature: Ends
+    pressure: Ends
+    along: Ends | None
 
 
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
@@ -60,30 +62,34 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     Raises
     ------
     InadmissibleError
-        When a centre of the roller passes through the cam's axis, or a flat rocker turns as fast as the cam.
+        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
+        rocker turns as fast as the cam.
 
     Notes
     -----
-    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane; see
-    `numerics.remainders` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their `error`.
+    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, tell where; the
+    values are those of the formulas there, with their own roundings followed. See `numerics.remainders`,
+    `numerics.summits` and `cam.enclosures`. No value on the turn is beyond the extremes by more than their errors.
     """
     slip = start_slip(geometry)
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        touch = geometry.touch(s.widened(slip), s1, s2)
-        rows = [touch.curvature if touch.radius is None else touch.radius, touch.pressure_angle]
-        if geometry.flat:
-            rows.append(along_face(geometry, touch))
-        return np.stack(np.broadcast_arrays(*rows))
+        return np.stack(np.broadcast_arrays(*geometry.bends(s.widened(slip), s1, s2)))
 
     try:
         with np.errstate(all="ignore"):
-            made = over_pieces(motion, functions)
+            made = Cover(motion, functions)
     except ValueError:
         refuse_size()
         raise
-    found = [turning_places(motion, made, which) for which in range(3 if geometry.flat else 2)]
+    found = made.ends()
+    require(
+        found[1].error < inf,
+        "the pressure angle passes 180 deg: the cam would have to pull the follower through",
+        code="pulled",
+        hint="take another base circle, or let an arm start farther from the line of pivot and axis",
+    )
     return Analysis(found[0], found[1], found[2] if geometry.flat else None)
 
 
@@ -110,29 +116,30 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift may be off by rounding, with the lift it is added to."""
+    """What the height or angle of the follower at zero lift is off by rounding.
+
+    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
+    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    """
     f = geometry.follower
-    return 2.0**-49 * (abs(geometry.start) + getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0))
+    if isinstance(f, FlatFace):
+        return 0.0
+    left = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
+    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + left)
+    return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
+    own = found.pressure
     return tuple(
-        ErrorBound(name, found.pressure.error / abs(value))
-        for name, (value, _) in (
-            ("largest_pressure_angle", found.pressure.largest()),
-            ("least_pressure_angle", found.pressure.smallest()),
+        ErrorBound(name, error / abs(value))
+        for name, value, error in (
+            ("largest_pressure_angle", own.greatest, own.greatest_error),
+            ("least_pressure_angle", own.least, own.least_error),
         )
-        if value and found.pressure.error < inf
+        if value and error < inf
     )
-
-
-def along_face(geometry: Geometry, touch: "Any") -> "Any":
-    """Where the face is touched, along it."""
-    if isinstance(geometry.follower, OscillatingFlat):
-        (x, y), (nx, ny) = touch.point, touch.normal
-        return (geometry.follower.pivot_distance - x) * ny + y * nx
-    return touch.point[0]
 
 
 @record
@@ -150,7 +157,7 @@ class Plate:
     polar : float
         Second moment of the area about the cam's axis [m⁴].
     area_error, perimeter_error : float
-        What halving the pieces of the quadrature moved, twice, and rounding, as shares of the sizes.
+        What the quadrature may leave out by what halving its pieces moved, and rounding, as shares of the sizes.
     """
 
     area: float
@@ -193,23 +200,34 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
 
     Notes
     -----
-    Gauss-Legendre of 20 nodes on pieces of 7.5 degrees or less, held against pieces twice as long: near the axis a
-    curve turns fast. A curve that cuts itself counts loops twice.
+    Gauss-Legendre of 12 nodes on pieces of 3.75 degrees or less, held against pieces twice and four times as long: near
+    the axis a curve turns fast. A curve that cuts itself counts loops twice.
     """
-    coarse, fine = (_integrals(geometry, motion, start_angle, piece) for piece in (pi / 12.0, pi / 24.0))
-    area, perimeter, x, y, polar = (float(part) for part in fine)
+    levels = [_integrals(geometry, motion, start_angle, level) for level in range(3)]
+    area, perimeter, x, y, polar = (float(part.sum()) for part in levels[-1])
     third = 1.0 / (3.0 * area) if area else 0.0
     errors = [
-        2.0 * abs(float(a) - float(b)) / abs(float(b)) + QUADRATURE if b else 0.0
-        for a, b in zip(coarse[:2], fine[:2], strict=True)
+        _left(*(level[which] for level in levels)) / abs(whole) + QUADRATURE if whole else 0.0
+        for which, whole in enumerate((area, perimeter))
     ]
     return Plate(area, perimeter, third * x, third * y, polar, *errors)
 
 
-def _integrals(geometry: Geometry, motion: "Any", start_angle: float, piece: float) -> "tuple[Any, ...]":
-    """Area, length, first moments (thrice) and polar second moment, on pieces of so much cam angle at most."""
+def _left(coarse: "Any", middle: "Any", fine: "Any") -> float:
+    """What a quadrature may leave out, by what halving each piece moved, and halving its halves.
+
+    Where the second time moved it by less than a hundredth of the first the next ones move it by less still.
+    """
+    first, second = np.abs(middle - coarse), np.abs(fine - middle)
+    with np.errstate(all="ignore"):
+        ratio = np.where(first > 0.0, second / np.where(first > 0.0, first, 1.0), 1.0)
+    return float((second * np.where(ratio < FAST, 4.0 * ratio, 2.0)).sum())
+
+
+def _integrals(geometry: Geometry, motion: "Any", start_angle: float, level: int) -> "tuple[Any, ...]":
+    """Area, length, first moments (thrice) and polar second moment of pieces of 15 degrees, each in 2^level parts."""
     starts, ends = pieces(motion)
-    parts = np.maximum(np.ceil((ends - starts) / piece), 1.0).astype(int)
+    parts = np.maximum(np.ceil((ends - starts) / PIECE - 1e-9), 1.0).astype(int) << level
     owner = np.repeat(np.arange(parts.size), parts)
     share = 1.0 / parts[owner]
     index = np.arange(owner.size) - (np.cumsum(parts) - parts)[owner]
@@ -224,10 +242,5 @@ def _integrals(geometry: Geometry, motion: "Any", start_angle: float, piece: flo
     (x, y), (nx, ny) = touch.point, touch.normal
     swept = (x * nx + y * ny) * touch.run * weight
     zx, zy = geometry.turned((x, y), theta, start_angle)
-    return (
-        0.5 * swept.sum(),
-        (np.abs(touch.run) * weight).sum(),
-        (zx * swept).sum(),
-        (zy * swept).sum(),
-        0.25 * ((x * x + y * y) * swept).sum(),
-    )
+    rows = (0.5 * swept, np.abs(touch.run) * weight, zx * swept, zy * swept, 0.25 * ((x * x + y * y) * swept))
+    return tuple(row.reshape(-1, GAUSS << level).sum(axis=1) for row in rows)

@@ -205,7 +205,7 @@ def check(
     crossings of its envelope, found by halving and Newton's method however small the undercut and however many run into
     each other; the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is
     seen to fall off. The lift lost is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to
-    4e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
+    3e-15 of the cam's size (1e-12 where a loop is too small for its corner to be told from its ends).
 
     References
     ----------

@@ -129,15 +129,12 @@ class Geometry:
         if self.flat:
             return self._flat(s, s1, s2)
         x, y, big_x, big_y, x1, y1 = self.pitch(s, s1, s2)[:6]
-        square = big_x * big_x + big_y * big_y
-        w = np.sqrt(square)
-        curvature = (square + big_y * x1 - big_x * y1) / (square * w)
+        w, curvature = _curvature(big_x, big_y, x1, y1)
         nx, ny = -big_y / w, big_x / w
         reach = self.side * self.roller
         spin = curvature * w
         run = w - reach * spin
-        sin, cos = self._way(s)
-        pressure = self.turn * np.arctan2(sin * ny - cos * nx, sin * nx + cos * ny)
+        pressure = self.turn * self._pressure(s, s1, big_x, big_y)
         return Touch((x, y), (x - reach * nx, y - reach * ny), (nx, ny), run, spin, curvature, None, pressure)
 
     def point(self, s: "Any", s1: "Any", away: float = 0.0) -> "Pair":
@@ -163,11 +160,35 @@ class Geometry:
         share = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
         return x + share * big_y, y - share * big_x
 
-    def _way(self, s: "Any") -> "Pair":
-        """The direction the cam drives the follower in."""
+    def bends(self, s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, ...]":
+        """Of a touch only what extremes are wanted of: curvature or radius, pressure angle, and along a face where."""
+        if self.flat:
+            touch = self._flat(s, self.turn * s1, s2)
+            return touch.radius, touch.pressure_angle, self.along(touch)
+        s1 = self.turn * s1
+        _, _, big_x, big_y, x1, y1 = self.pitch(s, s1, s2)[:6]
+        return _curvature(big_x, big_y, x1, y1)[1], self.turn * self._pressure(s, s1, big_x, big_y)
+
+    def along(self, touch: Touch) -> "Any":
+        """Where a flat face is touched, along it: to the right of the slide, or away from the pivot."""
+        if isinstance(self.follower, OscillatingFlat):
+            (x, y), (nx, ny) = touch.point, touch.normal
+            return (self.follower.pivot_distance - x) * ny + y * nx
+        return touch.point[0]
+
+    def _pressure(self, s: "Any", s1: "Any", big_x: "Any", big_y: "Any") -> "Any":
+        """Angle from the direction the cam drives a roller in to the normal, of the anticlockwise cam.
+
+        With the normal i(X + iY)/w it is arctan2(Y, X) of a slide, and arctan2(g − c cos ψ, c sin ψ) of an arm, where
+        g = L(1 + ψ′): g − c cos ψ = (L − c) + L ψ′ + 2c sin²(ψ/2) keeps its digits near the line of pivot and axis.
+        """
         if not self.oscillating:
-            return 0.0, self.way
-        return self.way * np.sin(self.start + s), self.way * np.cos(self.start + s)
+            return np.arctan2(self.way * big_y, self.way * big_x)
+        f, angle = self.follower, self.start + s
+        arm, c = f.arm, f.pivot_distance  # type: ignore[union-attr]
+        half = np.sin(0.5 * angle)
+        across = (arm - c) + arm * s1 + (2.0 * c) * (half * half)
+        return np.arctan2(self.way * across, (self.way * c) * np.sin(angle))
 
     def _flat(self, s: "Any", s1: "Any", s2: "Any") -> Touch:
         f = self.follower
@@ -200,6 +221,13 @@ def rotated(point: "Pair", theta: "Any", turn: float, start_angle: float) -> "Pa
         sin = -sin
     x, y = point
     return x * cos + y * sin, y * cos - x * sin
+
+
+def _curvature(big_x: "Any", big_y: "Any", x1: "Any", y1: "Any") -> "Pair":
+    """Speed w of the pitch curve, and its curvature (1 + (Y X′ − X Y′)/w²)/w."""
+    square = big_x * big_x + big_y * big_y
+    w = np.sqrt(square)
+    return w, (1.0 + (big_y * x1 - big_x * y1) / square) / w
 
 
 BLOCK = 8192

@@ -7,11 +7,11 @@ derivatives. All bounds come from these constants; nothing is inferred from valu
 - Around a place, |f(τ + z) − f(τ)| ≤ Σ |f⁽ʲ⁾(τ)| rʲ/j! for every complex z of magnitude r or less: the finite sum for
   the polynomial, and |W′| sinh(wr) + |W″| (cosh(wr) − 1) for a wave, the terms in r added up before magnitudes are
   taken. To first order nothing tighter is possible.
-- Rounding, u = 2⁻⁵³, the factors lift/spanᵏ (10 u) among it. Polynomials: Horner's rule to degree 9 (18 u) on
-  coefficients within 30 u of their formulas, 64 u Σ |cᵢ| i!/(i − k)! Tⁱ⁻ᵏ. Powers of p = t(1 − t): products of numbers
-  each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift). Waves: sines and cosines of half the angle
-  within four units in the last place make 18 u, amplitudes and frequencies 50 u, the angle's own rounding 12 u of it:
-  |A| wᵏ (80 + 12 wT) u. Places: t ≤ 1 as a share of the zone by six roundings of u/2, as a cam angle by five of u t.
+- Rounding at single places is followed step by step (`cam.slips`). Over rows of places, u = 2⁻⁵³, factors lift/spanᵏ
+  (11 u) among it: of a polynomial (2i + 20) u for the term of degree i, Horner's 2i + 1, the coefficient's 7; of powers
+  of p = t(1 − t), products of numbers each within 2 u, 24 u of the magnitudes multiplied (20 u for the lift); of waves,
+  sines and cosines of half the angle within four units in the last place, |A| wᵏ (64 + 4 wT) u. Places: t ≤ 1 as a
+  share of the zone by six roundings of u/2, as a cam angle by five of u t.
 
 The exact law of a name has its constants as its formula has them, π and all; a polynomial has the rational solution of
 its conditions; a clamped spline has the coefficients it was given.
@@ -20,6 +20,8 @@ its conditions; a clamped spline has the coefficients it was given.
 from math import cos, perm, sin
 
 from dynamics_cli.cam.shapes import Beta, u_minus_sine
+from dynamics_cli.cam.slips import HALVES, HALVES_OF_FLOATS
+from dynamics_cli.cam.slips import slips as running_slips
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +35,8 @@ U = 2.0**-53
 # what magnitudes computed on the way may be too small by
 LESS = 2.0**-44
 UP = 1.0 + 2.0**-40
+# so many places are computed one by one, by the more exact functions of the C library
+SINGLE = 256
 
 
 def bound(shape: "Any", order: int, reach: float) -> float:
@@ -218,14 +222,15 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
     beta = isinstance(shape, Beta)
     sizes, rounded = [], []
     for order in range(derivatives + 2):
-        size = 0.0 * reach
+        size = slip = 0.0 * reach
         for i in range(len(coefficients) - 1, order - 1, -1):
             size = size * reach + abs(coefficients[i]) * perm(i, order)
+            slip = slip * reach + (2.0 * i + 20.0) * abs(coefficients[i]) * perm(i, order)
         sizes.append(np.minimum(size, shape.largest(order)) if beta and 0 < order < 5 else size)
         if beta:
             rounded.append(20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order)))
         else:
-            rounded.append(64.0 * size)
+            rounded.append(slip)
     for amplitude, w, start in waves:
         u = w * reach
         # below one u − sin u is a series, beyond it a difference; the others keep their digits
@@ -234,14 +239,18 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
             which, factor = start + order, abs(amplitude) * w**order
             size, steep = (small[k] if k < 3 else 1.0 for k in (which, which + 1))
             sizes[order] = sizes[order] + factor * size
-            rounded[order] = rounded[order] + factor * (80.0 * size + 12.0 * u * steep)
-    place = U * (5.0 * t + offset)
-    return [U * rounded[order] + place * sizes[order + 1] for order in range(derivatives + 1)]
+            rounded[order] = rounded[order] + factor * (64.0 * size + 4.0 * u * steep)
+    off = getattr(shape, "off", 0.0)
+    place = U * (5.0 * t + offset) + off
+    return [
+        U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)
+    ]
 
 
 def discs(
-    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False
-) -> "tuple[Disc, ...]":
+    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False,
+    exact: bool = False,
+) -> "tuple[Disc, ...]":  # fmt: skip
     """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
 
     Parameters
@@ -258,6 +267,8 @@ def discs(
         How many derivatives, 0 to 4.
     shares : bool
         Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
+    exact : bool
+        Whether places are what they are, and only ends of parts among them rounded.
 
     Returns
     -------
@@ -302,27 +313,51 @@ def discs(
         if not own.size:
             continue
         law = parts[members[0]].law_piece
-        base = np.array([part.base for part in parts])[own].reshape(column)
+        base, off_base = (np.array([getattr(part, name) for part in parts])[own].reshape(column)
+                          for name in ("base", "off"))  # fmt: skip
         if law is None:
-            centres[0, rows] = base
+            centres[0, rows], radii[0, rows] = base, off_base
             continue
         span = np.array([part.span for part in parts])[own].reshape(column)
-        values = law.shape(t[rows], derivatives)
+        single = exact and t.ndim == 1 and rows.size <= SINGLE
+        values = _one_by_one(law.shape, t[rows], derivatives) if single else law.shape(t[rows], derivatives)
         wide = [0.0] * 5 if only else spreads(law.shape, t[rows], radius[rows] / span * UP, derivatives)
         scales = np.array([part.scales for part in parts])[own]
-        own_t = t[rows] if t.ndim == 1 else np.abs(t[rows]).max(axis=1)
-        # the place itself is off by a few roundings: bounds hold a hair beyond it
-        reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
         inner = [not shares or (part.law_piece is not None and min(part.law_piece.ends) > 0.0) for part in parts]
         offset = np.where(np.array(inner)[own], 3.0, 0.0)
-        slips = _slips(law.shape, reach if t.ndim == 1 else reach.max(axis=1), np.abs(own_t), offset, derivatives)
+        if t.ndim == 1:
+            near = np.abs(t[rows])
+            off = U * (5.0 * near + offset)
+            if exact:
+                ends = np.array([(0.0, 0.0) if part.law_piece is None else part.law_piece.ends for part in parts])[own]
+                off = np.where((ends[:, 0] == t[rows]) | (ends[:, 1] == t[rows]), 2.0 * U * near, 0.0)
+            slips = running_slips(law.shape, t[rows], off, derivatives, HALVES_OF_FLOATS if single else HALVES)
+            # the lift's factor and its product count two roundings, each division by the span two more
+            slips = [
+                slip + (2.0 + 2.0 * order) * U * np.abs(value)
+                for order, (slip, value) in enumerate(zip(slips, values, strict=True))
+            ]
+        else:
+            # the place itself is off by a few roundings: bounds hold a hair beyond it
+            reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
+            slips = _slips(law.shape, reach.max(axis=1), np.abs(t[rows]).max(axis=1), offset, derivatives)
+        # what the ends of a segment are off its lift is too
+        whole = np.abs(scales[:, 0].reshape(column))
+        share = off_base / np.where(whole > 0.0, whole, 1.0)
         for order in range(derivatives + 1):
             scale = scales[:, order].reshape(column)
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
-            size = 2.0**-52 * np.abs(base) if order == 0 else 0.0
-            radii[order, rows] = (np.abs(scale) * (wide[order] + slips[order].reshape(column)) + size) * UP
+            size = off_base + np.where(base, U * np.abs(centres[0, rows]), 0.0) if order == 0 else 0.0
+            slip = slips[order].reshape(column) + share * np.abs(values[order])
+            radii[order, rows] = (np.abs(scale) * (wide[order] + slip) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
+
+
+def _one_by_one(shape: "Any", t: "Any", derivatives: int) -> "Any":
+    import numpy as np
+
+    return np.array([shape(place, derivatives) for place in t.tolist()]).T
 
 
 def about_angles(motion: "Motion", index: int, theta: "Any", radius: "Any", derivatives: int) -> "tuple[Disc, ...]":

@@ -123,9 +123,9 @@ def force(
     _require_slide(motion, at_lifts, lash)
     lifts = () if motion.swing else QUOTED if at_lifts is None else at_lifts
     timed, missed = durations(motion, lifts, shaft_speed)
-    survey = Survey(motion, lambda s, s1, s2: load.force(s, s2), lambda s, s1, s2: load.force(s, s2) * s1)
-    low, high = survey.extremes(0, lambda s, s1, s2: load.rounding(s, s2))
-    back, most = survey.extremes(1, lambda s, s1, s2: 1.01 * load.rounding(s, s2) * abs(s1))
+    exact = load.enclosed()
+    survey = Survey(motion, lambda s, s1, s2: exact.force(s, s2), lambda s, s1, s2: exact.force(s, s2) * s1)
+    (low, high), (back, most) = (survey.extremes(which) for which in range(2))
     leaves = jump_of(motion, load, survey)
     normal = stress = None
     if geometry is not None:
@@ -198,7 +198,7 @@ def _contact(
 
     touching = Touching(geometry, load)
     pressed = None if contact is None else stress(motion, touching, contact)
-    return Survey(motion, touching.normal).extremes(0, touching.rounding), pressed
+    return Survey(motion, touching.enclosed().normal).extremes(0), pressed
 
 
 def _ends(found: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":

@@ -40,8 +40,8 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
         at a joint; None when nothing slows the follower down.
     """
     survey = survey or Survey(motion)
-    falling = Sum((0.0, 0.0, -load.inertia), 0.0, lambda s, s1, s2: EXACT * load.inertia * abs(s2))
-    held = Sum((load.rate,), load.steady, lambda s, s1, s2: EXACT * (abs(load.rate * s) + abs(load.steady)))
+    exact = load.enclosed()
+    falling, held = Sum((0.0, 0.0, -load.inertia)), Sum((exact.rate,), exact.steady)
     if load.rate * motion.stroke[0] + load.steady < 0.0:
         return Found(0.0, extreme(motion, 0).least_at, 0.0)
     drop = dropping(motion)

@@ -4,7 +4,7 @@ from math import inf
 
 from dynamics_cli.cam.choosing import Condition, SplinePoint, area_checks, chosen
 from dynamics_cli.cam.laws import Law, LawName, law_named
-from dynamics_cli.cam.peaks import DERIVATIVES, PEAK_BOUND, continuity, extremes, peak
+from dynamics_cli.cam.peaks import DERIVATIVES, continuity, extremes, peak, peak_bound
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
     Fraction,
@@ -145,9 +145,9 @@ def laws(
         found = [chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)]
     rows = tuple(_peaks(one) for one in found)
     bounds = tuple(
-        ErrorBound(f"laws[{i}].{name}", PEAK_BOUND)
-        for i, row in enumerate(rows)
-        for name in DERIVATIVES[1:4]
+        ErrorBound(f"laws[{i}].{name}", peak_bound(law_, order))
+        for i, (row, law_) in enumerate(zip(rows, found, strict=True))
+        for order, name in enumerate(DERIVATIVES[1:4], 1)
         if getattr(row, name) is not None
     )
     checks = [check for one in found for check in area_checks(one)]

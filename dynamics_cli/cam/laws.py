@@ -6,9 +6,10 @@ both keep their digits; `breaks` are the places inside where some derivative jum
 """
 
 from bisect import bisect_left, bisect_right
-from math import pi
+from math import fsum, pi
 
 from dynamics_cli.cam.shapes import Beta, EndOfDoubleHarmonic, FourthPowerOfSine, Mixed
+from dynamics_cli.cam.shares import constants_of
 from dynamics_cli.errors import require
 from dynamics_cli.records import Choice
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 
 SMALLEST_SHARE = 1e-12
+# Half units in the last place that amplitudes and frequencies are within: of one wave, of several, of shares.
+ONE_WAVE, SEVERAL, ROUNDED = (1.4, 0.4), (3.4, 1.4), (1.0, 1.0)
 
 
 class LawName(Choice):
@@ -163,7 +166,7 @@ def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool 
 def _fourier(name: str, *terms: tuple[int, float]) -> Law:
     """Σ c/(2πk)·(2πkx − sin 2πkx), Σ c = 1."""
     waves = [(share / (2.0 * pi * k), 2.0 * pi * k, 0) for k, share in terms]
-    return symmetric(name, [(0.5, Mixed(waves=waves))])
+    return symmetric(name, [(0.5, Mixed(waves=waves, near=ONE_WAVE if len(terms) == 1 else SEVERAL))])
 
 
 def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") -> Law:
@@ -222,23 +225,19 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     q = 0.5 * (1.0 - constant)
     r, k, g = b * q, c * q, d * q
     still = 0.5 * constant
-    whole = r / pi - 4.0 * r * r / pi**2 + k * (0.5 - r - 0.5 * k) + 2.0 * still * g / pi + 4.0 * g * g / pi**2
-    peak = 0.5 / whole
-    speed = peak * (2.0 * (r + g) / pi + k)
+    top, speed, first, reached, gained, last, rates = constants_of(b, c, d, constant)
+    # doubles that should sum to 1 do so to rounding: which of them is to blame is open
+    off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
-    rise = speed_up = 0.0
     if r:
-        shapes.append((r, Mixed(waves=[(peak * (2.0 * r / pi) ** 2, pi / (2.0 * r), 0)])))
-        rise, speed_up = peak * r * r * (2.0 / pi - 4.0 / pi**2), peak * 2.0 * r / pi
+        shapes.append((r, Mixed(waves=[(first[0], rates[0], 0)], off=off, near=ROUNDED)))
     if k:
-        shapes.append((r + k, Mixed((rise, speed_up, 0.5 * peak), origin=r)))
+        shapes.append((r + k, Mixed((first[1], first[2], 0.5 * top), origin=r, off=off, near=ROUNDED)))
     if g:
-        flat = peak * k
-        reached, gained = rise + k * (speed_up + 0.5 * flat), speed_up + flat
-        wave = (peak * (2.0 * g / pi) ** 2, pi / (2.0 * g), 1)
-        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k)))
+        wave = (last, rates[1], 1)
+        shapes.append((q, Mixed((reached, gained) if r or k else (), [wave], origin=r + k, off=off, near=ROUNDED)))
     if still:
-        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True)))
+        shapes.append((0.5, Mixed((0.5, -speed), origin=0.5, backwards=True, off=off, near=ROUNDED)))
     return symmetric(name or "scca", shapes, smooth=g > 0.0 or still > 0.0)
 
 
@@ -262,11 +261,13 @@ def _half(name: str, slow: Mixed, fast: Mixed) -> Law:
 
 
 def _half_cycloid(name: str) -> Law:
-    return _half(name, Mixed(waves=[(1.0 / pi, pi, 0)]), Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)]))
+    slow = Mixed(waves=[(1.0 / pi, pi, 0)], near=ONE_WAVE)
+    return _half(name, slow, Mixed((0.0, 2.0), [(-1.0 / pi, pi, 0)], near=ONE_WAVE))
 
 
 def _half_harmonic(name: str) -> Law:
-    return _half(name, Mixed(waves=[(1.0, 0.5 * pi, 1)]), Mixed(waves=[(1.0, 0.5 * pi, 2)]))
+    slow, fast = (Mixed(waves=[(1.0, 0.5 * pi, start)], near=ONE_WAVE) for start in (1, 2))
+    return _half(name, slow, fast)
 
 
 def _linear() -> Law:
@@ -278,7 +279,7 @@ _MAKERS: "dict[str, Callable[[], Law]]" = {
     "linear": _linear,
     "parabolic": lambda: symmetric("parabolic", [(0.5, Mixed((0.0, 0.0, 2.0)))], smooth=False),
     "cubic": lambda: symmetric("cubic", [(0.5, Beta(1))]),
-    "harmonic": lambda: symmetric("harmonic", [(0.5, Mixed(waves=[(0.5, pi, 1)]))]),
+    "harmonic": lambda: symmetric("harmonic", [(0.5, Mixed(waves=[(0.5, pi, 1)], near=ONE_WAVE))]),
     "double-harmonic": lambda: _two_ended("double-harmonic", FourthPowerOfSine(), EndOfDoubleHarmonic()),
     "cycloidal": lambda: _fourier("cycloidal", (1, 1.0)),
     "modified-trapezoid": lambda: scca(0.25, 0.5, 0.25, name="modified-trapezoid"),

@@ -50,9 +50,18 @@ class Load:
         """The force or torque, from the lift or swing and its second derivative by cam angle."""
         return self.rate * s + self.steady + self.inertial * s2
 
-    def rounding(self, s: float, s2: float) -> float:
-        """What adding the three up may round by."""
-        return 2.0**-51 * (abs(self.rate * s) + abs(self.steady) + abs(self.inertial * s2))
+    def enclosed(self) -> "Load":
+        """The same load with what its own constants round by, for discs."""
+        from dynamics_cli.numerics.discs import Disc
+
+        made = Load.__new__(Load)
+        for name in self.__slots__:
+            setattr(made, name, getattr(self, name))
+        # k r r, m ω ω and P + L
+        for name in ("rate", "inertial", "steady"):
+            value = getattr(self, name)
+            setattr(made, name, Disc(value, 2.0**-51 * abs(value)))
+        return made
 
 
 def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:

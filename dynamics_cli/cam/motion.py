@@ -68,6 +68,8 @@ class Span:
         What it is called.
     scale : float | None
         Lift that the law's unit stands for; the difference of the ends when not given.
+    off : (float, float)
+        What the lifts at its ends are off, being sums of those given.
     """
 
     start: "Exact"
@@ -77,6 +79,7 @@ class Span:
     law: "Law | None"
     name: str = ""
     scale: float | None = None
+    off: "tuple[float, float]" = (0.0, 0.0)
 
 
 @record
@@ -102,7 +105,7 @@ class Zone:
 class _Piece:
     """A piece of a law in cam angles: s = base + scales[0] g(t), t = ±((θ − origin) − origin_low)/span."""
 
-    __slots__ = ("base", "law_piece", "origin", "origin_low", "scales", "segment", "sign", "span")
+    __slots__ = ("base", "law_piece", "off", "origin", "origin_low", "scales", "segment", "sign", "span")
 
     def __init__(self, span: "Span", segment: int, piece: "Any") -> None:
         width = (span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1])
@@ -112,6 +115,8 @@ class _Piece:
         self.origin, self.origin_low = radians(span.end if far else span.start)
         self.sign = -1.0 if far else 1.0
         self.base = span.high if far else span.low
+        # the lift from one end to the other is off by both
+        self.off = span.off[0] + span.off[1]
         self.law_piece = piece
         rise = span.high - span.low if span.scale is None else span.scale
         self.scales = [rise * self.sign]
@@ -301,6 +306,18 @@ class Motion:
                 out[order, part] = values
         return tuple(row.reshape(given.shape) for row in out)
 
+    def by_parts(self, angle: "Any") -> "list[tuple[Any, Any]]":
+        """Parts, each with the indices of the angles (an array within the turn, in order) that lie in it or end it."""
+        import numpy as np
+
+        ends = [*self._edges, inf]
+        starts = [-inf, *self._edges]
+        return [
+            (piece, np.arange(angle.searchsorted(low), angle.searchsorted(high, side="right")))
+            for piece, low, high in zip(self._pieces, starts, ends, strict=True)
+            if angle.searchsorted(low) < angle.searchsorted(high, side="right")
+        ]
+
     def _over_sorted(self, angle: "Any", derivatives: int, side: int, out: "Any") -> None:
         """Piece by piece, in blocks that stay in the cache."""
         cuts = angle.searchsorted(self._edge_array, side="left" if side > 0 else "right")
@@ -354,6 +371,11 @@ class Motion:
     def parts_of(self, index: int) -> "list[_Piece]":
         """The pieces of a zone's law in order: one function, each with the end it is measured from."""
         return [self._pieces[i] for i in self._zone_pieces[index]]
+
+    def width(self, segment: int) -> float:
+        """Span of a segment [rad], which the difference of its rounded ends would not tell where it is narrow."""
+        span = self.segments[segment]
+        return radians((span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]))[0]
 
     @property
     def stroke(self) -> "tuple[float, float]":

@@ -6,7 +6,7 @@ from dynamics_cli.cam.analysis import refuse_size, start_slip
 from dynamics_cli.cam.contact import Geometry, rotated
 from dynamics_cli.cam.enclosures import about_angles
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
-from dynamics_cli.cam.pieces import over_pieces, pieces, sample, turning_places
+from dynamics_cli.cam.pieces import Cover, pieces, sample
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import Disc
 
@@ -64,7 +64,7 @@ class Path:
 
         try:
             with np.errstate(all="ignore"):
-                found = turning_places(self.motion, over_pieces(self.motion, speed))
+                (found,) = Cover(self.motion, speed).ends()
         except ValueError:
             refuse_size()
             raise

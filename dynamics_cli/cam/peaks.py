@@ -4,9 +4,9 @@ from math import inf
 
 from dynamics_cli.cam.enclosures import bound, derivative, reach_of, rounding
 from dynamics_cli.cam.laws import Law, Piece
+from dynamics_cli.cam.slips import HALVES_OF_FLOATS, slips
 
 DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
-PEAK_BOUND = 4e-15
 STILL = 2.0**-53
 
 TYPE_CHECKING = False
@@ -136,6 +136,33 @@ def peak(law: Law, order: int) -> tuple[float, float]:
         if any(jump(law, x, below) for below in range(order)):
             return inf, x
     return top, place
+
+
+def value_error(law: Law, x: float, order: int) -> float:
+    """What an extreme of a derivative at x, as `extremes` gives it, may be off: the more of both sides of a joint.
+
+    Its rounding there, and that the function moves by less than a rounding of its size between places told apart.
+    """
+    found = 0.0
+    for piece in law.pieces:
+        if piece.low <= x <= piece.high:
+            t = min(max(1.0 - x if piece.far else x, piece.ends[0]), piece.ends[1])
+            # a place nearer than a rounding is as good, and an end may be rounded
+            error = slips(piece.shape, t, 4.0 * STILL * t, order, HALVES_OF_FLOATS)[order]
+            value = abs(law.upright(piece, t, order)[order])
+            found = max(found, error + 3.0 * STILL * value)
+    return found
+
+
+def peak_bound(law: Law, order: int) -> float:
+    """Bound of the error of the peak of a derivative, as a share of it."""
+    values = extremes(law, order)
+    top = max(abs(value) for _, value in values)
+    if not top:
+        return 0.0
+    # of peaks that rounding cannot tell apart any may be the true one
+    alike = {x for x, value in values if abs(value) >= top * (1.0 - 1e-9)}
+    return max(value_error(law, x, order) for x in alike) / top
 
 
 def jump(law: Law, x: float, order: int) -> float:

@@ -9,6 +9,8 @@ from dynamics_cli.cam.enclosures import discs
 from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
 from dynamics_cli.numerics.discs import Disc
 from dynamics_cli.numerics.remainders import proved_proxies
+from dynamics_cli.numerics.summits import doubtful, settled, summits
+from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,7 +19,11 @@ if TYPE_CHECKING:
 
     from dynamics_cli.cam.motion import Motion
 
-STEP = pi / 6.0
+STEP = pi / 12.0
+# A bound beyond this share is looked into again, on so few pieces at most, each cut so often about its place.
+ROUGH = 30.0 * 2.0**-53
+FEW = 8
+FINER = 7
 
 
 def pieces(motion: "Motion") -> "tuple[Any, Any]":
@@ -40,31 +46,209 @@ def within(motion: "Motion", place: "Any", piece: "Any", derivatives: int = 2) -
     return tuple(out)
 
 
-def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
-    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece.
+@record
+class Ends:
+    """The least and the greatest value of a function over the turn, each the function's own at the place named.
 
-    The function is called with discs (`numerics.discs`): arithmetic, roots, sines, arc tangents, `numpy.stack` and the
-    like work on them as on arrays. Comparisons and branches on values do not: such a function is called with arrays,
-    and what its proxies leave out is estimated (`Proxies.proved` is false); so it is for a motion without `parts_of`.
+    Parameters
+    ----------
+    least, least_at, least_error : float
+        The value, its cam angle [rad], and the bound of its error.
+    greatest, greatest_at, greatest_error : float
+        The same of the greatest.
+    proved : bool
+        Whether the bounds are proved.
     """
-    if not hasattr(motion, "parts_of"):
-        return _estimated(motion, function, derivatives)
-    parts, owner, rows = _rows(motion)
-    starts, ends, which, far, first, width = rows
 
-    def sampled(place: Disc, piece: "Any") -> "Any":
-        here = far[piece][:, None]
-        t = first[piece][:, None] + width[piece][:, None] * np.where(here, 1.0 - place.centre, place.centre)
-        span = np.array([parts[index].span for index in which[piece].tolist()])
+    least: float
+    least_at: float
+    least_error: float
+    greatest: float
+    greatest_at: float
+    greatest_error: float
+    proved: bool = True
+
+    @property
+    def error(self) -> float:
+        """The larger of both bounds."""
+        return max(self.least_error, self.greatest_error)
+
+    def smallest(self) -> tuple[float, float]:
+        """The least value, and where."""
+        return self.least, self.least_at
+
+    def largest(self) -> tuple[float, float]:
+        """The greatest value, and where."""
+        return self.greatest, self.greatest_at
+
+
+class Cover:
+    """Functions of lift and derivatives over a motion: their proxies, and their own values with their roundings.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    function : callable
+        Takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents, `numpy.stack` and
+        the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values do not: such a
+        function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is false); so it
+        is for a motion without `parts_of`.
+    derivatives : int
+        How many derivatives.
+
+    Raises
+    ------
+    ValueError
+        When a function is not finite inside a piece.
+    """
+
+    def __init__(self, motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> None:
+        self.motion, self.function, self.derivatives = motion, function, derivatives
+        self.owner: Any = None
+        if not hasattr(motion, "parts_of"):
+            self.made = _estimated(motion, function, derivatives)
+            return
+        self.parts, self.rows = _rows(motion)
+        owner = self.rows.owner
+        try:
+            made = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
+        except TypeError:
+            self.made = _estimated(motion, function, derivatives)
+            return
+        self.owner = made.owner
+        self.still = np.array([part.law_piece is None for part in self.parts])[self.rows.which[made.owner]]
+        self.made = Proxies(
+            owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved, made.steep
+        )
+
+    def _sampled(self, place: Disc, piece: "Any") -> "Any":
+        rows = self.rows
+        which, width = rows.which[piece], rows.width[piece]
+        t = rows.first[piece][:, None]
+        t = t + width[:, None] * np.where(rows.far[piece][:, None], 1.0 - place.centre, place.centre)
+        span = np.array([self.parts[index].span for index in which.tolist()])
         radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
-        radius = radius * (width[piece] * span)[:, None]
-        return function(*discs(parts, which[piece], t, radius, derivatives, shares=True))
+        radius = radius * (width * span)[:, None]
+        return self.function(*discs(self.parts, which, t, radius, self.derivatives, shares=True))
 
-    try:
-        made = proved_proxies(sampled, starts, ends)
-    except TypeError:
-        return _estimated(motion, function, derivatives)
-    return Proxies(owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved)
+    def state(self, pieces_: "Any", units: "Any") -> "tuple[Any, ...]":
+        """Lift and derivatives at places (n,) of the proxies' pieces, with what they round by."""
+        rows, made, row = self.rows, self.made, self.owner[pieces_]
+        starts, ends = made.starts[pieces_], made.ends[pieces_]
+        share = 0.5 * (starts + ends) + 0.5 * (ends - starts) * units
+        share = np.where(units == 1.0, ends, np.where(units == -1.0, starts, share))
+        t = rows.first[row] + rows.width[row] * np.where(rows.far[row], 1.0 - share, share)
+        # ends of parts are theirs to the bit
+        t = np.where(share == rows.starts[row], rows.opens[row], np.where(share == rows.ends[row], rows.closes[row], t))
+        which = rows.which[row]
+        return discs(self.parts, which, t, np.zeros(t.shape), self.derivatives, shares=True, exact=True)
+
+    def angles(self, pieces_: "Any", units: "Any") -> "Any":
+        """Cam angles of places of the proxies' pieces."""
+        made = self.made
+        starts, ends = pieces(self.motion)
+        middle, half = 0.5 * (made.ends + made.starts)[pieces_], 0.5 * (made.ends - made.starts)[pieces_]
+        share = np.where(units == 1.0, made.ends[pieces_], middle + half * units)
+        share = np.where(units == -1.0, made.starts[pieces_], share)
+        owner = made.owner[pieces_]
+        return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
+
+    def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
+        """The functions (q, n) at places of the proxies' pieces, and what they round by."""
+        found = self.function(*self.state(pieces_, units))
+        shape = np.broadcast_shapes(found.centre.shape, (1, np.size(units)))
+        return np.broadcast_to(found.centre, shape), np.broadcast_to(found.radius, shape)
+
+    def ends(self, *which: int, again: bool = True) -> "list[Ends]":
+        """The certified extremes of some of the functions, or of all; `again` about places that are too flat."""
+        which = which or tuple(range(self.made.coefficients.shape[0]))
+        if self.owner is None:
+            return [self._loose(index) for index in which]
+        with np.errstate(all="ignore"):
+            found = [top for index in which for top in summits(self.made, index, self.still)]
+            rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
+            centres, radii = self.values(rows, units)
+            made, low = [], 0
+            for number, top in enumerate(found):
+                own = slice(low, low + top.rows.size)
+                low = own.stop
+                index, sign = which[number // 2], 1.0 - 2.0 * (number % 2)
+                value, place, error = settled(top, sign * centres[index, own], radii[index, own])
+                angle = self.angles(top.rows[place : place + 1], top.units[place : place + 1])
+                if again and error > ROUGH * abs(value):
+                    value, error = self._closer(index, sign, top, centres[index, own], radii[index, own], error)
+                made.append((sign * value, float(angle[0]), error))
+        return [Ends(*low_, *high) for high, low_ in zip(made[::2], made[1::2], strict=True)]
+
+    def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
+        """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
+        made = self.made
+        starts, ends, owner = [], [], []
+        for row, unit in zip(rows.tolist(), units.tolist(), strict=True):
+            steps = 2.0 * 4.0 ** -np.arange(FINER)
+            edges = np.concatenate((unit - steps, unit + steps[::-1]))
+            inner = sorted({-1.0, unit, 1.0, *edges[np.abs(edges) < 1.0].tolist()})
+            low, high = float(made.starts[row]), float(made.ends[row])
+            shares = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
+            starts += shares[:-1]
+            ends += shares[1:]
+            owner += [int(self.owner[row])] * (len(shares) - 1)
+        own = Cover.__new__(Cover)
+        own.motion, own.derivatives, own.parts, own.rows = self.motion, self.derivatives, self.parts, self.rows
+        own.function = lambda *state: which(self.function(*state))
+        origin = np.array(owner)
+        found = proved_proxies(
+            lambda place, piece: own._sampled(place, origin[piece]), np.array(starts), np.array(ends)
+        )
+        own.owner = origin[found.owner]
+        own.still = np.zeros(found.starts.shape, dtype=bool)
+        own.made = Proxies(
+            self.rows.owner[own.owner], found.starts, found.ends, found.coefficients, found.error, True, found.steep
+        )
+        return own
+
+    def _closer(
+        self, which: int, sign: float, top: "Any", values: "Any", errors: "Any", error: float
+    ) -> "tuple[float, float]":
+        """The greatest value and its error where pieces are too flat for their proxies: these are cut about the place.
+
+        Small pieces about a flat place vary little, and their proxies err by little more than the function rounds.
+        """
+        values = sign * values
+        best, sure = float(values.max()), float((values - errors).max())
+        loose = doubtful(top, sure)
+        rows = np.flatnonzero(loose)
+        if not 0 < rows.size <= FEW:
+            return best, error
+        units = np.array([_best_unit(top, values, row) for row in rows.tolist()])
+        own = self.cut(lambda found: sign * found[which : which + 1], rows, units)
+        (ends,) = own.ends(again=False)
+        kept = ~loose[top.rows]
+        gains = np.where(np.isinf(top.gains), 0.0, top.gains)
+        reach = max(float((values + errors + gains)[kept].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
+        sure = max(sure, ends.greatest - ends.greatest_error)
+        best = max(best, ends.greatest)
+        return best, min(error, max(reach - best, best - sure) * (1.0 + 2.0**-40))
+
+    def _loose(self, which: int) -> Ends:
+        found = extremes(self.made, which)
+        starts, ends = pieces(self.motion)
+        theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
+        placed = Extremes(found.owner, theta, found.values, found.inside, found.error)
+        low, high = placed.smallest(), placed.largest()
+        return Ends(*low, found.error, *high, found.error, proved=False)
+
+
+def _best_unit(top: "Any", values: "Any", row: int) -> float:
+    """Where on a piece its best place is; its start where none is known."""
+    own = np.flatnonzero(top.rows == row)
+    return float(top.units[own[values[own].argmax()]]) if own.size else -1.0
+
+
+def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
+    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece."""
+    return Cover(motion, function, derivatives).made
 
 
 def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
@@ -75,8 +259,39 @@ def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: in
     )
 
 
-def _rows(motion: "Motion") -> "tuple[Any, ...]":
-    """Parts of the motion, the piece each row is of, and the rows: parts cut into steps of 30 degrees or less."""
+@record
+class Rows:
+    """Rows of shares of zones that each lie in one part of a motion.
+
+    Parameters
+    ----------
+    owner : array
+        The zone.
+    starts, ends : array
+        Shares of the zone.
+    opens, closes : array
+        The same in the part's own coordinate.
+    which : array
+        The part.
+    far : array of bool
+        Whether its coordinate runs backwards.
+    first, width : array
+        The part's coordinate is `first` and `width` times the share, or what the share leaves.
+    """
+
+    owner: "Any"
+    starts: "Any"
+    ends: "Any"
+    opens: "Any"
+    closes: "Any"
+    which: "Any"
+    far: "Any"
+    first: "Any"
+    width: "Any"
+
+
+def _rows(motion: "Motion") -> "tuple[Any, Rows]":
+    """Parts of the motion, and the rows: parts cut into steps of 15 degrees or less."""
     parts: list[Any] = []
     owner: list[int] = []
     rows: list[tuple[float, ...]] = []
@@ -89,21 +304,18 @@ def _rows(motion: "Motion") -> "tuple[Any, ...]":
             steps = 1 if law is None else max(1, ceil((b - a) * (high - low) * part.span / STEP - 1e-9))
             edges = [a + (b - a) * i / steps for i in range(steps)] + [1.0 if part is own[-1] else b]
             far = law is not None and law.far
+            first, width = 1.0 - high if far else low, high - low
+            own_t = [first + width * (1.0 - edge if far else edge) for edge in edges]
+            if law is not None:
+                own_t[0], own_t[-1] = law.ends[::-1] if far else law.ends
             rows += [
-                (start, end, len(parts), far, 1.0 - high if far else low, high - low) for start, end in pairwise(edges)
+                (start, end, opens, closes, len(parts), far, first, width)
+                for (start, end), (opens, closes) in zip(pairwise(edges), pairwise(own_t), strict=True)
             ]
             owner += [index] * steps
             parts.append(part)
-    starts, ends, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
-    return parts, np.array(owner), (starts, ends, which.astype(int), fars.astype(bool), first, width)
-
-
-def turning_places(motion: "Motion", made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
-    """Extremes of one function, their places as cam angles."""
-    found = extremes(made, which, every=every)
-    starts, ends = pieces(motion)
-    theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
-    return Extremes(found.owner, theta, found.values, found.inside, found.error)
+    starts, ends, opens, closes, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
+    return parts, Rows(np.array(owner), starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width)
 
 
 def joint_jumps(motion: "Motion") -> tuple[int, int]:

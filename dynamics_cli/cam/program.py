@@ -4,7 +4,7 @@ Conventions: a task's first parameter is `scene: Program, /`, and `program: Text
 `motion_of(scene, program)` gives the motion of whichever was given.
 """
 
-from math import pi
+from math import fsum, pi
 
 from dynamics_cli.cam.laws import Law, law_named
 from dynamics_cli.cam.motion import Exact, Motion, Span, from_radians, radians
@@ -195,6 +195,7 @@ def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
     swing = _swings(steps)
     spans = _spans(steps)
     levels = _levels(steps, swing)
+    offs = _offs(steps, levels, swing)
     ends = [start]
     for span in spans:
         ends.append(_plus(ends[-1], span))
@@ -208,7 +209,8 @@ def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
 
             width = radians(spans[i])[0]
             law, scale = fitted(i, steps, levels, [radians(span)[0] for span in spans], laws, width)
-        found.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale))
+        off = (offs[i], offs[i + 1])
+        found.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale, off))
     return Motion(found, swing=swing)
 
 
@@ -279,6 +281,20 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
         hint="a dwell stays, a rise goes up and a return goes down",
     )
     return then
+
+
+def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
+    """What levels are off the sums of the lifts given, which are doubles, and of a lift off that between levels."""
+    found, lifts = [0.0], [0.0]
+    for step, level in zip(steps, levels[1:], strict=True):
+        amount = step.segment.swing if swing else step.segment.lift
+        if amount is None:
+            # as it was, or a level given: zero where a return gives none
+            lifts = [level] if step.segment.move != "dwell" else lifts
+        else:
+            lifts.append(amount if step.segment.move == "rise" else -amount)
+        found.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
+    return found
 
 
 def _shown(level: float, swing: bool) -> str:

@@ -19,6 +19,7 @@ from dynamics_cli.cam.revolution_records import (
     SwingRange,
     VelocityRange,
 )
+from dynamics_cli.cam.slips import of_part
 from dynamics_cli.cam.survey import Extreme, extreme, jumps, order_of_continuity, root_mean_square
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
 MOST_POINTS = 1_000_001
 ROUNDING = 2.0**-52
+UNIT = 2.0**-53
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 
 
@@ -93,7 +95,7 @@ def motion(
     found = motion_of(scene, program)
     ends = [extreme(found, order) for order in range(4)]
     steps = jumps(found)
-    rms = root_mean_square(found, 2)
+    rms, rms_error = root_mean_square(found, 2)
     order = order_of_continuity(steps)
     form = _form(found) if singularity else None
     checks = [_closing(found)]
@@ -119,7 +121,7 @@ def motion(
         *tables,
         checks=tuple(checks),
         advice=_advice(order, steps),
-        numerics=_numerics(swing),
+        numerics=_numerics(found, ends, (rms, rms_error), tables[1 if swing else 0], shaft_speed),
     )
 
 
@@ -217,9 +219,58 @@ def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple
     )
 
 
-def _numerics(swing: bool) -> Numerics:
-    names = ("swing.greatest", "rms_swing_acceleration") if swing else (
-        "lift.greatest", "velocity.greatest", "acceleration.greatest", "rms_acceleration"
-    )  # fmt: skip
-    bounds = tuple(ErrorBound(name, 2e-14) for name in names)
-    return Numerics("closed form from the nearer end of each segment; exact table of segments in degrees", bounds)
+def _numerics(
+    found: Motion, ends: "list[Extreme]", rms: tuple[float, float], table: "Any", omega: float | None
+) -> Numerics:
+    """Bounds of the extremes, of the mean, and of every column of the table."""
+    if found.swing:
+        names = ["swing.{}", *(f"swing.{{}}_{name}" for name in NAMES[1:])]
+    else:
+        names = [f"{name}.{{}}" for name in NAMES]
+    made = []
+    for name, one in zip(names, ends, strict=True):
+        made.append(ErrorBound(name.format("least"), one.least_error, relative=False))
+        made.append(ErrorBound(name.format("greatest"), one.greatest_error, relative=False))
+    made.append(ErrorBound("rms_swing_acceleration" if found.swing else "rms_acceleration", rms[1], relative=False))
+    first = ("swing" if found.swing else "lift", *NAMES[1:])
+    address = "swing_table" if found.swing else "table"
+    made += [
+        ErrorBound(f"{address}.{name}", error, relative=False)
+        for name, error in zip(first, _column_errors(found, table), strict=True)
+    ]
+    if omega is not None:
+        made += _in_time_bounds(found.swing, ends, rms, abs(omega))
+    return Numerics(
+        "closed form from the nearer end of each segment, its roundings followed; exact table of segments in degrees",
+        tuple(made),
+    )
+
+
+def _in_time_bounds(swing: bool, ends: "list[Extreme]", rms: tuple[float, float], rate: float) -> "list[ErrorBound]":
+    address = "swing_in_time" if swing else "in_time"
+    made = []
+    for order, name in enumerate(("speed", "acceleration") if swing else ("speed", "acceleration", "jerk"), 1):
+        one = ends[order]
+        error = max(one.least_error, one.greatest_error) + (order + 1.0) * UNIT * _greatest(one)
+        made.append(ErrorBound(f"{address}.{name}", error * rate**order, relative=False))
+    error = (rms[1] + 3.0 * UNIT * rms[0]) * rate * rate
+    return [*made, ErrorBound(f"{address}.rms_acceleration", error, relative=False)]
+
+
+def _column_errors(found: Motion, table: "Any") -> "list[float]":
+    """What lift and derivatives of a table may be off, at the worst of its rows."""
+    import numpy as np
+
+    arrays = table.arrays
+    angles = arrays["angle"]
+    worst = [0.0] * 4
+    values = [arrays[name] for name in arrays if name != "angle"]
+    for part, rows in found.by_parts(angles):
+        t = np.abs(part.local(angles[rows].copy())) if part.law_piece is not None else np.zeros(rows.shape)
+        steep = [np.abs(value) for value in part.give(t, 4)]
+        for order, error in enumerate(of_part(part, t)):
+            # less than its change over the rounding of the angle is shown as zero
+            still = 2.0 * ROUNDING * np.abs(angles[rows]) * steep[order + 1]
+            own = error + np.where(values[order][rows] == 0.0, still, 0.0)
+            worst[order] = max(worst[order], float(own.max()))
+    return worst

@@ -4,7 +4,8 @@ from math import inf, pi
 
 from dynamics_cli.cam.choosing import Condition, SplinePoint, area_checks, chosen
 from dynamics_cli.cam.laws import Law, LawName
-from dynamics_cli.cam.peaks import DERIVATIVES, PEAK_BOUND, continuity, peak
+from dynamics_cli.cam.peaks import DERIVATIVES, continuity, peak, peak_bound
+from dynamics_cli.cam.slips import HALVES_OF_FLOATS, slips
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
     Acceleration,
@@ -25,9 +26,11 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
 ROUNDING = 2.0**-52
+UNIT = 2.0**-53
+UP = 1.0 + 2.0**-40
 MOST_POINTS = 100_000
 DEGREES = 180.0 / pi
-METHOD = "closed form from the nearer end: lift and velocity within 1e-15 of the peak, acceleration 5e-15, jerk 5e-14"
+METHOD = "closed form from the nearer end, its roundings followed at every place"
 
 
 @record
@@ -203,14 +206,52 @@ def rise(
         found,
         checks=area_checks(own),
         advice=_infinite(own, peaks, places),
-        numerics=Numerics(
-            METHOD, tuple(
-                ErrorBound(f"peak_{name}", PEAK_BOUND)
-                for name, value in zip(DERIVATIVES[1:4], peaks, strict=True)
-                if value is not None
-            )
-        ),
+        numerics=Numerics(METHOD, (*_peak_bounds(own, peaks), *_bounds(own, found, span, lift, shaft_speed, falling))),
     )  # fmt: skip
+
+
+def _peak_bounds(law: Law, peaks: "list[float | None]") -> "list[ErrorBound]":
+    # lift over a power of the span: two roundings for each factor and two of the products
+    return [
+        ErrorBound(f"peak_{DERIVATIVES[order]}", peak_bound(law, order) + (2.0 * order + 3.0) * UNIT)
+        for order, value in enumerate(peaks, 1)
+        if value is not None
+    ]
+
+
+def _bounds(
+    law: Law, points: "tuple[RisePoint, ...]", span: float, lift: float, omega: float | None, falling: bool
+) -> "list[ErrorBound]":
+    """What the values of each column may be off, at the worst of its rows."""
+    worst = [0.0] * 4
+    for point in points:
+        x, rest = point.angle / span, (span - point.angle) / span
+        if falling:
+            x, rest = rest, x
+        values = (point.lift, point.velocity, point.acceleration, point.jerk)
+        for piece in law.pieces:
+            if piece.low <= x <= piece.high:
+                t = rest if piece.far else x
+                # the quotient counts two roundings, of a difference and its own
+                found = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
+                sizes = [abs(value) for value in piece.shape(t, 4)]
+                for order, (error, value) in enumerate(zip(found, values, strict=True)):
+                    # less than its change over the rounding of the angle is shown as zero
+                    still = 2.0 * ROUNDING * x * sizes[order + 1] if order and not value else 0.0
+                    scaled = (error + still) * lift / span**order + (2.0 * order + 4.0) * UNIT * abs(value)
+                    worst[order] = max(worst[order], scaled)
+    made = [
+        ErrorBound(f"points.{name}", error * UP, relative=False)
+        for name, error in zip(("lift", *DERIVATIVES[1:4]), worst, strict=True)
+    ]
+    if omega is None:
+        return made
+    rate = abs(omega)
+    sizes = [max(abs(getattr(point, name)) for point in points) for name in DERIVATIVES[1:4]]
+    for order, name in enumerate(("speed", "acceleration_in_time", "jerk_in_time"), 1):
+        error = (worst[order] + (order + 1.0) * UNIT * sizes[order - 1]) * rate**order * UP
+        made.append(ErrorBound(f"points.{name}", error, relative=False))
+    return made
 
 
 def _point(

@@ -24,7 +24,11 @@ NODES = 49
 NEAR = 0.02
 # Steps of the first look for the best offset to either side, and where the search for it ends, of the whole reach.
 GRID = 16
-FINEST = 1e-13
+FINEST = 1e-9
+# sides of a dip that differ by less in their slopes are one smooth curve; costs that differ by less are alike
+POINTED = 1e-5
+ALIKE = 1e-13
+UNIT = 2.0**-53
 GOLDEN = 0.5 * (sqrt(5.0) - 1.0)
 
 
@@ -71,10 +75,20 @@ class Round:
 
     def bend(self, e: float, d: float) -> float:
         """The greatest curvature that counts, certified, at height d; negative where the curve nowhere bends so."""
+        return self._bend(e, d)[0]
+
+    def _bend(self, e: float, d: float) -> "tuple[float, float]":
+        """That curvature and the bound of its error."""
         geometry = Geometry(followers.KnifeEdge(hypot(e, d), self.turn * e), "clockwise" if self.turn < 0.0 else "ccw")
         geometry.start = d
         found = analyse(geometry, self.motion).curvature
-        return found.largest()[0] if self.side > 0.0 else -found.smallest()[0]
+        if self.side > 0.0:
+            return found.greatest, found.greatest_error
+        return -found.least, found.least_error
+
+    def slip(self, e: float, d: float) -> float:
+        """What a height at which the curvature is just kept may be off: it is broken below and kept above for sure."""
+        return sure_about(lambda height: self._bend(e, height), self.wanted, d, 1e-6 * self.wanted)
 
     def kept(self, e: float, d: float) -> bool:
         """Whether the radius is kept at height d."""
@@ -174,8 +188,46 @@ class Round:
         return high
 
 
-def best_offset(rough: "Callable[[float], float]", fine: "Callable[[float], float]", reach: float) -> float:
-    """The offset of least cost: every dip of a grid, and golden section in each.
+def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, place: float, step: float) -> float:
+    """How far from a place a curvature is surely too large below and surely not above.
+
+    Parameters
+    ----------
+    bend : callable
+        Curvature and the bound of its error; it falls as its argument grows.
+    wanted : float
+        The radius of curvature that is to be kept [m].
+    place : float
+        Where it is just kept, as found.
+    step : float
+        A step over which the slope is told.
+
+    Returns
+    -------
+    float
+        The distance; infinite where there is none.
+    """
+
+    def sure(at: float, way: float) -> bool:
+        value, error = bend(at)
+        return way * (1.0 - wanted * value) > wanted * error + 4.0 * UNIT
+
+    value, error = bend(place)
+    step = max(step, 1e-6 * abs(place))
+    slope = (value - bend(place + step)[0]) * wanted / step
+    off = abs(1.0 - wanted * value) + 2.2 * wanted * error + 8.0 * UNIT
+    wide = max(off / slope if slope > 0.0 else 1e-9 * place, 4.0 * UNIT * place)
+    for _ in range(40):
+        if sure(place + wide, 1.0) and (place <= wide or sure(place - wide, -1.0)):
+            return wide
+        wide *= 1.5
+    return inf
+
+
+def best_offset(
+    rough: "Callable[[float], float]", fine: "Callable[[float], float]", reach: float
+) -> tuple[float, float]:
+    """The offset of least cost: every dip of a grid, golden section in each, and where two slopes meet in it.
 
     Parameters
     ----------
@@ -186,8 +238,8 @@ def best_offset(rough: "Callable[[float], float]", fine: "Callable[[float], floa
 
     Returns
     -------
-    float
-        The offset, to 1e-13 of the reach; zero where that costs no more.
+    (float, float)
+        The offset, zero where that costs no more, and what another might cost less.
     """
     step = reach / GRID
     costs = [rough(k * step) for k in range(-GRID, GRID + 1)]
@@ -197,9 +249,32 @@ def best_offset(rough: "Callable[[float], float]", fine: "Callable[[float], floa
         for k in range(2 * GRID + 1)
         if costs[k] <= 1.05 * least and costs[k] <= min(costs[max(k - 1, 0)], costs[min(k + 1, 2 * GRID)])
     ]
-    found = min((_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips), key=lambda one: one[0])
+    found = [_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips]
+    best = min(cost for cost, _ in found)
+    # of those that may be the least: where they end in a point, it is where their two sides meet
+    ends = [_met(fine, place, 4.0 * FINEST * reach) for cost, place in found if cost <= best + 4.0 * FINEST * reach]
+    cost, place, loose = min(ends)
     # where a circle binds all offsets are alike
-    return 0.0 if fine(0.0) <= found[0] * (1.0 + FINEST) else found[1]
+    return (0.0 if fine(0.0) <= cost * (1.0 + ALIKE) else place), loose
+
+
+def _met(cost: "Callable[[float], float]", place: float, step: float) -> tuple[float, float, float]:
+    """The least cost about a place, the place, and how far the cost there is from what its sides tell.
+
+    Of two smooth sides each is a line over a billionth of the reach, to the square of that.
+    """
+    here = cost(place)
+    far, left, right, beyond = (cost(place + k * step) for k in (-2.0, -1.0, 1.0, 2.0))
+    down, up = (left - far) / step, (beyond - right) / step
+    rounding = 8.0 * UNIT * here
+    if not down < 0.0 < up or up - down < POINTED:
+        return here, place, rounding
+    met = (right - left - (up + down) * step) / (down - up)
+    if abs(met) > step:
+        return here, place, step * (up - down)
+    there = cost(place + met)
+    told = left + down * (met + step)
+    return (there, place + met, abs(there - told) + rounding)
 
 
 def _dip(cost: "Callable[[float], float]", low: float, high: float, finest: float) -> tuple[float, float]:

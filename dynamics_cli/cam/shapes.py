@@ -90,7 +90,7 @@ def _horner(coefficients: "Sequence[float]", t: "Any") -> "Any":
 class Mixed:
     """Polynomial and waves: Σ cᵢ τⁱ + Σ A W_m(w τ), τ = ±(t − origin), W₀ = u − sin u and W_m its derivatives."""
 
-    __slots__ = ("_polynomials", "backwards", "origin", "waves")
+    __slots__ = ("_polynomials", "backwards", "near", "off", "origin", "waves")
 
     def __init__(
         self,
@@ -99,7 +99,13 @@ class Mixed:
         *,
         origin: float = 0.0,
         backwards: bool = False,
+        off: float = 0.0,
+        near: "tuple[float, float]" = (3.4, 1.4),
     ) -> None:
+        # within how many half units in the last place amplitudes and frequencies of the waves are
+        self.near = near
+        # what constants and places may be off by besides rounding, as shares and in t
+        self.off = off
         self.origin = origin
         self.backwards = backwards
         self.waves = tuple(waves)

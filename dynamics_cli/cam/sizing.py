@@ -7,9 +7,9 @@ import numpy as np
 from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.pieces import over_pieces, turning_places
+from dynamics_cli.cam.pieces import Cover
 from dynamics_cli.cam.profile import concave, convex
-from dynamics_cli.cam.roundness import FINEST, Round, best_offset
+from dynamics_cli.cam.roundness import Round, best_offset
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
 TYPE_CHECKING = False
@@ -17,25 +17,30 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.cam.pieces import Ends
+
 ROOM = 1e-11
+UNIT = 2.0**-53
+# of the cotangent of a limit: one of the tangent, two in the last place, and the quotient
+COTANGENT = 6.0 * UNIT
 CURVATURE = "least radius of curvature"
 ROLLER = "the roller itself: a base circle cannot be negative"
 
 
-def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Any]":
+def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]":
     """Certified extremes of functions of s, s′, s″."""
-    made = over_pieces(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions]))
-    return [turning_places(motion, made, index) for index in range(len(functions))]
+    return Cover(motion, lambda s, s1, s2: np.stack([function(s, s1, s2) for function in functions])).ends()
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> size.CamSize:
     """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
-    both, lift, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s, lambda s, s1, s2: s1)
+    both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = both.smallest()
     base = least_radius - low
     # a base circle has no negative radius, and the lowest face stays above the axis
-    floor = max(0.0, -lift.smallest()[0])
+    floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
+    slip = (both.least_error if base > floor else 4.0 * UNIT * floor) + UNIT * max(base, floor)
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
     found = analyse(geometry, motion)
@@ -47,7 +52,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
         face_width=speed.largest()[0] - speed.smallest()[0] + 2.0 * follower.face_margin,
         checks=(kept("radius of curvature keeps its limit", least_radius - low_kept, base + least_radius),),
         advice=no_limit(least_radius),
-        numerics=Numerics("closed form on certified extremes", (ErrorBound("base_radius", share(both.error, base)),)),
+        numerics=Numerics("closed form on certified extremes", (stated(slip, base),)),
     )  # fmt: skip
 
 
@@ -72,29 +77,28 @@ def size_slide(
     wedge = Wedge(motion, limits)
     round_ = None if least_radius is None else Round(motion, least_radius + roller, turn, side)
     if follower.offset is None:
-        e, d, binding = size.best_slide(wedge.a, wedge.b, *wedge.cotangents)
-        # the lift may fall below the limits' apex
-        d = max(d, wedge.floor)
+        e, d, binding, slip = wedge.best()
     else:
         e = turn * follower.offset
         d, binding = wedge.height(e), wedge.binding(e)
-    loose = 0.0
+        slip = wedge.slip(e) * abs(d) / hypot(e, d) if d else wedge.slip(e)
     method = "closed form on certified extremes"
     if round_ is not None and not round_.kept(e, d):
-        binding, method = CURVATURE, "secant on certified extremes"
+        binding, method, loose = CURVATURE, "secant on certified extremes", 0.0
         if follower.offset is None:
             # no offset beyond the start radius that this one needs can do better
             reach = hypot(e, max(d, round_.height(e)))
-            e = best_offset(
+            e, loose = best_offset(
                 lambda e: hypot(e, max(wedge.height(e), round_.rough(e))),
                 lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
                 reach,
             )
             method = "golden section over the offset, secant on certified extremes"
-            # what lies between the height searched with and the certified one is all that another could gain
-            loose = reach * FINEST * (1.0 + max(wedge.cotangents)) + abs(round_.height(e) - round_.fine(e))
+            # what lies between the height searched with and the certified one another offset might gain
+            loose += abs(round_.height(e) - round_.fine(e))
         pressed, bent = wedge.height(e), round_.height(e)
         d = max(pressed, bent)
+        slip = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)
         if abs(pressed - bent) <= 1e-9 * hypot(e, d):
             binding = f"{CURVATURE} and {wedge.binding(e)}"
     radius = hypot(e, d)
@@ -124,7 +128,7 @@ def size_slide(
         least_concave_radius=hollow,
         in_line_base_radius=in_line if in_line > 0.0 and not curved else None, face_width=None,
         checks=tuple(checks), advice=undercut(counts, radius),
-        numerics=Numerics(method, (ErrorBound("base_radius", share(wedge.error + loose, base)),)),
+        numerics=Numerics(method, (stated(slip + UNIT * (2.0 * radius + base), base),)),
     )  # fmt: skip
 
 
@@ -142,15 +146,46 @@ class Wedge:
     def __init__(self, motion: "Any", limits: tuple[float, float]) -> None:
         c1, c2 = self.cotangents = (1.0 / tan(limits[0]), 1.0 / tan(limits[1]))
         # the clockwise cam is the anticlockwise one run backwards: its rise is a return there, its offset reversed
-        rise, back, lift = extremes_of(
-            motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s, lambda s, s1, s2: s
-        )
-        self.a, self.b, self.floor = rise.largest()[0], back.largest()[0], -lift.smallest()[0]
-        self.error = c1 * rise.error + c2 * back.error
+        rise, back = extremes_of(motion, lambda s, s1, s2: s1 * c1 - s, lambda s, s1, s2: -s1 * c2 - s)
+        self.a, self.b, self.floor = rise.greatest, back.greatest, -motion.stroke[0]
+        # a cotangent is within three roundings of that of its limit
+        most = max(map(abs, motion.stroke))
+        self.errors = tuple(end.greatest_error + COTANGENT * (abs(end.greatest) + most) for end in (rise, back))
 
     def height(self, e: float) -> float:
         """The least height."""
         return float(max(self.a - e * self.cotangents[0], self.b + e * self.cotangents[1], self.floor))
+
+    def slip(self, e: float) -> float:
+        """What the least height may be off: the larger of what the limits' may be that might decide."""
+        heights = (self.a - e * self.cotangents[0], self.b + e * self.cotangents[1], self.floor)
+        errors = [
+            error + 2.0 * COTANGENT * abs(e) * cotangent + UNIT * abs(one)
+            for error, one, cotangent in zip(self.errors, (self.a, self.b), self.cotangents, strict=True)
+        ] + [4.0 * UNIT * abs(self.floor)]
+        best = max(height - error for height, error in zip(heights, errors, strict=True))
+        return max(float(error) for height, error in zip(heights, errors, strict=True) if height + error >= best)
+
+    def best(self) -> "tuple[float, float, str, float]":
+        """Offset and height nearest to the axis, the limits that bind, and what the start radius may be off."""
+        e, d, binding = size.best_slide(self.a, self.b, *self.cotangents)
+        (first, second), (c1, c2) = self.errors, self.cotangents
+        whole = c1 + c2
+        if "and" not in binding:
+            # the foot on one line: a/√(1 + c²)
+            error, c = (first, c1) if binding.startswith("rise") else (second, c2)
+            slip = error / hypot(1.0, c) + 8.0 * UNIT * hypot(e, d)
+        else:
+            across = (first + second) / whole + 2.0 * COTANGENT * abs(e) + UNIT * (abs(self.a) + abs(self.b)) / whole
+            up = (first * c2 + second * c1) / whole + 8.0 * UNIT * (abs(self.a) * c2 + abs(self.b) * c1) / whole
+            radius = hypot(e, d)
+            slip = (abs(e) * across + abs(d) * up) / radius if radius else across + up
+            # an offset that cannot be told from none is none
+            e = e if abs(e) > across else 0.0
+        if d < self.floor:
+            # the lift may fall below the limits' apex
+            d, slip = self.floor, slip + 4.0 * UNIT * self.floor
+        return e, d, binding, slip
 
     def binding(self, e: float) -> str:
         """Which limit decides."""
@@ -180,6 +215,8 @@ def kept(name: str, excess: float, scale: float) -> Check:
     return Check(name, excess <= ROOM * scale, max(excess, 0.0), ROOM * scale)
 
 
-def share(error: float, value: float) -> float:
-    """A bound as a share of the value."""
-    return (error + 1e-15 * value) / value if value > 0.0 else inf
+def stated(error: float, base: float) -> ErrorBound:
+    """The bound of a base radius: a share of it, or absolute where there is no base circle."""
+    if base > 0.0 and error <= base:
+        return ErrorBound("base_radius", error / base)
+    return ErrorBound("base_radius", error, relative=False)

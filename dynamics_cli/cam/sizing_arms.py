@@ -8,12 +8,15 @@ from dynamics_cli.cam import followers, size
 from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import concave, convex
-from dynamics_cli.cam.sizing import CURVATURE, ROLLER, extremes_of, kept, no_limit, share, signs, undercut
+from dynamics_cli.cam.roundness import sure_about
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, extremes_of, kept, no_limit, signs, stated, undercut
 from dynamics_cli.errors import require
-from dynamics_cli.records import ErrorBound, Numerics, record
+from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.records import Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 DEGREE = pi / 180.0
@@ -30,13 +33,16 @@ class Reach:
     binding : str
         The limit that decides the least.
     error : float
-        Bound of the error of both [rad].
+        Bound of the error of the least [rad].
+    most_error : float
+        Bound of the error of the most [rad].
     """
 
     least: float
     most: float
     binding: str
     error: float
+    most_error: float
 
 
 def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], turn: float) -> Reach:
@@ -68,13 +74,16 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     up, down = limits if turn > 0.0 else limits[::-1]
 
     def part(s1: "Any", limit: float) -> "Any":
-        return arm * (1.0 + turn * s1) * cos(limit) / pivot
+        return arm * (1.0 + turn * s1) * Disc(cos(limit), 4.0 * UNIT) / pivot
+
+    def at_best(strain: float, limit: float) -> float:
+        return arm * (1.0 + strain) * cos(limit) / pivot
 
     (speed,) = extremes_of(motion, lambda s, s1, s2: turn * s1)
     # the quickest way up strains one limit, a way down faster than the cam turns the other
     for limit, strain in ((up, speed.largest()[0]), (down, -2.0 - speed.smallest()[0])):
         require(
-            part(turn * strain, limit) < 1.0,
+            at_best(strain, limit) < 1.0,
             "no base circle keeps the limit of {0:.6g} deg: with an arm of {1:.6g} m, {2:.6g} m from the cam, the "
             "pressure angle reaches {3:.6g} deg at best",
             limit / DEGREE, arm, pivot, _best_angle(arm * (1.0 + strain) / pivot) / DEGREE,
@@ -88,9 +97,13 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
         lambda s, s1, s2: s,
     )
     names = ("return limit", "rise limit") if turn > 0.0 else ("rise limit", "return limit")
-    least, binding = max((high.largest()[0], names[0]), (low.largest()[0], names[1]))
-    most = min(over.smallest()[0], pi - lift.largest()[0])
-    return Reach(max(least, -lift.smallest()[0], 0.0), most, binding, high.error + low.error + over.error)
+    ends = [(high.greatest, high.greatest_error, names[0]), (low.greatest, low.greatest_error, names[1])]
+    least, error, binding = max(ends)
+    most, most_error = min((over.least, over.least_error), (pi - lift.greatest, lift.greatest_error + 4.0 * UNIT))
+    # a limit that might decide counts with its own error
+    error = max(slip for value, slip, _ in ends if value + slip >= least - error)
+    floor = max(-lift.least, 0.0)
+    return Reach(max(least, floor), most, binding, error if least + error > floor else lift.least_error, most_error)
 
 
 def require_reach(found: Reach, start: float) -> None:
@@ -113,15 +126,18 @@ def size_arm(
     found = reach(motion, arm, pivot, limits, turn)
     start, binding, method = found.least, found.binding, "closed form on certified extremes"
     require_reach(found, start)
+    error = found.error
     if least_radius is not None:
-        curved = round_start(motion, arm, pivot, start, least_radius + roller, turn, side)
+        curved, off = round_start(motion, arm, pivot, start, least_radius + roller, turn, side)
         if curved > start:
-            start, binding, method = curved, CURVATURE, "bisection on certified extremes"
+            start, binding, method, error = curved, CURVATURE, "bisection on certified extremes", off
             require_round(found, start)
     radius = distance(arm, pivot, start)
+    slip = moved(arm, pivot, start, error)
     if radius < roller:
         radius, binding = roller, ROLLER
     base = radius - roller
+    slip += UNIT * base
     geometry = Geometry(followers.OscillatingRoller(base, roller, arm, pivot), rotation, flank)
     seen = analyse(geometry, motion)
     round_, hollow = convex(geometry, seen)[0], concave(geometry, seen)[0]
@@ -135,13 +151,20 @@ def size_arm(
             kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
         ),
         advice=undercut(round_ if side > 0.0 else hollow, radius),
-        numerics=Numerics(method, (ErrorBound("base_radius", share(4.0 * pivot * found.error, base)),)),
+        numerics=Numerics(method, (stated(slip, base),)),
     )  # fmt: skip
 
 
 def distance(arm: float, pivot: float, angle: float) -> float:
     """Distance of the roller's centre from the cam's axis, the arm at that angle."""
     return hypot(pivot - arm, 2.0 * sqrt(pivot * arm) * sin(0.5 * angle))
+
+
+def moved(arm: float, pivot: float, angle: float, error: float) -> float:
+    """What that distance may be off where the angle may be, its own roundings included."""
+    radius = distance(arm, pivot, angle)
+    lever = arm * pivot * (abs(sin(angle)) + error) / radius if radius else arm + pivot
+    return min(lever, arm + pivot) * error + 8.0 * UNIT * radius
 
 
 def require_round(found: Reach, start: float) -> None:
@@ -162,8 +185,8 @@ def _best_angle(part: float) -> float:
 
 def round_start(
     motion: "Any", arm: float, pivot: float, start: float, wanted: float, turn: float, side: float
-) -> float:
-    """The least angle of the arm, from `start` on, whose pitch curve is as round as wanted.
+) -> tuple[float, float]:
+    """The least angle of the arm, from `start` on, whose pitch curve is as round as wanted, and what it may be off.
 
     Parameters
     ----------
@@ -180,8 +203,8 @@ def round_start(
 
     Returns
     -------
-    float
-        The angle [rad].
+    (float, float)
+        The angle, and the bound of its error [rad].
 
     Raises
     ------
@@ -190,19 +213,22 @@ def round_start(
 
     Notes
     -----
-    Bisection on certified extremes, after steps that double.
+    Bisection on certified extremes, after steps that double. The curvature is surely too large an error below the
+    angle, and surely not an error above it.
     """
     prime = distance(arm, pivot, 0.5 * pi)
     geometry = Geometry(followers.OscillatingRoller(prime, 0.0, arm, pivot), "cw" if turn < 0.0 else "ccw")
 
-    def short(angle: float) -> bool:
+    def bend(angle: float) -> tuple[float, float]:
         geometry.start = angle
         seen = analyse(geometry, motion).curvature
-        value = seen.largest()[0] if side > 0.0 else -seen.smallest()[0]
-        return bool(value * wanted > 1.0)
+        return (seen.greatest, seen.greatest_error) if side > 0.0 else (-seen.least, seen.least_error)
+
+    def short(angle: float) -> bool:
+        return bend(angle)[0] * wanted > 1.0
 
     if not short(start):
-        return start
+        return start, 0.0
     low, step = start, max(0.01 * start, 1e-3)
     while short(low + step):
         low, step = low + step, 2.0 * step
@@ -213,7 +239,12 @@ def round_start(
             code="curvature-binds",
             hint="lengthen arm and pivot distance, or give the motion larger angles",
         )
-    high = low + step
+    angle = _halved(short, low, low + step)
+    return angle, sure_about(bend, wanted, angle, UNIT * angle)
+
+
+def _halved(short: "Callable[[float], bool]", low: float, high: float) -> float:
+    """Where it is not short any more, by bisection."""
     while True:
         middle = 0.5 * (low + high)
         if not low < middle < high:
@@ -245,7 +276,8 @@ def size_rocker(
     def parts(s1: "Any", s2: "Any") -> "tuple[Any, Any]":
         speed = 1.0 + turn * s1
         a = (1.0 + 2.0 * turn * s1) * speed
-        needs = (least_radius + back) / pivot * speed * speed * speed / np.hypot(a, s2)
+        factor = (least_radius + back) / pivot
+        needs = speed * speed * speed * Disc(factor, 2.0 * UNIT * abs(factor)) / np.hypot(a, s2)
         # β from −90 to 270 degrees, without a branch: its proxies are proved
         return needs, 0.5 * pi + np.arctan2(-a, s2)
 
@@ -282,6 +314,8 @@ def size_rocker(
         code="limits-clash", hint="move the pivot outwards, bring the face nearer to it, or widen the limits",
     )  # fmt: skip
     base = max(pivot * sin(start) - back, 0.0)
+    error = lowest.greatest_error if start > floor else lift.least_error + 6.0 * UNIT * floor
+    slip = pivot * (cos(start) + error) * error + 6.0 * UNIT * pivot * sin(start) + UNIT * base
     geometry = Geometry(followers.OscillatingFlat(base, pivot, back), rotation)
     seen = analyse(geometry, motion)
     least, high, low = convex(geometry, seen)[0], seen.pressure.largest()[0], seen.pressure.smallest()[0]
@@ -300,7 +334,7 @@ def size_rocker(
         advice=no_limit(least_radius),
         numerics=Numerics(
             "closed form on certified extremes",
-            (ErrorBound("base_radius", share(pivot * lowest.error + 1e-15 * abs(back), base)),),
+            (stated(slip, base),),
         ),
     )  # fmt: skip
 

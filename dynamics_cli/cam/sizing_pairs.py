@@ -7,10 +7,10 @@ from dynamics_cli.cam.analysis import analyse
 from dynamics_cli.cam.contact import Geometry
 from dynamics_cli.cam.profile import convex
 from dynamics_cli.cam.roundness import Falling, Round
-from dynamics_cli.cam.sizing import CURVATURE, ROLLER, Wedge, kept, share, signs, undercut
-from dynamics_cli.cam.sizing_arms import DEGREE, distance, reach, require_reach, require_round, round_start
+from dynamics_cli.cam.sizing import CURVATURE, ROLLER, UNIT, Wedge, kept, signs, stated, undercut
+from dynamics_cli.cam.sizing_arms import DEGREE, distance, moved, reach, require_reach, require_round, round_start
 from dynamics_cli.errors import require
-from dynamics_cli.records import Check, ErrorBound, Numerics
+from dynamics_cli.records import Check, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,12 +24,12 @@ def size_pair(
     turn, _ = signs(rotation, "inner")
     roller, offset = follower.roller_radius, follower.offset
     e = turn * offset
-    heights, bindings, errors = [], [], 0.0
+    heights, bindings, errors = [], [], []
     for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
         d, binding, error = _height(moves, way * e, limits, roller, least_radius, way * turn)
         heights.append(d)
         bindings.append(binding)
-        errors += error
+        errors.append(error)
     least = heights[0] + heights[1]
     apart = least if follower.roller_distance is None else follower.roller_distance
     require(
@@ -46,7 +46,7 @@ def size_pair(
         motion, first, second, limits, least_radius,
         binding=bindings[0] if follower.roller_distance is not None else f"{bindings[0]}; second cam: {bindings[1]}",
         base_radius=base, offset=offset, start_radius=hypot(e, heights[0]), roller_distance=apart,
-        second_start=hypot(e, apart - heights[0]), error=errors,
+        second_start=hypot(e, apart - heights[0]), error=errors[0] * heights[0] / (base + roller),
     )  # fmt: skip
 
 
@@ -55,14 +55,15 @@ def _height(
 ) -> tuple[float, str, float]:
     """The least height of one of the rollers, what decides it, and its error."""
     wedge = Wedge(motion, limits)
-    d, binding = wedge.height(e), wedge.binding(e)
+    d, binding, error = wedge.height(e), wedge.binding(e), wedge.slip(e)
     if least_radius is not None:
         round_ = Round(motion, least_radius + roller, turn, 1.0)
         if not round_.kept(e, d):
             d, binding = max(d, round_.height(e)), CURVATURE
+            error = max(error, round_.slip(e, d))
     if hypot(e, d) < roller:
         d, binding = sqrt((roller - e) * (roller + e)), ROLLER
-    return d, binding, wedge.error
+    return d, binding, error
 
 
 def size_arms(
@@ -71,21 +72,21 @@ def size_arms(
     """Two rollers on one rocker, each cam at the least angle of its arm that the other leaves."""
     turn, _ = signs(rotation, "inner")
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
-    starts, mosts, bindings, errors = [], [], [], 0.0
+    starts, mosts, bindings, errors = [], [], [], []
     for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
         found = reach(moves, arm, pivot, limits, way * turn)
-        start, binding = found.least, found.binding
+        start, binding, error = found.least, found.binding, found.error
         require_reach(found, start)
         if least_radius is not None:
-            start = round_start(moves, arm, pivot, start, least_radius + roller, way * turn, 1.0)
-            binding = CURVATURE if start > found.least else binding
+            start, off = round_start(moves, arm, pivot, start, least_radius + roller, way * turn, 1.0)
+            binding, error = (CURVATURE, off) if start > found.least else (binding, error)
             require_round(found, start)
         if distance(arm, pivot, start) < roller:
             start, binding = followers.start_angle_of_arm(0.0, roller, arm, pivot), ROLLER
         starts.append(start)
         mosts.append(found.most)
         bindings.append(binding)
-        errors += 4.0 * pivot * found.error
+        errors.append((error, found.most_error))
     angle = starts[0] + starts[1] if follower.arm_angle is None else follower.arm_angle
     # the second arm stands at the rest of the angle, which has a least and a greatest value too
     start = max(starts[0], angle - mosts[1])
@@ -98,7 +99,9 @@ def size_arms(
         hint=f"an arm angle of {(starts[0] + starts[1]) / DEGREE:.6g} to {(mosts[0] + mosts[1]) / DEGREE:.6g} deg, "
         "or leave it out",
     )  # fmt: skip
+    error = errors[0][0]
     if start > starts[0]:
+        error = errors[1][1] + UNIT * (abs(angle) + mosts[1])
         bindings[0] = "the second cam's limits, with this arm angle"
     radius = distance(arm, pivot, start)
     base = max(radius - roller, 0.0)
@@ -108,7 +111,7 @@ def size_arms(
         motion, first, second, limits, least_radius,
         binding=bindings[0] if follower.arm_angle is not None else f"{bindings[0]}; second cam: {bindings[1]}",
         base_radius=base, start_radius=radius, arm_start_angle=first.start, arm_angle=angle,
-        second_start=distance(arm, pivot, angle - start), error=errors,
+        second_start=distance(arm, pivot, angle - start), error=moved(arm, pivot, start, error),
     )  # fmt: skip
 
 
@@ -134,7 +137,6 @@ def _both(
                 kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, start_radius)
             )
     (high, low, least), mate = seen
-    roller = first.roller
     return size.CamSize(
         base_radius=base_radius, offset=offset, start_radius=start_radius, arm_start_angle=arm_start_angle,
         binding=binding, largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
@@ -143,6 +145,6 @@ def _both(
         advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None), start_radius),
         numerics=Numerics(
             ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
-            (ErrorBound("base_radius", share(error + 1e-15 * roller, base_radius)),),
+            (stated(error + UNIT * (3.0 * start_radius + base_radius), base_radius),),
         ),
     )  # fmt: skip

@@ -4,6 +4,7 @@ from math import pi, sqrt
 
 import numpy as np
 
+from dynamics_cli.cam.analysis import start_slip
 from dynamics_cli.cam.certified import Found, Sum, Survey
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat, OscillatingRoller
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 DEGREE = pi / 180.0
 UNIT = 2.0**-53
-TINY = 1e-30
 
 
 class Touching:
@@ -32,20 +32,28 @@ class Touching:
         The follower in place.
     load : Load
         What the cam has to give: a force, or an arm's torque.
+    slip : float
+        What the start of the follower may be off, where discs are asked for.
     """
 
-    def __init__(self, geometry: Geometry, load: "Load") -> None:
+    def __init__(self, geometry: Geometry, load: "Load", slip: float = 0.0) -> None:
         self.geometry = geometry
         self.load = load
+        self.slip = slip
         self.follower = geometry.follower
         self.turn, self.start = geometry.turn, geometry.start
+
+    def enclosed(self) -> "Touching":
+        """The same for discs: with what the load's constants and the start of the follower round by."""
+        return Touching(self.geometry, self.load.enclosed(), start_slip(self.geometry))
 
     def gain(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
         """Normal force for each unit of load: 1/cos φ for a slide, 1/(lever of the normal about the pivot) for an arm.
 
-        N/F = w/X; N/M = w/(L c sin ψ) with a roller, (1 + ψ′)/(c cos ψ) with a flat face.
+        N/F = w/X = √(1 + (Y/X)²); N/M = w/(L c sin ψ) with a roller, (1 + ψ′)/(c cos ψ) with a flat face.
         """
         f, s1 = self.follower, self.turn * s1
+        s = s.widened(self.slip) if self.slip else s
         if isinstance(f, FlatFace):
             return 1.0 + 0.0 * s
         if isinstance(f, OscillatingFlat):
@@ -56,8 +64,8 @@ class Touching:
             apart, half = (f.arm - c) + f.arm * s1, np.sin(0.5 * angle)
             square = apart * apart + 4.0 * (f.arm * (1.0 + s1)) * c * half * half
             return np.sqrt(square) / (f.arm * c * np.sin(angle))
-        x, y = self.start + s, s1 - f.offset  # type: ignore[union-attr]
-        return np.sqrt(x * x + y * y) / x
+        lean = (s1 - f.offset) / (self.start + s)  # type: ignore[union-attr]
+        return np.sqrt(1.0 + lean * lean)
 
     def normal(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
         """The force along the common normal."""
@@ -66,6 +74,7 @@ class Touching:
     def room(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
         """1 − R κ of a roller on the pitch curve, or the radius of curvature under a flat face: zero at a cusp."""
         f, s1 = self.follower, self.turn * s1
+        s = s.widened(self.slip) if self.slip else s
         if isinstance(f, FlatFace):
             return self.start + s + s2
         if isinstance(f, OscillatingFlat):
@@ -75,28 +84,6 @@ class Touching:
         _, _, x, y, x1, y1 = self.geometry.pitch(s, s1, s2)[:6]
         square = x * x + y * y
         return 1.0 - self.geometry.roller * (square + y * x1 - x * y1) / (square * np.sqrt(square))
-
-    def rounding(self, s: float, s1: float, s2: float) -> float:
-        """What the normal force rounds by, and what the start of the follower it stands on does to it."""
-        value, gain = abs(self.normal(s, s1, s2)), abs(self.gain(s, s1, s2))
-        moved = complex(self.gain(complex(s, TINY), s1, s2)).imag / TINY
-        start = 8.0 * UNIT * abs(self.start) * abs(moved) * abs(self.load.force(s, s2))
-        return float(self.load.rounding(s, s2) * gain + 16.0 * UNIT * value + start)
-
-    def rounding_of_room(self, s: float, s1: float, s2: float) -> float:
-        """What `room` rounds by, next to a cusp left over from larger terms, with what the start brings to it."""
-        f, room = self.follower, float(self.room(s, s1, s2))
-        if isinstance(f, FlatFace):
-            size = abs(s) + abs(s2)
-        elif isinstance(f, OscillatingFlat):
-            size = abs(room) + 2.0 * abs(f.face_offset) + 4.0 * f.pivot_distance
-        elif isinstance(f, OscillatingRoller):
-            w = self.gain(s, s1, s2) * f.arm * f.pivot_distance * np.sin(self.start + s)
-            size = 1.0 + abs(1.0 - room) * (1.0 + 3.0 * (f.arm + f.pivot_distance) / w)
-        else:
-            size = 1.0 + abs(1.0 - room)
-        moved = complex(self.room(complex(s, TINY), s1, s2)).imag / TINY
-        return 8.0 * UNIT * float(2.0 * size + abs(self.start * moved))
 
 
 def require_lever(geometry: Geometry, motion: "Motion") -> None:
@@ -172,8 +159,9 @@ def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
         code="edge",
         hint="give a roller radius, or leave the contact out",
     )
-    survey = Survey(motion, touching.normal, touching.room)
-    least, _ = survey.extremes(1, touching.rounding_of_room)
+    exact = touching.enclosed()
+    survey = Survey(motion, exact.normal, exact.room)
+    least, _ = survey.extremes(1)
     require(
         least.value > 0.0,
         "the cam is undercut at {0:.6g} deg: there is no contact to carry a stress",
@@ -182,9 +170,7 @@ def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
         hint="take a larger base circle or a smaller roller; `dynamics cam size` finds the least",
     )
     # N/ρ is the normal force over the room under a flat face, or over the room R(1 − R κ) of a roller
-    normal = Sum((0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding)
-    room = Sum((0.0, 0.0, 0.0, 0.0, 1.0), 0.0, touching.rounding_of_room)
-    most = survey.greatest_quotient(normal, room)
+    most = survey.greatest_quotient(Sum((0.0, 0.0, 0.0, 1.0)), Sum((0.0, 0.0, 0.0, 0.0, 1.0)))
     if most.value <= 0.0:
         return Found(0.0, most.at, 0.0)
     pressure = sqrt(most.value / (pi * contact.width * give * (1.0 if geometry.flat else geometry.roller)))

@@ -1,16 +1,27 @@
 """What a motion comes to: extremes with their places, jumps at the joints, means over a turn."""
 
+from functools import partial
 from math import inf, sqrt
 
 from dynamics_cli.cam.choosing import GAUSS
-from dynamics_cli.cam.peaks import extremes
+from dynamics_cli.cam.peaks import extremes, value_error
+from dynamics_cli.cam.slips import slips
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.cam.motion import Motion
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.cam.laws import Law
+    from dynamics_cli.cam.motion import Motion, Span
 
 JUMP = 1e-10
+UNIT = 2.0**-53
+TURN = 6.283185307179586
+MOST_TURNED = 8.0
+NODES = [-node for node, _ in GAUSS[::-1]] + [node for node, _ in GAUSS]
+WEIGHTS = [weight for _, weight in GAUSS[::-1]] + [weight for _, weight in GAUSS]
 
 
 @record
@@ -21,12 +32,16 @@ class Extreme:
     ----------
     least, least_at, greatest, greatest_at : float
         Values, and cam angles [rad].
+    least_error, greatest_error : float
+        What the values may be off.
     """
 
     least: float
     least_at: float
     greatest: float
     greatest_at: float
+    least_error: float
+    greatest_error: float
 
 
 def extreme(motion: "Motion", order: int) -> Extreme:
@@ -48,52 +63,81 @@ def extreme(motion: "Motion", order: int) -> Extreme:
     -----
     From the extremes of the normalised laws, to the last bits; equal values to 10⁻¹² count as one, the first is named.
     """
-    found = []
+    found: list[tuple[float, float, Callable[[], float]]] = []
     for index, span in enumerate(motion.segments):
         start, end = motion.joints[index], motion.joints[index + 1]
         if span.law is None:
             value = span.low if order == 0 else 0.0
-            found += [(start, value), (end, value)]
+            found += [(place, value, partial(float, sum(span.off) if order == 0 else 0.0)) for place in (start, end)]
             continue
         scale = span.high - span.low if span.scale is None else span.scale
-        factor = scale / (end - start) ** order
+        # the span is not the difference of its ends, which are rounded
+        factor = scale / motion.width(index) ** order
         base = span.low if order == 0 else 0.0
         for x, f in extremes(span.law, order):
             at = end - (1.0 - x) * (end - start) if x > 0.5 else start + x * (end - start)
             value = span.high if order == 0 and x == 1.0 else base + factor * f
-            found.append((at, value))
-    size = max(abs(value) for _, value in found) * 1e-12
-    least, most = min(value for _, value in found), max(value for _, value in found)
+            found.append((at, value, partial(_value_error, span, x, order, factor, f)))
+    size = max(abs(value) for _, value, _ in found) * 1e-12
+    least, most = min(value for _, value, _ in found), max(value for _, value, _ in found)
+    low = [(at, error) for at, value, error in found if value <= least + size]
+    high = [(at, error) for at, value, error in found if value >= most - size]
     return Extreme(
-        least,
-        next(at for at, value in found if value <= least + size),
-        most,
-        next(at for at, value in found if value >= most - size),
+        least, low[0][0], most, high[0][0], max(error() for _, error in low), max(error() for _, error in high)
     )
 
 
-def root_mean_square(motion: "Motion", order: int) -> float:
-    """Root mean square of a derivative over the turn, by Gauss's rule of 16 points on each piece: exact to rounding."""
-    total = 0.0
+def _value_error(span: "Span", x: float, order: int, factor: float, value: float) -> float:
+    """What a level, or factor·value on it, may be off; the factor counts a rounding, and two for each division."""
+    level = sum(span.off)
+    if order == 0 and x in (0.0, 1.0):
+        return level
+    rise = abs(span.high - span.low if span.scale is None else span.scale)
+    law: Any = span.law
+    error = value_error(law, x, order) + ((2.0 * order + 2.0) * UNIT + level / rise) * abs(value)
+    base = abs(span.low) + abs(span.low + factor * value) if order == 0 else 0.0
+    return (abs(factor) * error + level + UNIT * base) * (1.0 + 2.0**-40)
+
+
+def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
+    """Root mean square of a derivative over the turn, and its bound.
+
+    Gauss's rule of 16 points on parts short enough that no wave of a law turns by more than four radians in half of
+    one: exact to rounding. The root mean square of what the values may be off is all that it may be off by them.
+    """
+    total = slipped = 0.0
     for index, span in enumerate(motion.segments):
         if span.law is None:
             continue
-        width = motion.joints[index + 1] - motion.joints[index]
+        width = motion.width(index)
         scale = (span.high - span.low if span.scale is None else span.scale) / width**order
-        total += width * scale * scale * _mean_square(span.law, order)
-    return sqrt(total / 6.283185307179586)
+        mean, off = _mean_square(span.law, order)
+        total += width * scale * scale * mean
+        slipped += width * scale * scale * off
+    found = sqrt(total / TURN)
+    # weights, sums and factors, of the square
+    return found, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * found) * (1.0 + 2.0**-40)
 
 
-def _mean_square(law: "object", order: int) -> float:
-    total = 0.0
-    for piece in law.pieces:  # type: ignore[attr-defined]
-        ends = piece.ends
-        half = 0.5 * (ends[1] - ends[0])
-        for node, weight in GAUSS:
-            for t in (ends[0] + half * (1.0 - node), ends[0] + half * (1.0 + node)):
-                value = piece.shape(t, order)[order]
-                total += weight * half * value * value
-    return total
+def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
+    """Mean squares of a derivative and of what its values may be off."""
+    import numpy as np
+
+    total = slipped = 0.0
+    for piece in law.pieces:
+        start, end = piece.ends
+        shape: Any = piece.shape
+        quickest = max((w for _, w, _ in shape.parts[1]), default=0.0)
+        count = 1 + int(quickest * (end - start) / MOST_TURNED)
+        edges = np.linspace(start, end, count + 1)
+        half = 0.5 * np.diff(edges)
+        t = (edges[:-1] + half)[:, None] + half[:, None] * NODES
+        value = np.asarray(piece.shape(t.ravel(), order)[order]).reshape(t.shape)
+        error = np.asarray(slips(piece.shape, t.ravel(), 4.0 * UNIT * t.ravel(), order)[order]).reshape(t.shape)
+        weight = half[:, None] * WEIGHTS
+        total += float((weight * value * value).sum())
+        slipped += float((weight * error * error).sum())
+    return total, slipped
 
 
 def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":

@@ -13,7 +13,8 @@ from dynamics_cli.cam.crossings import Crossing, crossings
 from dynamics_cli.cam.envelope import Arc, Envelope
 from dynamics_cli.cam.followers import FlatFace, OscillatingFlat
 from dynamics_cli.cam.pieces import within
-from dynamics_cli.numerics.chebyshev import extremes, proxies
+from dynamics_cli.numerics.chebyshev import Proxies, extremes, proxies
+from dynamics_cli.numerics.summits import settled, summits
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -24,7 +25,9 @@ TURN = 2.0 * pi
 # A corner that another position of the follower covers by less than this share of the cam's size is on its edge.
 COVERED = 1e-12
 # How far a corner may be from its place, of the cam's size: found, and where points are too near to tell.
-FOUND = 4e-15
+FOUND = 2e-15
+# What a gap between lift and seat rounds by, of that size (arms: of a radian).
+ROUNDED = 1.2e-15
 BLURRED = 1e-12
 SLIPPING = 2049
 # Where no corner is found between ends this close, of the cam's size, the undercut is less than its rounding.
@@ -307,12 +310,19 @@ def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, 
         made = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
     except ValueError:
         return _slipping(curve, parts, np.array([corner.point for corner in loop]))
-    found = extremes(made)
-    index = int(np.argmax(found.values))
-    piece = found.owner[index : index + 1]
-    own, share = int(piece[0]), found.places[index : index + 1]
-    place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[0]))
-    return max(float(lost(share[:, None], piece)[0, 0, 0]), 0.0), place, found.error
+    # their remainder is estimated, and so is its slope: what is left is the rounding of the gap itself
+    count = made.coefficients.shape[2]
+    left = made.error + ROUNDED * level
+    made = Proxies(made.owner, made.starts, made.ends, made.coefficients, left, False, (count + 2.0) ** 2 * left)
+    (top,) = summits(made, ways=(1.0,))
+    piece = made.owner[top.rows]
+    share = 0.5 * (made.starts + made.ends)[top.rows] + 0.5 * (made.ends - made.starts)[top.rows] * top.units
+    gaps = lost(share[:, None], piece)[0, :, 0]
+    error = settled(top, level + gaps, np.full(gaps.shape, ROUNDED * level))[2]
+    index = int(gaps.argmax())
+    own = int(piece[index])
+    place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[index]))
+    return max(float(gaps[index]), 0.0), place, error
 
 
 def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: "Any") -> "tuple[float, float, float]":

@@ -113,7 +113,7 @@ class _Walk:
             self.names.append(own)
             numbers = value.arrays[field.name].tolist()
             if isinstance(field.node, Leaf) and field.node.kind.form in ("scalar", "slope"):
-                shown = self.display.of(own, field.node.kind)
+                shown = self.shown[own] = self.display.of(own, field.node.kind)
                 for number in numbers:
                     _finite(number, own)
                 out[field.key] = _quantity([shown.value(number) for number in numbers], shown.text)

@@ -48,6 +48,8 @@ class Proxies:
         What the coefficients left out may come to.
     proved : bool
         Whether `error` is a proof, with all roundings, or an estimate.
+    steep : array (q, m)
+        Bound of the derivative of what is left out, over the half width of each piece; none where nothing is proved.
     """
 
     owner: "Any"
@@ -56,6 +58,7 @@ class Proxies:
     coefficients: "Any"
     error: "Any"
     proved: bool = False
+    steep: "Any" = None
 
 
 @record
@@ -75,6 +78,15 @@ class Extremes:
     error : float
         The function's greatest and least value on the pieces are within it of the greatest and least here: proved
         where the error of the proxies is.
+    rows : array
+        The proxies' piece each place lies in.
+    units : array
+        Where in that piece, between -1 and 1.
+    about : array
+        How far about its place, over the half width of the piece, the function may turn: zero but in cells in which it
+        hardly moves.
+    off : array of m
+        What a value may be off the largest or least of the polynomial that was searched, by pieces.
     """
 
     owner: "Any"
@@ -82,6 +94,10 @@ class Extremes:
     values: "Any"
     inside: "Any"
     error: float
+    rows: "Any" = None
+    units: "Any" = None
+    about: "Any" = None
+    off: "Any" = None
 
     def largest(self) -> tuple[float, float]:
         """The largest value, and the first of the places whose values rounding cannot tell from it."""
@@ -188,7 +204,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
+def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
     """Find the greatest and the least value of one of the functions, or every place where it turns.
 
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
@@ -202,6 +218,8 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         Which of them.
     every : bool
         Whether places are wanted that decide neither the greatest nor the least value.
+    margin : array of m
+        How far below the greatest or above the least value a place may be and is wanted all the same, by pieces.
 
     Returns
     -------
@@ -239,12 +257,14 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
     scale = size.sum(axis=1)
     # what the values may be off the largest and least of the proxy
-    off = 2.0 * np.abs(whole - c).sum(axis=1) + 0.5 * ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-48 * scale
+    off = 2.0 * np.abs(whole - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
-    calm: list[tuple[Any, Any]] = []
+    calm: list[tuple[Any, Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
-    ends = np.concatenate((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1)))
+    # the mean last: what it is added to is small beside it on a short piece
+    moving, mean = whole[:, 1:], whole[:, 0]
+    ends = np.concatenate((moving @ np.where(k[1:] % 2, -1.0, 1.0) + mean, moving.sum(axis=1) + mean))
     most, least = ends.max(), ends.min()
     owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
     # a piece that is constant to its rounding has no extremes
@@ -260,7 +280,8 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
             tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            decides = (high >= most) | (low <= least)
+            room = 0.0 if margin is None else margin[owner][:, None]
+            decides = (high >= most - room) | (low <= least + room)
             turning &= decides
             unsure &= decides
         found, cells = np.nonzero(turning)
@@ -274,7 +295,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
         moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
         still = (moves <= CALM * scale[rows]) | (level == LEVELS)
         np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
-        calm.append((rows[still], left[still] - 0.5 * step))
+        calm.append((rows[still], left[still] - 0.5 * step, np.full(rows[still].size, step)))
         owner, left = rows[~still], left[~still]
         if not owner.size:
             break
@@ -287,18 +308,21 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
     place = np.concatenate([turns, *(part[1] for part in calm)])
     half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
-    inner = (whole[row] * np.cos(k * place[:, None])).sum(axis=1)
+    inner = (moving[row] * np.cos(k[1:] * place[:, None])).sum(axis=1) + mean[row]
     places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
-    owners = made.owner[np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))]
+    rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
+    about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
+    units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
+    owners = made.owner[rows]
     order = np.lexsort((places, owners))
     # a piece that stays below the greatest value by more than its error has no part in the error of that
     room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(made.error[which] + off + room) * UP, 0.0)),
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
     )  # fmt: skip
 
 

@@ -7,10 +7,12 @@ interval arithmetic in midpoint-radius form, and on discs of the complex plane i
 piece, from which the remainder of its Chebyshev interpolant follows.
 
 Centres are rounded to nearest, u = 2⁻⁵³; a radius is computed in at most a dozen such operations on numbers that are
-not negative, and multiplied by 1 + 2⁻⁴⁸. Sines, cosines, arc tangents, exponentials and hyperbolic functions of the
-library are taken to be within four units in the last place.
+not negative, and multiplied by 1 + 2⁻⁴⁸. Sines, cosines, arc tangents, exponentials and hyperbolic functions of NumPy
+are taken to be within four units in the last place; few sines, cosines and arc tangents are those of the C library,
+which are within one.
 """
 
+import math
 from math import inf
 
 import numpy as np
@@ -20,10 +22,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# two roundings to nearest of what is computed; one of each operation is there
-EPS = 2.0**-52
+# what an operation rounded to nearest is off, as a share of what it gives
+EPS = 2.0**-53
 # four units in the last place and a little
 LIBRARY = 2.0**-50
+# of so many numbers functions are taken one by one, within one unit in the last place
+FEW = 64
 UP = 1.0 + 2.0**-48
 # more than a product or quotient loses to underflow
 TINY = 1e-300
@@ -138,11 +142,13 @@ class Disc:
 
     def sine(self) -> "Disc":
         """The sines: |sin z − sin m| ≤ |cos m| sinh r + |sin m| (cosh r − 1)."""
-        return _wave(np.sin(self.centre), np.cos(self.centre), self.radius)
+        (sine, slip), (cosine, _) = _library("sin", self.centre), _library("cos", self.centre)
+        return _wave(sine, cosine, self.radius, slip)
 
     def cosine(self) -> "Disc":
         """The cosines: |cos z − cos m| ≤ |sin m| sinh r + |cos m| (cosh r − 1)."""
-        return _wave(np.cos(self.centre), np.sin(self.centre), self.radius)
+        (cosine, slip), (sine, _) = _library("cos", self.centre), _library("sin", self.centre)
+        return _wave(cosine, sine, self.radius, slip)
 
     def exponential(self) -> "Disc":
         """The exponentials."""
@@ -185,23 +191,42 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     """The angles arctan2(y, x), analytic where neither x + iy nor x − iy vanishes; nothing is known across the cut.
 
     2i·arctan2(y, x) = log(x + iy) − log(x − iy), and a logarithm moves by −log(1 − d/ρ) at most when its argument, of
-    magnitude ρ, moves by d.
+    magnitude ρ, moves by d: by d/ρ, and (d/ρ)²/(2(1 − d/ρ)) at most beyond the first order, which is
+    (x dy − y dx)/ρ² of both together.
     """
     y, x = _disc(y), _disc(x)
     away = np.hypot(x.centre, y.centre) * (1.0 - LIBRARY)
     share = (x.radius + y.radius) * UP / np.where(away > 0.0, away, 1.0)
     moved = share == 0.0
     clear = ((x.centre > x.radius) | (np.abs(y.centre) > y.radius) | moved) & (share < 1.0) & (away > 0.0)
-    centre = np.arctan2(y.centre, x.centre)
-    wide = -np.log1p(-np.where(clear, share, 0.0) * UP) * (1.0 + LIBRARY)
-    return Disc(centre, np.where(clear, (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
+    centre, slip = _library("atan2", y.centre, x.centre)
+    share = np.where(clear, share, 0.0)
+    wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
+    first = (np.abs(x.centre) * y.radius + np.abs(y.centre) * x.radius) / np.where(away > 0.0, away * away, 1.0)
+    wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
+    # along the axis there is nothing to turn by
+    wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
+    return Disc(centre, np.where(clear, (wide + slip) * UP + TINY, inf))
 
 
-def _wave(centre: "Any", slope: "Any", radius: "Any") -> Disc:
+def _library(name: str, *arguments: "Any") -> "tuple[Any, Any]":
+    """A function of the C library on a few numbers, of NumPy on many, and what it may be off."""
+    if np.size(arguments[0]) <= FEW and all(np.isfinite(one).all() for one in arguments):
+        whole = np.broadcast_arrays(*arguments)
+        if whole[0].size <= FEW:
+            function = getattr(math, name)
+            values = [function(*numbers) for numbers in zip(*(one.ravel().tolist() for one in whole), strict=True)]
+            made = np.array(values).reshape(whole[0].shape)
+            return made, np.spacing(np.abs(made))
+    made = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
+    return made, LIBRARY * np.abs(made)
+
+
+def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
     half = np.sinh(0.5 * radius)
     # cosh r − 1 = 2 sinh²(r/2), sinh r = 2 sinh(r/2) cosh(r/2)
     wide = 2.0 * half * ((np.abs(slope) + LIBRARY) * np.sqrt(1.0 + half * half) + (np.abs(centre) + LIBRARY) * half)
-    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + LIBRARY * np.abs(centre)) * UP + TINY)
+    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip) * UP + TINY)
 
 
 def _disc(value: "Any") -> Disc:

@@ -17,7 +17,7 @@ from dynamics_cli.cam.rises import rise
 
 FILE = DATA / "cam_motion.json"
 NAMES = ("lift", "velocity", "acceleration", "jerk")
-LIMITS = (1e-15, 1e-15, 5e-15, 5e-14)
+LIMITS = (1e-15, 1e-15, 5e-15, 1e-14)
 
 
 @cache

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     Answer = tuple[str, Callable[[Case], Callable[[], Any]]]
 
 FILE = "cam_motion.json"
-# What the program promises of each, in shares of its peak.
-TARGETS = (1e-15, 1e-15, 5e-15, 5e-14)
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 # The law's powers of x, and its waves a·sin kx and b·cos kx, as textbooks print them.
 POWERS: "dict[str, tuple[float, ...]]" = {
@@ -132,6 +130,15 @@ def peaks(case: Case) -> "tuple[float, ...]":
     return _scaled([max(abs(value) for _, value in extremes(law, order)) or 1.0 for order in range(4)], lift, span)
 
 
+def folded_bounds(case: Case) -> "Values":
+    """What the program states of these values."""
+    from dynamics_cli.cam.rises import _bounds, _point
+
+    law, lift, span, at = _given(case)
+    point = _point(law, at, span, lift, [lift / span**order for order in range(4)], False, None)
+    return tuple(bound.bound for bound in _bounds(law, (point,), span, lift, None, False))
+
+
 METHODS: "tuple[Answer, ...]" = (
     ("folded and factored (chosen)", folded),
     ("one formula, expanded about zero", expanded),
@@ -163,19 +170,22 @@ def by_mechanism(case: Case) -> "Callable[[], Values]":
 def compare(name: str, *, hard: bool, full: bool, timed: bool, peers: "tuple[str, ...]" = ()) -> "list[Row]":
     """Every method on every law; errors in shares of the law's peak of that derivative."""
     methods = (*METHODS, ("mechanism, a table of the turn", by_mechanism)) if "mechanism" in peers else METHODS
-    return compared(name, "rise", methods, peaks, hard=hard, full=full, timed=timed)
+    return compared(name, "rise", methods, peaks, folded_bounds, hard=hard, full=full, timed=timed)
 
 
 def compare_relative(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Relative errors of lift and velocity: the digits left of small values at the ends (others vanish in between)."""
-    return compared(name, "rise", METHODS, None, hard=hard, full=full, timed=timed)
+    return compared(name, "rise", METHODS, None, None, hard=hard, full=full, timed=timed)
 
 
 def compared(
     name: str, task: str, methods: "Sequence[Answer]", scales: "Callable[[Case], Sequence[float]] | None",
-    *, hard: bool, full: bool, timed: bool,
+    bounds: "Callable[[Case], Sequence[float]] | None", *, hard: bool, full: bool, timed: bool,
 ) -> "list[Row]":  # fmt: skip
-    """Rows for methods that give lift and derivatives; errors in shares of `scales`, or relative without."""
+    """Rows for methods that give lift and derivatives; errors in shares of `scales`, or relative without.
+
+    `bounds` are what the program states of its own.
+    """
     pace = Pace(full=full)
     cases = [case for case in load(FILE) if case.task == task and (case.hard or not hard)]
     made: list[Row] = []
@@ -191,22 +201,23 @@ def compared(
                 continue
             calls.append(call)
             errors.cases += 1
-            _count(errors, case, values, scales(case) if scales else (), stated="chosen" in method)
+            stated = bounds(case) if bounds and "chosen" in method else ()
+            _count(errors, case, values, scales(case) if scales else (), stated)
         some = calls[:: max(1, len(calls) // 20)]
         time = None
         if timed:
             time = seconds(lambda: [call() for call in some], repeats=pace.repeats, least=pace.least) / len(some)  # noqa: B023
         base = base or time
-        made.append(row(name, method, errors, time, base, bound="target"))
+        made.append(row(name, method, errors, time, base))
     return made
 
 
-def _count(errors: Errors, case: Case, values: "Values", scales: "Sequence[float]", *, stated: bool) -> None:
+def _count(errors: Errors, case: Case, values: "Values", scales: "Sequence[float]", stated: "Sequence[float]") -> None:
     for order, (address, value) in enumerate(zip(NAMES, values, strict=True)):
         text = case.results[address]
         where = f"{case.name}: {address}"
         if scales:
             error = DIGITS.subtract(Decimal(value), Decimal(text)).copy_abs()
-            errors.note(where, float(error) / scales[order], TARGETS[order] if stated else None)
+            errors.note(where, float(error) / scales[order], stated[order] / scales[order] if stated else None)
         elif order < 2:
             errors.add(where, value, text, None)

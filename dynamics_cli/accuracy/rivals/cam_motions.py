@@ -137,6 +137,30 @@ def motion_peaks(case: "Case") -> "list[float]":
     return [lift * max(abs(value) for _, value in extremes(law, k)) / span**k for k in range(4)]
 
 
+def polynomial_bounds(case: "Case") -> "list[float]":
+    """What the program's polynomial may be off there."""
+    from dynamics_cli.cam.polynomials import polynomial
+    from dynamics_cli.cam.slips import of_law
+
+    conditions, at = _conditions(case)
+    return of_law(polynomial(conditions), at)
+
+
+def motion_bounds(case: "Case") -> "list[float]":
+    """What the program's motion may be off at that angle."""
+    import numpy as np
+
+    from dynamics_cli.cam.slips import of_part
+
+    motion, theta = _motion(case)
+    worst = [0.0] * 4
+    for part, _ in motion.by_parts(np.array([motion.wrapped(theta)])):
+        place = np.array([theta])
+        own = of_part(part, np.abs(part.local(place)) if part.law_piece is not None else np.zeros(1))
+        worst = [max(one, float(other[0])) for one, other in zip(worst, own, strict=True)]
+    return worst
+
+
 POLYNOMIALS: "tuple[Answer, ...]" = (
     ("exact rationals, about both ends (chosen)", by_rationals),
     ("powers of x, solved in doubles", by_doubles),
@@ -151,9 +175,11 @@ MOTIONS: "tuple[Answer, ...]" = (
 
 def compare_polynomials(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Free polynomials; errors in shares of their peaks."""
-    return compared(name, "polynomial", POLYNOMIALS, polynomial_peaks, hard=hard, full=full, timed=timed)
+    return compared(
+        name, "polynomial", POLYNOMIALS, polynomial_peaks, polynomial_bounds, hard=hard, full=full, timed=timed
+    )
 
 
 def compare_motions(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     """Whole motions; errors in shares of the peaks of the segment."""
-    return compared(name, "motion", MOTIONS, motion_peaks, hard=hard, full=full, timed=timed)
+    return compared(name, "motion", MOTIONS, motion_peaks, motion_bounds, hard=hard, full=full, timed=timed)
