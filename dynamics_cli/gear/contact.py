@@ -4,10 +4,9 @@ The frame: gear 1 at the origin, gear 2 at (a, 0); external gears lie side by si
 other. Everything is found from the profiles themselves, point by point, not from the formulas of the pair.
 """
 
-from math import acos, pi, sqrt
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.flanks import ToothForm
+from dynamics_cli.numerics.elementary import absolute, acos, atan2, pi_beside, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -53,7 +52,7 @@ class Path:
 def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Path:
     """The stretch of the line of action where both flanks are involutes; refuses an open mesh."""
     sum_of_bases = first.base - second.base if second.internal else first.base + second.base
-    reach = abs(sum_of_bases)
+    reach = absolute(sum_of_bases)
     require(
         distance > reach,
         "a centre distance of {0:.9g} mm is less than the {1:.9g} mm that the base circles need",
@@ -62,31 +61,30 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
         code="centre-distance",
     )
     total = sqrt((distance - reach) * (distance + reach))
-    pitch = 2.0 * pi * first.base / first.teeth
-    other = 2.0 * pi * second.base / second.teeth
+    around = 2.0 * pi_beside(first.base)
+    pitch = around * first.base / first.teeth
+    other = around * second.base / second.teeth
     require(
-        abs(pitch - other) <= 1e-12 * pitch,
+        absolute(pitch - other) <= 1e-12 * pitch,
         "the base pitches differ: {0:.12g} mm and {1:.12g} mm",
         1e3 * pitch,
         1e3 * other,
         code="base-pitch",
         hint="both gears need one module and one pressure angle",
     )
-    tip_end = first.base * first.roll(first.tip)
-    form_start = first.base * _form_roll(first)
+    tip_end, form_start = first.length(first.tip), _form_length(first)
     if second.internal:
-        tip_start = total_of_internal(second.base * second.roll(second.tip), total)
-        form_end = total_of_internal(second.base * second.roll(second.form), total)
+        tip_start = total_of_internal(second.length(second.tip), total)
+        form_end = total_of_internal(second.length(second.form), total)
     else:
-        tip_start = total - second.base * second.roll(second.tip)
-        form_end = total - second.base * _form_roll(second)
+        tip_start, form_end = total - second.length(second.tip), total - _form_length(second)
     return Path(
         start=max(tip_start, form_start),
         end=min(tip_end, form_end),
         tip_start=tip_start,
         tip_end=tip_end,
         total=total,
-        pressure_angle=acos(reach / distance),
+        pressure_angle=atan2(total, reach),
         pitch=pitch,
     )
 
@@ -96,8 +94,8 @@ def total_of_internal(length: float, total: float) -> float:
     return length - total
 
 
-def _form_roll(form: ToothForm) -> float:
-    return form.junction.roll if form.junction is not None else form.roll(form.form)
+def _form_length(form: ToothForm) -> float:
+    return form.base * form.junction.roll if form.junction is not None else form.length(form.form)
 
 
 def transmission_error(
@@ -138,7 +136,9 @@ def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
     length = first.base * (path.pressure_angle + first.half_base)
     if second.internal:
         return path.pressure_angle + second.half_base - (length + path.total) / second.base
-    return (path.total - length) / second.base - path.pressure_angle - second.half_base + pi / second.teeth
+    return (
+        (path.total - length) / second.base - path.pressure_angle - second.half_base + pi_beside(length) / second.teeth
+    )
 
 
 def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
@@ -148,7 +148,7 @@ def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
     """
     own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
     other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
-    if not second.internal or abs(own) >= 1.0 or abs(other) >= 1.0:
+    if not second.internal or absolute(own) >= 1.0 or absolute(other) >= 1.0:
         return float("inf")
     # the corners' angles from the line of centres, turned back to where the tooth and the space lie on it
     pinion = acos(own) - first.half_angle(first.roll(first.tip))

@@ -4,11 +4,12 @@ from math import pi
 
 from dynamics_cli.gear.gear import FULL_DEPTH, Hand, Pitch, Profile, Sign
 from dynamics_cli.gear.gear_data import GearData
-from dynamics_cli.gear.limits import plain
 from dynamics_cli.gear.measure import Measurements, measure
+from dynamics_cli.gear.rounding import bare, carried, error_of
 from dynamics_cli.gear.single import helical
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Teeth, Text
-from dynamics_cli.records import Advice, record
+from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ class DataBlock:
 
     rows: tuple[DataRow, ...]
     advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
 
 
 def data_block(
@@ -143,7 +145,8 @@ def data_block(
 
     Notes
     -----
-    Values are rounded, as a drawing has them; `gear helical` and `gear measure` have them in full.
+    Values are rounded, as a drawing has them, and each row's bound is what its decimals leave out with what the
+    calculation may be off; `gear helical` and `gear measure` have them in full.
 
     References
     ----------
@@ -168,21 +171,22 @@ def data_block(
         "shift_sign": shift_sign,
         "pressure_angle": pressure_angle,
     }
-    gear = helical(hand=hand, **same)  # type: ignore[arg-type]
+    same = carried(same)
+    gear = helical(hand=hand, **same)
     sizes = measure(
-        face_width=face_width,
+        face_width=carried(face_width),
         over=over,
-        pin=pin,
-        upper_allowance=upper_allowance,
-        lower_allowance=lower_allowance,
-        **same,  # type: ignore[arg-type]
+        pin=carried(pin),
+        upper_allowance=carried(upper_allowance),
+        lower_allowance=carried(lower_allowance),
+        **same,
     )
     lines = _Lines(min(decimals, 9))
     lines.number("Number of teeth", "z", -teeth if internal else teeth)
     lines.length("Normal module", "m_n", gear.normal_module)
     lines.angle("Normal pressure angle", "α_n", pressure_angle)
     lines.word("Basic rack", "", _rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
-    lines.angle("Helix angle", "β", abs(plain(helix_angle)))
+    lines.angle("Helix angle", "β", abs(helix_angle))
     if gear.hand is not None:
         lines.word("Hand of helix", "", str(gear.hand))
         lines.length("Lead", "p_z", gear.lead)
@@ -194,13 +198,13 @@ def data_block(
     lines.number("Teeth of mating gear", "z₂", mate_teeth)
     lines.word("Drawing of mating gear", "", drawing_number)
     lines.length("Centre distance", "a_w", centre_distance)
-    return DataBlock(tuple(lines.rows), gear.advice)
+    return DataBlock(tuple(lines.rows), gear.advice, Numerics("rounded to the decimals asked for", tuple(lines.bounds)))
 
 
 def _rack_name(profile: str, *factors: float | None) -> str:
     name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
     own = [
-        f"{symbol} {plain(factor):g}"
+        f"{symbol} {factor:g}"
         for symbol, factor in zip(("h_a*", "h_fP*", "ρ_fP*"), factors, strict=True)
         if factor is not None
     ]
@@ -240,6 +244,7 @@ class _Lines:
     def __init__(self, decimals: int) -> None:
         self.decimals = decimals
         self.rows: list[DataRow] = []
+        self.bounds: list[ErrorBound] = []
 
     def word(self, item: str, symbol: str, text: str, unit: str = "") -> None:
         """A line, unless it is empty."""
@@ -251,15 +256,23 @@ class _Lines:
         if value is not None:
             self.word(item, symbol, str(value))
 
-    def factor(self, item: str, symbol: str, value: float) -> None:
+    def factor(self, item: str, symbol: str, value: "Any") -> None:
         """A pure number."""
-        self.word(item, symbol, f"{plain(value):+.{self.decimals}f}")
+        self._decimal(item, symbol, value, "+", "")
 
     def length(self, item: str, symbol: str, value: "Any") -> None:
         """A length in mm."""
         if value is not None:
-            self.word(item, symbol, f"{1e3 * plain(value):.{self.decimals}f}", "mm")
+            self._decimal(item, symbol, 1e3 * value, "", "mm")
 
     def angle(self, item: str, symbol: str, value: "Any") -> None:
         """An angle in degrees."""
-        self.word(item, symbol, f"{_DEGREES * plain(value):.{self.decimals}f}", "deg")
+        self._decimal(item, symbol, _DEGREES * value, "", "deg")
+
+    def _decimal(self, item: str, symbol: str, value: "Any", sign: str, unit: str) -> None:
+        """A number to so many decimals; its bound: what they leave out, what it was off, and changes of unit."""
+        number = bare(value)
+        text = f"{number:{sign}.{self.decimals}f}"
+        off = abs(float(text) - number) + error_of(value) + 4.0 * UNIT_ROUNDOFF * abs(number)
+        self.bounds.append(ErrorBound(f"rows[{len(self.rows)}].data", off, relative=False))
+        self.word(item, symbol, text, unit)

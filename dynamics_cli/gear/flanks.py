@@ -8,7 +8,7 @@ from math import ceil, pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.trochoid import Cutter, Root, root
-from dynamics_cli.numerics.elementary import atan, sqrt
+from dynamics_cli.numerics.elementary import atan, pi_beside, sqrt
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -68,10 +68,13 @@ class ToothForm:
     junction: Root | None = None
     fillet: float = 0.0
 
+    def length(self, radius: float) -> float:
+        """Length of the line of action from the base circle to a radius."""
+        return sqrt((radius - self.base) * (radius + self.base))
+
     def roll(self, radius: float) -> float:
         """Roll angle t of the involute at a radius."""
-        ratio = radius / self.base
-        return sqrt((ratio - 1.0) * (ratio + 1.0))
+        return self.length(radius) / self.base
 
     def half_angle(self, roll: float) -> float:
         """Half the angle of the tooth (of the space of an internal gear) where the involute has this roll angle."""
@@ -99,7 +102,7 @@ def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm
         tip=tip_radius,
         form=form,
         root=cutter.root_radius * module,
-        half_base=pi / cutter.teeth - cutter.space_half_angle,
+        half_base=pi_beside(module) / cutter.teeth - cutter.space_half_angle,
         cutter=cutter,
         junction=junction,
     )
@@ -152,7 +155,7 @@ def internal_form(
 def _with_tip(shape: ToothForm) -> ToothForm:
     half = shape.half_angle(shape.roll(shape.tip))
     if shape.internal:
-        half = pi / shape.teeth - half
+        half = pi_beside(half) / shape.teeth - half
     require(
         half > -_NO_LAND,
         "the teeth are pointed below their tips: half the tip angle would be {0:.6g} rad",
@@ -176,7 +179,7 @@ def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
         code="fillet",
         hint="give a smaller one",
     )
-    return centre, pi / shape.teeth - half
+    return centre, pi_beside(half) / shape.teeth - half
 
 
 @record

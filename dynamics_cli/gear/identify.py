@@ -4,8 +4,10 @@ from math import pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.gear import SERIES_I, SERIES_II
+from dynamics_cli.gear.limits import plain
+from dynamics_cli.gear.rounding import like
 from dynamics_cli.gear.toothing import Toothing
-from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, sin, sqrt
 from dynamics_cli.quantities import Angle, Coordinate, Count, Module, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
@@ -14,13 +16,11 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
-INCH = 0.0254
 SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
 DIAMETRAL_PITCHES = (
     1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
     32, 36, 40, 44, 48, 56, 64, 72, 80, 96, 120,
 )  # fmt: skip
-ADDENDA = (1.0, 0.8)
 COMMON_SHIFT = 1.0
 
 
@@ -167,23 +167,22 @@ def identify(
         code="spans",
         hint="give a second span over one tooth more, or the tip diameter",
     )
-    pitch, room = _base_pitch(spans, reading)
-    found = sorted(
-        _candidates(teeth, spans, tip_diameter, helix_angle, reading, pitch, room), key=lambda one: one.disagreement
-    )
+    readings = _Readings(teeth, spans, tip_diameter, helix_angle, reading)
+    names = _chosen(readings.plain())
     require(
-        bool(found),
+        bool(names),
         "no standard gear of {0} teeth has a base pitch near {1:.6g} mm",
         teeth,
-        1e3 * (pitch or 0.0),
+        1e3 * plain(readings.pitch or 0.0),
         code="no-candidate",
     )
-    fitting = sum(one.disagreement <= 1.0 for one in found)
+    fitting = sum(off <= 1.0 for off, _, _, _ in names)
+    shown = tuple(_candidate(readings, name, size, degrees) for _, name, size, degrees in names[:count])
     return Identified(
-        candidates=tuple(found[:count]),
-        base_pitch=pitch,
+        candidates=shown,
+        base_pitch=readings.pitch,
         fitting=fitting,
-        checks=_checks(teeth, helix_angle, found[0], spans, reading),
+        checks=_checks(readings, shown[0]),
         advice=_advice(fitting, tip_diameter),
     )
 
@@ -199,7 +198,7 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
     for one in ordered[1:-1]:
         off = one.length - ordered[0].length - (one.over - ordered[0].over) * pitch
         require(
-            abs(off) <= 3.0 * reading,
+            absolute(off) <= 3.0 * reading,
             "the span over {0} teeth is {1:.6g} mm off the line of the others",
             one.over,
             1e3 * off,
@@ -209,64 +208,120 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
     return pitch, 2.0 * reading / steps
 
 
-def _sizes() -> "Iterator[tuple[str, float]]":
+def _sizes() -> "Iterator[tuple[str, int, int]]":
+    """Name, and the module in metres as a fraction."""
     for module in (*SMALL_MODULES, *SERIES_I, *SERIES_II):
-        yield f"module {module:g}", 1e-3 * module
+        # none has more than three decimals of a millimetre
+        yield f"module {module:g}", round(1000 * module), 1_000_000
     for diametral in DIAMETRAL_PITCHES:
-        yield f"{diametral:g} DP", INCH / diametral
+        yield f"{diametral:g} DP", 2540, round(100_000 * diametral)
 
 
-def _candidates(
-    teeth: int,
-    spans: tuple[SpanRead, ...],
-    tip_diameter: float | None,
-    helix_angle: float,
-    reading: float,
-    pitch: float | None,
-    room: float,
-) -> "Iterator[Candidate]":
-    from dynamics_cli.gear.sizes import span_length
+class _Readings:
+    """What was read of the gear, and what it is good for."""
 
-    bare = []
+    def __init__(
+        self,
+        teeth: int,
+        spans: tuple[SpanRead, ...],
+        tip_diameter: float | None,
+        helix_angle: float,
+        reading: float,
+    ) -> None:
+        self.teeth = teeth
+        self.spans = spans
+        self.tip_diameter = tip_diameter
+        self.helix_angle = helix_angle
+        self.reading = reading
+        self.pitch, self.room = _base_pitch(spans, reading)
+
+    def plain(self) -> "_Readings":
+        """The same in plain doubles."""
+        spans = tuple(SpanRead(one.over, plain(one.length)) for one in self.spans)
+        tip = None if self.tip_diameter is None else plain(self.tip_diameter)
+        return _Readings(self.teeth, spans, tip, plain(self.helix_angle), plain(self.reading))
+
+    def mean(self) -> float:
+        """The mean of the spans."""
+        return sum(one.length for one in self.spans) / len(self.spans)
+
+    def bare(self, angle: float) -> float:
+        """The same mean of a gear of module one without shift: m times this, and 2 x m sin α more, is a span."""
+        from dynamics_cli.gear.sizes import span_length
+
+        unit = Toothing(self.teeth, False, like(1.0, angle), angle, self.helix_angle, 0.0, 1.0, 1.0)
+        return sum(span_length(unit, one.over) for one in self.spans) / len(self.spans)
+
+
+def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
+    """What fits, best first: disagreement, name, module as a fraction, and pressure angle in degrees."""
+    found = []
+    mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
         angle = degrees * pi / 180.0
-        unit = Toothing(teeth, False, 1.0, angle, helix_angle, 0.0, 1.0, 1.0)
-        # of module one and without shift: m times this, and 2 x m sin α more, is a span
-        bare.append((degrees, angle, sum(span_length(unit, one.over) for one in spans) / len(spans)))
-    read = sum(one.length for one in spans) / len(spans)
-    for name, module in _sizes():
-        for degrees, angle, length in bare:
-            own = pi * module * cos(angle)
-            error = None if pitch is None else pitch - own
-            if error is not None and abs(error) > 6.0 * room:
+        bare = read.bare(angle)
+        for name, *size in sizes:
+            module = size[0] / size[1]
+            error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
+            if error is not None and abs(error) > 6.0 * read.room:
                 continue
-            shift = (read / module - length) / (2.0 * sin(angle))
+            shift = (mean / module - bare) / (2.0 * sin(angle))
             if abs(shift) > 2.5:
                 continue
-            addendum = None
-            off = 0.0 if error is None else error * error / (room * room)
-            off += 0.2 * shift * shift + 25.0 * max(0.0, abs(shift) - COMMON_SHIFT) ** 2
-            if tip_diameter is not None:
-                addendum = 0.5 * tip_diameter / module - 0.5 * teeth / cos(helix_angle) - shift
-                known = 3.0 * reading / module / (2.0 * sin(angle)) + 0.02
-                off += min(((addendum - usual) / known) ** 2 + (0.25 if usual != 1.0 else 0.0) for usual in ADDENDA)
-            # what is rare counts a little
-            off += 0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2
+            off, _ = _disagreement(read, module, angle, degrees, shift, error)
             if off < 1e4:
-                yield Candidate(name, module, angle, shift, addendum, error, off**0.5)
+                found.append((sqrt(off), name, (size[0], size[1]), degrees))
+    # of equal ones the size listed first
+    order = {name: place for place, (name, *_) in enumerate(sizes)}
+    return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
-def _checks(
-    teeth: int, helix_angle: float, best: Candidate, spans: tuple[SpanRead, ...], reading: float
-) -> tuple[Check, ...]:
+def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
+    """One of the chosen, in the numbers that were read: of its standard size and angle doubles are rounded too."""
+    mean = read.mean()
+    module = like(float(size[0]), mean) / float(size[1])
+    angle = like(degrees, mean) * pi_beside(mean) / 180.0
+    error = None if read.pitch is None else read.pitch - pi_beside(mean) * module * cos(angle)
+    shift = (mean / module - read.bare(angle)) / (2.0 * sin(angle))
+    off, addendum = _disagreement(read, module, angle, degrees, shift, error)
+    return Candidate(name, module, angle, shift, addendum, error, sqrt(off))
+
+
+def _disagreement(
+    read: _Readings, module: float, angle: float, degrees: float, shift: float, error: float | None
+) -> tuple[float, float | None]:
+    """The square of how far a candidate is off, and its addendum."""
+    off = 0.0 if error is None else error * error / (read.room * read.room)
+    beyond = maximum(absolute(shift) - COMMON_SHIFT, 0.0)
+    off = off + 0.2 * shift * shift + 25.0 * beyond * beyond
+    addendum = None
+    if read.tip_diameter is not None:
+        addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
+        known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
+        # of full depth, or a stub's 4/5
+        full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
+        off = off + minimum(full * full, stub * stub + 0.25)
+    # what is rare counts a little
+    return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
+
+
+def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
     """The spans of the best candidate against what was read."""
     from dynamics_cli.gear.sizes import span_length
 
-    gear = Toothing(teeth, False, best.module, best.pressure_angle, helix_angle, best.profile_shift, 1.0, 1.0)
-    worst = max(abs(span_length(gear, one.over) - one.length) for one in spans)
-    return (
-        Check("spans of the best candidate against the readings [m]", worst <= 6.0 * reading, worst, 6.0 * reading),
+    gear = Toothing(
+        read.teeth,
+        False,
+        best.module,
+        best.pressure_angle,
+        plain(read.helix_angle),
+        plain(best.profile_shift),
+        1.0,
+        1.0,
     )
+    worst = max(abs(span_length(gear, one.over) - plain(one.length)) for one in read.spans)
+    room = 6.0 * plain(read.reading)
+    return (Check("spans of the best candidate against the readings [m]", worst <= room, worst, room),)
 
 
 def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:

@@ -1,14 +1,15 @@
 """Whether two gears run without interfering: each verdict with the length that decides it.
 
-Along the path of contact the deciding numbers are differences of radii of curvature. For an internal gear the corner of
-the pinion's tip is followed through the ring's space, and the least clearance is found by a bracketed search, for
-running (trochoid interference) and for putting the pinion in radially (trimming).
+Along the path of contact the deciding numbers are differences of radii of curvature. For an internal gear the corner
+of the pinion's tip is followed through the ring's space, and the least clearance is found where its slope changes sign,
+for running (trochoid interference) and for putting the pinion in radially (trimming).
 """
 
 from math import pi
 
 from dynamics_cli.gear.engagement import Engagement, Path
-from dynamics_cli.gear.limits import bare, plain
+from dynamics_cli.gear.limits import bare, bisect, plain
+from dynamics_cli.gear.rounding import like
 from dynamics_cli.gear.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import (
     acos,
@@ -16,7 +17,6 @@ from dynamics_cli.numerics.elementary import (
     atan2,
     cos,
     hypot,
-    known_in_doubles,
     maximum,
     minimum,
     pi_beside,
@@ -29,7 +29,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-_GOLDEN = 0.6180339887498949
 _SAMPLES = 48
 
 
@@ -74,8 +73,8 @@ def verdicts(mesh: Engagement, path: Path) -> tuple[Verdict, ...]:
         running, pushing = (
             _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
         )
-        found.append(("trochoid: the pinion's tip past the ring's", known_in_doubles(corner.clearance(running))))
-        found.append(("trimming: the pinion put in radially", known_in_doubles(corner.sideways(pushing))))
+        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
+        found.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
     return tuple(Verdict(kind, plain(margin) >= 0.0, margin) for kind, margin in found)
 
 
@@ -97,13 +96,17 @@ class _Corner:
         self.distance = -mesh.centre_distance
         self.pinion = 0.5 * first.tip_diameter
         self.ring = -0.5 * second.tip_diameter
-        self.share = -first.teeth / second.teeth
+        self.teeth = first.teeth, -second.teeth
         self.half = first.base_half_angle - roll_less_arc(first.tip_roll)
         self.second = second
         self.space = second.base_half_angle - pi_beside(second.base_half_angle) / second.teeth
         # the corner ends its contact where its pressure angle has taken it past the line of centres
         self.parting = atan(first.tip_roll) - mesh.angle - self.half
         self.ring_half = self.space - roll_less_arc(second.tip_roll)
+
+    def _follow(self, turn: float) -> float:
+        """How far the ring turns; of an exact angle nothing is rounded away in numbers of more digits."""
+        return turn * self.teeth[0] / self.teeth[1]
 
     def _place(self, turn: float) -> tuple[float, float]:
         angle = turn + self.half
@@ -113,19 +116,35 @@ class _Corner:
         """Arc between the corner and the ring's flank, or its tip's corner inside the tip circle."""
         x, y = self._place(turn)
         radius = hypot(x, y)
+        return radius * (self._follow(turn) + self._half_space(radius) - atan2(y, x))
+
+    def _half_space(self, radius: float) -> float:
         if plain(radius) > plain(self.ring):
-            half = self.space - roll_less_arc(self.second.roll(2.0 * radius))
-        else:
-            half = self.ring_half
-        return radius * (turn * self.share + half - atan2(y, x))
+            return self.space - roll_less_arc(self.second.roll(2.0 * radius))
+        return self.ring_half
+
+    def clearance_slope(self, turn: float) -> float:
+        """How the clearance grows with the turn: the radius shrinks by a·sin θ, the angles by what each is of it."""
+        x, y = self._place(turn)
+        radius = hypot(x, y)
+        along = -self.distance * y / radius
+        arc = self._follow(turn) + self._half_space(radius) - atan2(y, x)
+        roll = self.second.roll(2.0 * radius) if radius > self.ring else 0.0
+        round_ = self.pinion * self.pinion + self.distance * (x - self.distance)
+        return along * (arc - roll) + radius * self._follow(1.0) - round_ / radius
 
     def sideways(self, turn: float) -> float:
         """How much nearer the line of centres the pinion's corner is than the ring's."""
-        return self.ring * sin(turn * self.share + self.ring_half) - self.pinion * sin(turn + self.half)
+        return self.ring * sin(self._follow(turn) + self.ring_half) - self.pinion * sin(turn + self.half)
+
+    def sideways_slope(self, turn: float) -> float:
+        """How that grows with the turn."""
+        own = self.ring * self._follow(1.0) * cos(self._follow(turn) + self.ring_half)
+        return own - self.pinion * cos(turn + self.half)
 
     def ahead(self, turn: float) -> float:
         """How far the pinion's corner reaches beyond the ring's along the line of centres."""
-        return self._place(turn)[0] - self.ring * cos(turn * self.share + self.ring_half)
+        return self._place(turn)[0] - self.ring * cos(self._follow(turn) + self.ring_half)
 
 
 def _last_turn(own: _Corner) -> float:
@@ -136,14 +155,18 @@ def _last_turn(own: _Corner) -> float:
 
 
 def _in_numbers_of(corner: _Corner, turn: float, last: float) -> float:
-    """A turn found in plain numbers; where the search ended at the last turn, its rounding is not of second order."""
-    return _last_turn(corner) if turn == last else turn
+    """A turn found in plain numbers, exact as it is: a clearance that is least there is off by the square of its error.
+
+    Where the search ended at the last turn, that turn's rounding counts.
+    """
+    return _last_turn(corner) if turn == last else like(turn, corner.distance)
 
 
 def _least_after_crest(own: _Corner, last: float) -> float:
     """Where the clearance is least after contact has ended and the corner has come free."""
-    crest = extremum(lambda turn: -own.clearance(turn), min(own.parting, last), last)
-    return extremum(own.clearance, crest, last)
+    first = min(own.parting, last)
+    crest = extremum(lambda turn: -own.clearance(turn), lambda turn: -own.clearance_slope(turn), first, last)
+    return extremum(own.clearance, own.clearance_slope, crest, last)
 
 
 def _least_sideways(own: _Corner, last: float) -> float:
@@ -152,25 +175,16 @@ def _least_sideways(own: _Corner, last: float) -> float:
     step = max(0.02, 0.25 * last)
     while own.ahead(high + step) > 0.0 and high + step + own.half < 0.5 * pi:
         high += step
-    return extremum(own.sideways, 0.0, high)
+    return extremum(own.sideways, own.sideways_slope, 0.0, high)
 
 
-def extremum(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """Where a function is least: the best of a grid brackets it, golden sections narrow the bracket to √ε."""
+def extremum(function: "Callable[[float], float]", slope: "Callable[[float], float]", low: float, high: float) -> float:
+    """Where a function is least: the best of a grid, or where beside that its slope changes sign, to the last bits."""
     step = (high - low) / _SAMPLES
-    values = [function(low + step * k) for k in range(_SAMPLES + 1)]
+    places = [*(low + step * k for k in range(_SAMPLES)), high]
+    values = [function(x) for x in places]
     best = values.index(min(values))
-    a, b = low + step * max(best - 1, 0), low + step * min(best + 1, _SAMPLES)
-    c, d = b - _GOLDEN * (b - a), a + _GOLDEN * (b - a)
-    fc, fd = function(c), function(d)
-    while b - a > 1e-9 * max(abs(low), abs(high)):
-        if fc < fd:
-            b, d, fd = d, c, fc
-            c = b - _GOLDEN * (b - a)
-            fc = function(c)
-        else:
-            a, c, fc = c, d, fd
-            d = a + _GOLDEN * (b - a)
-            fd = function(d)
-    ends = [(function(x), x) for x in (low + step * best, 0.5 * (a + b))]
-    return min(ends)[1]
+    a, b = places[max(best - 1, 0)], places[min(best + 1, _SAMPLES)]
+    if slope(a) < 0.0 < slope(b):
+        return bisect(lambda x: -slope(x), a, b)
+    return places[best]

@@ -1,18 +1,21 @@
 """The proof of a mesh: both exact profiles turned through it, with what they really do."""
 
-from math import cos, pi, sqrt, tan
-
 from dynamics_cli.errors import require
 from dynamics_cli.gear.contact import Path, half_play, path_of_contact, tips_pass, transmission_error
 from dynamics_cli.gear.door import gear_of
 from dynamics_cli.gear.flanks import ToothForm
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
+from dynamics_cli.gear.mesh_advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
+from dynamics_cli.gear.mesh_bounds import mesh_numerics
 from dynamics_cli.gear.profile import tooth_form
-from dynamics_cli.gear.room import least_gaps
+from dynamics_cli.gear.room import flank_gap
+from dynamics_cli.gear.root_gap import least_places, root_gap
+from dynamics_cli.gear.rounding import bare, carried, in_digits, in_many_digits, tighten
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, tan
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Angle, Coordinate, Count, Ratio, Size, Text
-from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, Columns, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,7 +24,6 @@ if TYPE_CHECKING:
 FULL = BasicProfile("a")
 ISO = Sign("iso")
 MOST_POINTS = 10_000_000
-EXACT = 1e-12
 # Chords of the sampled flanks overlap by less than this share of the module where they touch.
 TRIMS = 1e-4
 
@@ -132,8 +134,8 @@ def mesh(
     Equation
     --------
     At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is held
-    against z₁/z₂ times gear 1's. Clearances: every point of a tooth, root trochoid and tip with it, in the space it
-    turns through.
+    against z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and where
+    the flank begins, where the normal passes through the pitch point; tips against the root circle.
 
     Parameters
     ----------
@@ -186,8 +188,9 @@ def mesh(
 
     Notes
     -----
-    Transverse profiles of gears on parallel axes, rigid and exact. Clearances are sampled: their sign is safe where
-    they exceed a millionth of a module.
+    Transverse profiles of gears on parallel axes, rigid and exact. Distances from the roots are those of the exact
+    profiles; overlaps below a millionth of a module do not keep a pair from running. Only whether tips trim flanks
+    beside the line of action is sampled.
 
     References
     ----------
@@ -201,31 +204,29 @@ def mesh(
     """
     require(points >= 2, "{0} points of contact prove nothing", points, code="points", hint="give 2 at least")
     require(points <= MOST_POINTS, "{0} points are too many", points, code="points")
-    first, second = forms_of(
-        first_teeth=first_teeth,
-        second_teeth=second_teeth,
-        pitch=pitch,
-        internal=internal,
-        profile=profile,
-        pressure_angle=pressure_angle,
-        helix_angle=helix_angle,
-        first_profile_shift=first_profile_shift,
-        second_profile_shift=second_profile_shift,
-        shift_sign=shift_sign,
-        addendum_factor=addendum_factor,
-        dedendum_factor=dedendum_factor,
-        root_radius_factor=root_radius_factor,
-        first_tip_diameter=first_tip_diameter,
-        second_tip_diameter=second_tip_diameter,
-    )
-    distance = centre_distance
-    if distance is None:
-        distance = _without_backlash(first, second)
-    path = path_of_contact(first, second, distance)
-    _require_contact(path)
-    bare = first_tip_diameter is None and second_tip_diameter is None and not internal
-    notes = _tip_notes(first, second, distance) if bare else ()
-    return _proof(first, second, distance, path, points, shown, notes)
+    given = {
+        "first_teeth": first_teeth,
+        "second_teeth": second_teeth,
+        "pitch": pitch,
+        "internal": internal,
+        "profile": profile,
+        "pressure_angle": pressure_angle,
+        "helix_angle": helix_angle,
+        "first_profile_shift": first_profile_shift,
+        "second_profile_shift": second_profile_shift,
+        "shift_sign": shift_sign,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "first_tip_diameter": first_tip_diameter,
+        "second_tip_diameter": second_tip_diameter,
+    }
+    known = _Known(carried(given), carried(centre_distance))
+    exact = in_digits(lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places))
+    if exact is not None:
+        tighten(known.numbers(), exact.numbers())
+    bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
+    return _proof(known, exact, points, shown, bare_tips)
 
 
 def forms_of(
@@ -250,13 +251,12 @@ def forms_of(
     )
 
 
-def _without_backlash(first: ToothForm, second: ToothForm) -> float:
+def without_backlash(first: ToothForm, second: ToothForm) -> float:
     """The centre distance at which the flanks touch on both sides: thicknesses and pitch on the working circles."""
     sign = -1.0 if second.internal else 1.0
-    if second.internal:
-        value = (second.teeth * second.half_base - first.teeth * first.half_base) / (second.teeth - first.teeth)
-    else:
-        value = (first.teeth * first.half_base + second.teeth * second.half_base - pi) / (first.teeth + second.teeth)
+    total = first.teeth + sign * second.teeth
+    thick = first.teeth * first.half_base + sign * (second.teeth * second.half_base)
+    value = (thick if second.internal else thick - pi_beside(thick)) / total
     require(
         value >= 0.0,
         "inv α_w would be {0:.6g}: these gears cannot mesh without backlash",
@@ -264,7 +264,7 @@ def _without_backlash(first: ToothForm, second: ToothForm) -> float:
         code="no-working-angle",
         hint="raise the sum of the profile shifts",
     )
-    return abs(first.base + sign * second.base) / cos(inverse_involute(value))
+    return absolute(first.base + sign * second.base) / cos(inverse_involute(value))
 
 
 def _require_contact(path: Path) -> None:
@@ -278,72 +278,106 @@ def _require_contact(path: Path) -> None:
     )
 
 
-def _proof(
-    first: ToothForm, second: ToothForm, distance: float, path: Path, points: int, shown: int, notes: tuple[Advice, ...]
-) -> MeshProof:
+def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
+    """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
     import numpy as np
 
-    lengths, error = transmission_error(first, second, distance, path, points)
+    first, second, plain = bare(known.first), bare(known.second), bare(known.path)
+    apart = bare(known.results["centre_distance"])
+    lengths, error = transmission_error(first, second, apart, plain, points)
     worst = float(np.max(np.abs(error)))
-    play = half_play(first, second, path)
-    backlash = 2.0 * play * second.base
-    inward, own = least_gaps(first, second, distance, max(play, 0.0))
-    outward, other = least_gaps(second, first, distance, max(play, 0.0) * second.teeth / first.teeth)
-    # a jam makes the flanks overlap by itself
-    trimmed = max(0.0, -min(own, other) - max(0.0, -backlash), -tips_pass(first, second, distance) - EXACT)
-    clearances = _tip_clearances(first, second, distance)
-    ratio = (path.end - path.start) / path.pitch
-    jam = -EXACT * distance
-    room = -1e-6 * first.module
-    gaps = {"gear 1 in the root of gear 2": inward, "gear 2 in the root of gear 1": outward}
-    trims = trimmed > TRIMS * first.module or tips_pass(first, second, distance) < -EXACT
-    runs = ratio >= 1.0 and backlash >= jam and min(inward, outward, *clearances) >= room and not trims
+    jammed = max(0.0, -bare(known.backlash))
+    trimmed = max(
+        0.0, -_beside(first, second, apart, bare(known.play)) - jammed, -tips_pass(first, second, apart) - EXACT
+    )
+    trims = trimmed > TRIMS * first.module or tips_pass(first, second, apart) < -EXACT
+    found = {name: bare(value) for name, value in known.results.items()}
+    gaps = {"gear 1 in the root of gear 2": known.inward, "gear 2 in the root of gear 1": known.outward}
+    overlaps = {where: bare(gap) for where, gap in gaps.items() if gap is not None}
+    clearances = found["first_tip_clearance"], found["second_tip_clearance"]
+    room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
+    runs = found["contact_ratio"] >= 1.0 and found["backlash"] >= -EXACT * apart and room and not trims
     picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
+    path = _points(first, second, plain, lengths[picks], error[picks])
+    shares = len(lengths) - 1, picks.tolist()
+    notes = tip_notes(first, second, apart) if bare_tips else ()
     return MeshProof(
-        centre_distance=distance,
-        working_pressure_angle=path.pressure_angle,
-        contact_ratio=ratio,
-        nominal_contact_ratio=(path.tip_end - path.tip_start) / path.pitch,
-        begins_at="tip of gear 2" if path.start == path.tip_start else "form circle of gear 1",
-        ends_at="tip of gear 1" if path.end == path.tip_end else "form circle of gear 2",
+        **found,
+        begins_at="tip of gear 2" if plain.start == plain.tip_start else "form circle of gear 1",
+        ends_at="tip of gear 1" if plain.end == plain.tip_end else "form circle of gear 2",
         transmission_error=worst,
         contact_points=len(lengths),
-        backlash=backlash,
-        first_in_second=inward if np.isfinite(inward) else None,
-        second_in_first=outward if np.isfinite(outward) else None,
-        first_tip_clearance=clearances[0],
-        second_tip_clearance=clearances[1],
+        first_in_second=bare(known.inward),
+        second_in_first=bare(known.outward),
         runs=runs,
-        path=_points(first, second, path, lengths[picks], error[picks]),
+        path=path,
         checks=(Check("conjugate action", worst <= EXACT, worst, EXACT),),
-        advice=_advice(path, ratio, backlash, gaps, clearances, first) + (_tips_meet(trimmed) if trims else ()) + notes,
-        numerics=_numerics(first, distance, path),
+        advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
+        + (tips_meet(trimmed) if trims else ())
+        + notes,
+        numerics=mesh_numerics(known, exact, worst, path.arrays, shares),
     )
+
+
+class _Known:
+    """What is known of a mesh in closed form, in numbers that carry rounding bounds."""
+
+    def __init__(
+        self, given: "dict[str, Any]", distance: "float | None", places: "tuple[Any, Any] | None" = None
+    ) -> None:
+        first, second = forms_of(**given)
+        if distance is None:
+            distance = without_backlash(first, second)
+        path = path_of_contact(first, second, distance)
+        _require_contact(path)
+        self.first, self.second, self.path = first, second, path
+        play = half_play(first, second, path)
+        self.backlash = 2.0 * play * second.base
+        self.play = maximum(play, 0.0)
+        self.pitch_point = first.base * tan(path.pressure_angle)
+        clearances = _tip_clearances(first, second, distance)
+        self.results = {
+            "centre_distance": distance,
+            "working_pressure_angle": path.pressure_angle,
+            "contact_ratio": (path.end - path.start) / path.pitch,
+            "nominal_contact_ratio": (path.tip_end - path.tip_start) / path.pitch,
+            "backlash": self.backlash,
+            "first_tip_clearance": clearances[0],
+            "second_tip_clearance": clearances[1],
+        }
+        self._gaps(distance, places)
+
+    def _gaps(self, distance: float, places: "tuple[Any, Any] | None") -> None:
+        first, second, path = self.first, self.second, self.path
+        turned = self.play * (second.teeth / first.teeth)
+        if places is None:
+            one, two, apart = bare(first), bare(second), bare(distance)
+            places = least_places(one, two, apart, bare(self.play)), least_places(two, one, apart, bare(turned))
+        self.places = places
+        # where an involute gets to where the other begins, they touch there by design, or jam
+        touch = minimum(0.5 * self.backlash, 0.0)
+        ends, begins = touch if path.end < path.tip_end else None, touch if path.start > path.tip_start else None
+        into, out = places
+        self.inward = None if into is None else root_gap(first, second, distance, self.play, ends, into)
+        self.outward = None if out is None else root_gap(second, first, distance, turned, begins, out)
+
+    def numbers(self) -> "list[Any]":
+        """Every number whose bound is stated or goes into one."""
+        path = self.path
+        lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
+        return [*self.results.values(), self.inward, self.outward, *lengths]
+
+
+def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
+    """The least distance of either gear's teeth from the other's flanks, beside the line of action."""
+    one = flank_gap(first, second, distance, play)
+    return min(one, flank_gap(second, first, distance, play * second.teeth / first.teeth))
 
 
 def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tuple[float, float]:
     if second.internal:
         return second.root - distance - first.tip, second.tip - distance - first.root
     return distance - first.tip - second.root, distance - second.tip - first.root
-
-
-def _tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
-    """Say so when the tips are left at full height where `gear pair` shortens them."""
-    one, two = first.cutter, second.cutter
-    if one is None or two is None:
-        return ()
-    change = distance - first.module * (one.pitch_radius + two.pitch_radius + one.shift + two.shift)
-    if change > -1e-9 * first.module:
-        return ()
-    tips = [2e3 * (form.tip + change) for form in (first, second)]
-    return (
-        Advice(
-            "full-tips",
-            f"the tips are full height; gear pair shortens them by {-1e3 * change:.6g} mm to keep the tip clearance",
-            "note",
-            f'for its tips --first-tip-diameter "{tips[0]:.9g} mm" --second-tip-diameter "{tips[1]:.9g} mm"',
-        ),
-    )
 
 
 def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, error: object) -> Columns[ContactPoint]:
@@ -357,86 +391,4 @@ def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, er
         first_diameter=2.0 * np.hypot(first.base, own),
         second_diameter=2.0 * np.hypot(second.base, other),
         error=error,
-    )
-
-
-def _advice(
-    path: Path,
-    ratio: float,
-    backlash: float,
-    gaps: "dict[str, float]",
-    clearances: tuple[float, float],
-    first: ToothForm,
-) -> tuple[Advice, ...]:
-    found = []
-    if ratio < 1.0:
-        found.append(
-            Advice(
-                "open-mesh",
-                f"the contact ratio is {ratio:.6g}: between one pair of teeth and the next nothing is in contact",
-                "serious",
-                "bring the gears closer together, or give them higher teeth",
-            )
-        )
-    if backlash < -EXACT:
-        found.append(
-            Advice(
-                "jam",
-                f"the teeth are {-1e3 * backlash:.6g} mm too thick along the line of action",
-                "serious",
-                "raise the centre distance, or lower the profile shifts",
-            )
-        )
-    for where, gap in gaps.items():
-        if gap < -1e-6 * first.module:
-            found.append(
-                Advice(
-                    "interference",
-                    f"{where}: the profiles overlap by {-1e3 * gap:.6g} mm",
-                    "serious",
-                    "shorten the tips",
-                )
-            )
-    for which, clearance in zip(("gear 1", "gear 2"), clearances, strict=True):
-        if clearance < 0.0:
-            message = f"the tips of {which} reach {-1e3 * clearance:.6g} mm into the root circle"
-            found.append(Advice("tip-clearance", message, "serious", "shorten the tips"))
-    if path.start > path.tip_start + EXACT:
-        lost = 1e3 * (path.start - path.tip_start)
-        found.append(
-            Advice(
-                "clipped", f"the tip of gear 2 meets no involute for {lost:.6g} mm: it is below gear 1's form circle"
-            )
-        )
-    if path.end < path.tip_end - EXACT:
-        lost = 1e3 * (path.tip_end - path.end)
-        found.append(
-            Advice("clipped", f"the tip of gear 1 meets no involute for {lost:.6g} mm: it is past gear 2's form circle")
-        )
-    return tuple(found)
-
-
-def _tips_meet(overlap: float) -> tuple[Advice, ...]:
-    message = f"off the line of action the tips overlap the flanks they pass by {1e3 * overlap:.6g} mm"
-    return (Advice("tip-interference", message, "serious", "shorten the tips, or make the tooth numbers differ more"),)
-
-
-def _numerics(first: ToothForm, distance: float, path: Path) -> Numerics:
-    # absolute bounds are in the unit shown, at most a thousand to the metre
-    # α_w = acos(Σr_b/a): a rounding of a is worth cot α_w of it
-    angle = path.pressure_angle
-    spread = 8.0 * 2.0**-53 / max(tan(angle), 1e-8)
-    ratio = (path.end - path.start) / path.pitch
-    loose = 2.0**-50 * (distance / path.pitch) * (1.0 + 1.0 / max(tan(angle), 1e-8)) / ratio
-    return Numerics(
-        "profiles turned point by point",
-        (
-            ErrorBound("centre_distance", 2.0**-49),
-            ErrorBound("working_pressure_angle", spread / max(angle, 1e-8) + 2.0**-50),
-            ErrorBound("contact_ratio", loose),
-            ErrorBound("nominal_contact_ratio", loose),
-            # it is none at all; what is found is rounding, and checked to be
-            ErrorBound("transmission_error", EXACT, relative=False),
-            ErrorBound("backlash", 2.0**-48 * (distance + sqrt(first.base * distance)), relative=False),
-        ),
     )

@@ -173,6 +173,9 @@ def rack_outline(cutter: "Cutter", module: float, addendum: float, teeth: int) -
             (x + 0.25 * pi + depth * slope, -depth),
             (x + root_half, -cutter.dedendum),
         ]
+        if rho == 0.0:
+            # flank and root land meet in one corner, to the bit
+            right[1] = right[2]
         left = [(2.0 * x - px, py) for px, py in reversed(right)]
         tooth = [(module * px, module * py) for px, py in left + right]
         if last is not None and abs(last[0] - tooth[0][0]) > _NO_LAND * module:

@@ -6,9 +6,11 @@ from dynamics_cli.gear.flanks import ToothForm, external_form, internal_form
 from dynamics_cli.gear.gear import FULL_DEPTH, Pitch, Sign
 from dynamics_cli.gear.gear import Profile as BasicProfile
 from dynamics_cli.gear.outline import gear_outline, rack_outline
+from dynamics_cli.gear.rounding import bare, carried, error_of, in_digits, in_many_digits, share, tighten
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Count, Ratio, Size
-from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,7 +20,9 @@ if TYPE_CHECKING:
 ONE_MICROMETRE = 1e-6
 # Finer than this the rounding of coordinates would be a part of the deviation.
 FINEST = 1e-12
-
+# A form circle's bound of more half last bits than this is measured.
+LOOSE = 20.0
+CIRCLES = ("tip", "root", "base", "form")
 
 FULL = BasicProfile("a")
 ISO = Sign("iso")
@@ -176,20 +180,21 @@ def profile(
     require(
         not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
     )
-    made = gear_of(
-        teeth=max(teeth, 3) if rack else teeth,
-        pitch=pitch,
-        profile=profile,
-        pressure_angle=pressure_angle,
-        addendum_factor=addendum_factor,
-        dedendum_factor=dedendum_factor,
-        root_radius_factor=root_radius_factor,
-        helix_angle=helix_angle,
-        profile_shift=0.0 if rack else profile_shift,
-        internal=internal,
-        sign=shift_sign,
-    )
+    given = {
+        "teeth": max(teeth, 3) if rack else teeth,
+        "pitch": pitch,
+        "profile": profile,
+        "pressure_angle": pressure_angle,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "helix_angle": helix_angle,
+        "profile_shift": 0.0 if rack else profile_shift,
+        "internal": internal,
+        "sign": shift_sign,
+    }
     if rack:
+        made = gear_of(**given)  # type: ignore[arg-type]
         cutter = made.cutter
         require(
             cutter.corner_offset >= 0.0,
@@ -199,16 +204,23 @@ def profile(
         )
         outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
         return _result(outline, 4 * teeth, None, None)
-    form = tooth_form(made, tip_diameter, root_radius_factor)
-    outline, points = gear_outline(form, tolerance, teeth=only_teeth)
+    form = tooth_form(gear_of(**carried(given)), carried(tip_diameter), carried(root_radius_factor))
+    if error_of(form.form) > LOOSE * UNIT_ROUNDOFF * bare(form.form):
+        more = [in_many_digits(part) for part in (given, tip_diameter, root_radius_factor)]
+        exact = in_digits(lambda: tooth_form(gear_of(**more[0]), *more[1:]))
+        if exact is not None:
+            tighten((form.form,), (exact.form,))
+    outline, points = gear_outline(bare(form), tolerance, teeth=only_teeth)
     return _result(outline, points, form, tolerance)
 
 
 def _result(outline: "Outline", points: int, form: ToothForm | None, tolerance: float | None) -> GearProfile:
+    """The answer; the form's numbers carry rounding bounds."""
     undercut = form.junction.undercut if form is not None and form.junction is not None else None
     advice: tuple[Advice, ...] = ()
     if undercut and form is not None and form.junction is not None:
-        advice = (_undercut_advice(form),)
+        advice = (_undercut_advice(bare(form)),)
+    diameters = {} if form is None else {f"{name}_diameter": 2.0 * getattr(form, name) for name in CIRCLES}
     checks: tuple[Check, ...] = ()
     if tolerance is not None:
         checks = (
@@ -223,10 +235,10 @@ def _result(outline: "Outline", points: int, form: ToothForm | None, tolerance: 
         deviation=outline.deviation,
         points=points,
         pieces=len(outline.pieces),
-        tip_diameter=None if form is None else 2.0 * form.tip,
-        root_diameter=None if form is None else 2.0 * form.root,
-        base_diameter=None if form is None else 2.0 * form.base,
-        form_diameter=None if form is None else 2.0 * form.form,
+        tip_diameter=bare(diameters.get("tip_diameter")),
+        root_diameter=bare(diameters.get("root_diameter")),
+        base_diameter=bare(diameters.get("base_diameter")),
+        form_diameter=bare(diameters.get("form_diameter")),
         undercut=undercut,
         drawing=Drawing((outline,), title=outline.name),
         checks=checks,
@@ -235,9 +247,7 @@ def _result(outline: "Outline", points: int, form: ToothForm | None, tolerance: 
         if form is None
         else Numerics(
             "closed forms; the junction of trochoid and involute bracketed",
-            tuple(
-                ErrorBound(name, 2e-14) for name in ("tip_diameter", "root_diameter", "base_diameter", "form_diameter")
-            ),
+            tuple(share(name, value) for name, value in diameters.items()),
         ),
     )
 

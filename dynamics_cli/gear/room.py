@@ -1,4 +1,4 @@
-"""The room a tooth has in the space it turns through: least distances from the space's root and flanks.
+"""The room a tooth has beside the flanks of the space it turns through, off the line of action.
 
 A tooth is looked at point by point while it turns through the space, and also where each of its points crosses the form
 circle, below which the space's flank is no involute. About the least distances found, points and angles are looked at
@@ -26,8 +26,8 @@ LAND, FINE_LAND = 9, 129
 EDGE = 1e-12
 
 
-def least_gaps(first: ToothForm, second: ToothForm, distance: float, play: float) -> tuple[float, float]:
-    """Least distances of a tooth of `first` from the root and the flanks of the space of `second` it turns through.
+def flank_gap(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
+    """Least distance of a tooth of `first` from the flanks of the space of `second` it turns through.
 
     `play` is half the angle `second` can be turned by: the driving flanks touch. Along the involutes the distance is
     zero by design, to the chords; negative ones are overlaps (off the line of action: trimming). Infinite where
@@ -39,13 +39,12 @@ def least_gaps(first: ToothForm, second: ToothForm, distance: float, play: float
     reach = _reach(first, second, distance)
     tooth, fine = _tooth_points(first, COARSE, LAND), _tooth_points(first, FINE, FINE_LAND)
     grid = np.linspace(-reach, reach, STEPS)
-    gaps, turned = turn.gaps(*tooth, grid)
-    found = [_finest(turn, which, gap, turned, tooth, fine, float(grid[1] - grid[0])) for which, gap in enumerate(gaps)]
-    return found[0], found[1]
+    gap, turned = turn.gaps(*tooth, grid)
+    return _finest(turn, gap, turned, tooth, fine, float(grid[1] - grid[0]))
 
 
 def _finest(
-    turn: "_Turn", which: int, gap: "Array", turned: "Array", tooth: "tuple[Array, Array]",
+    turn: "_Turn", gap: "Array", turned: "Array", tooth: "tuple[Array, Array]",
     fine: "tuple[Array, Array]", step: float,
 ) -> float:  # fmt: skip
     """The least distance about the few angles at which the first look found the least ones."""
@@ -56,7 +55,7 @@ def _finest(
         near = _beside(tooth, fine, column)
         angle, width = float(turned[row, column]), step
         for _ in range(ROUNDS):
-            value, angle = turn.least(which, *near, angle, width)
+            value, angle = turn.least(*near, angle, width)
             least = min(least, value)
             width *= 2.0 / (FINER_STEPS - 1)
     return least
@@ -97,8 +96,8 @@ class _Turn:
         inside = first.internal or second.internal
         self.ratio = (1.0 if inside else -1.0) * first.teeth / second.teeth
 
-    def gaps(self, radius: "Array", angle: "Array", grid: "Array") -> "tuple[tuple[Array, Array], Array]":
-        """Distances (angles, points) from root and flanks below the form circle, and from the flanks; and the angles.
+    def gaps(self, radius: "Array", angle: "Array", grid: "Array") -> "tuple[Array, Array]":
+        """Distances (angles, points) from the flanks, and the angles.
 
         Infinite where a point is not in the space; two more angles of each point are those where it crosses the form
         circle.
@@ -123,12 +122,8 @@ class _Turn:
         beside = away * (np.interp(away, self.radius, self.half) - np.abs(lean - self.play))
         beside *= np.interp(away, self.radius, self.across)
         below = second.form - away if not second.internal else away - second.form
-        deep, shallow = below >= -EDGE * second.form, below <= EDGE * second.form
-        above = second.root - away if second.internal else away - second.root
-        # a root that is dug into shows up there, and not again from the other side
         involute = radius <= first.form if first.internal else radius >= first.form
-        inward = np.where(near & deep, np.minimum(beside, above), np.inf)
-        return (inward, np.where(near & involute & shallow, beside, np.inf)), turned
+        return np.where(near & involute & (below <= EDGE * second.form), beside, np.inf), turned
 
     def _crossings(self, radius: "Array", angle: "Array", grid: "Array") -> "Array":
         """The two angles at which each point crosses the form circle; the first of the grid where it does not."""
@@ -142,13 +137,13 @@ class _Turn:
         crosses = (np.abs(cosine) <= 1.0) & (both >= grid[0]) & (both <= grid[-1])
         return np.where(crosses, both, grid[0])
 
-    def least(self, which: int, radius: "Array", angle: "Array", middle: float, width: float) -> tuple[float, float]:
+    def least(self, radius: "Array", angle: "Array", middle: float, width: float) -> tuple[float, float]:
         """The least distance within a width of an angle, and the angle there."""
         import numpy as np
 
         gaps, turned = self.gaps(radius, angle, np.linspace(middle - width, middle + width, FINER_STEPS))
-        place = np.unravel_index(int(gaps[which].argmin()), turned.shape)
-        value = float(gaps[which][place])
+        place = np.unravel_index(int(gaps.argmin()), turned.shape)
+        value = float(gaps[place])
         return value, float(turned[place]) if value < float("inf") else middle
 
 

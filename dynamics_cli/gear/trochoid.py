@@ -9,6 +9,7 @@ when that normal passes through the pitch point.
 from math import pi
 
 from dynamics_cli.errors import require
+from dynamics_cli.gear.rounding import bare, like
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import record
@@ -181,10 +182,10 @@ def root(cutter: Cutter) -> Root:
     if margin >= 0.0:
         base = cutter.base_radius
         return Root(sqrt(base * base + margin * margin), margin / base, False, cutter.transverse_angle, margin)
-    delta = _meeting(curve)
+    delta = like(_meeting(curve), margin)
     # One Newton step in the numbers that came in carries their derivatives and rounding bounds through the root.
     own = _Corner(_bare(cutter))
-    start = Tracked.inputs([delta])[0]
+    start = Tracked.inputs([bare(delta)])[0]
     slope = own.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
     step = curve.residual(delta) / slope
     # R along the trochoid, so that what the step does to its two parts stays one thing

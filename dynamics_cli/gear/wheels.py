@@ -147,7 +147,7 @@ def wheels(
     --------
     >>> answer = wheels(first_diameter=0.1, second_diameter=0.3, drive=Drive("open-belt"), centre_distance=0.5)
     >>> round(answer.belt_length, 4)
-    1.6485
+    1.6484
     """
     first, second = 0.5 * first_diameter, 0.5 * second_diameter
     require((first > 0.0) & (second > 0.0), "a wheel without a diameter does not roll", code="diameter")

@@ -60,12 +60,12 @@ Block = Heading | Paragraph | Items | Table | Code | Image
 STYLE = (
     "body{font:11pt/1.45 system-ui,sans-serif;max-width:46em;margin:2em auto;padding:0 1em;color:#111}"
     "table{border-collapse:collapse;margin:.6em 0 1em}td,th{border:1px solid #bbb;padding:.2em .6em;text-align:left;"
-    "vertical-align:top;overflow-wrap:anywhere}th{background:#eee}caption,figcaption{text-align:left;font-size:9.5pt;"
+    "vertical-align:top;overflow-wrap:anywhere}th,td:first-child{overflow-wrap:normal}th{background:#eee}caption,figcaption{text-align:left;font-size:9.5pt;"
     "color:#333;padding:.2em 0}caption{caption-side:top}pre{background:#f6f6f6;padding:.6em;overflow:auto;"
     "font-size:9pt;white-space:pre-wrap;overflow-wrap:anywhere}figure{margin:1em 0}svg{max-width:100%;height:auto}"
     "h2{border-bottom:1px solid #bbb;margin-top:2em}"
     "@page{margin:20mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages)}}"
-    "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2{break-before:page}h2,h3{break-after:avoid}"
+    "@media print{body{margin:0;padding:0;max-width:none;font-size:10pt}h2{break-before:page}h2:first-of-type{break-before:auto}h2,h3{break-after:avoid}"
     "tr,figure{break-inside:avoid}thead{display:table-header-group}pre{break-inside:auto}}"
 )
 

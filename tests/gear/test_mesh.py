@@ -166,21 +166,77 @@ def test_room_beside_the_flanks_does_not_depend_on_where_the_points_fall() -> No
         assert np.abs(np.diff(gaps, 3)).max() < 0.01 * np.diff(gaps).max()
 
 
+def outlines(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
+    """The least distance of a whole tooth's points from the points of the root it turns through."""
+    tooth, space = flank(first, 1e-9), flank(second, 1e-9)
+    angle, radius = np.concatenate([-tooth.angle, tooth.angle]), np.concatenate([tooth.radius, tooth.radius])
+    below = slice(0, space.joint + 1)
+    root = space.radius[below] * np.exp(1j * (math.pi / second.teeth - space.angle[below]))
+    least = np.inf
+    for turn in np.linspace(-0.5, 0.5, 801):
+        points = (distance - radius * np.exp(1j * (angle + turn))) * np.exp(
+            1j * (turn * first.teeth / second.teeth - play)
+        )
+        near = points[np.abs(points) < second.form + 0.3 * second.module]
+        for side in (near, near.conj()):
+            if len(side):
+                least = min(least, float(np.abs(side[:, None] - root).min()))
+    return least
+
+
+@pytest.mark.parametrize(("z1", "z2", "more"), [(12, 24, 0.2), (17, 51, 0.0), (30, 25, 0.5), (13, 70, 0.1)])
+def test_distances_from_the_root_are_those_of_whole_outlines(z1: int, z2: int, more: float) -> None:
+    """No other point of the tooth comes nearer than the edge of its tip, and none of the root nearer than is said."""
+    close = mesh(first_teeth=z1, second_teeth=z2, pitch=M2, points=10)
+    distance = close.centre_distance + more * MM
+    answer = mesh(first_teeth=z1, second_teeth=z2, pitch=M2, centre_distance=distance, points=10)
+    one, two = form_at(z1, z2, internal=False)
+    play = max(answer.backlash, 0.0) / (2.0 * two.base)
+    for gap, first, second, turned in (
+        (answer.first_in_second, one, two, play),
+        (answer.second_in_first, two, one, play * z2 / z1),
+    ):
+        assert gap is not None
+        # an involute that gets as far as where the other begins touches it there
+        found = outlines(first, second, distance, turned)
+        assert gap - 1e-9 * MM <= found <= abs(gap) + 0.01 * MM
+
+
+def test_a_distance_is_that_of_the_gears_whichever_drives_and_however_large() -> None:
+    answer = mesh(first_teeth=19, second_teeth=41, pitch=M2, first_profile_shift=0.2, points=10)
+    large = mesh(first_teeth=41, second_teeth=19, pitch=NormalModule(2.0), second_profile_shift=0.2, points=10)
+    for one, other in (("first_in_second", "second_in_first"), ("second_in_first", "first_in_second")):
+        assert getattr(large, other) == pytest.approx(1e3 * getattr(answer, one), rel=1e-11)
+
+
+def test_tips_that_stay_beyond_the_form_circle_have_no_distance() -> None:
+    answer = mesh(first_teeth=58, second_teeth=76, pitch=M2, internal=True, points=10)
+    assert answer.first_in_second is None
+    assert "first_in_second" not in {one.result for one in answer.numerics.bounds}
+    assert answer.second_in_first is not None
+
+
+def test_every_number_of_a_mesh_has_a_bound() -> None:
+    answer = mesh(first_teeth=12, second_teeth=24, pitch=M2, points=10)
+    names = {name for name in answer.fields if isinstance(getattr(answer, name), float)}
+    columns = {f"path.{name}" for name in answer.path.arrays}
+    assert {one.result for one in answer.numerics.bounds} == names | columns
+
+
 @pytest.mark.parametrize("internal", [False, True])
 def test_room_is_the_least_of_many_more_points(internal: bool) -> None:
     teeth = (16, 40) if internal else (12, 24)
     first = form_at(*teeth, internal=internal)
     for one, two in (first, first[::-1]):
         distance = 24.3 * MM if internal else 36.2 * MM
-        found = room.least_gaps(one, two, distance, 0.0)
+        found = room.flank_gap(one, two, distance, 0.0)
         turn, reach = room._Turn(one, two, distance, 0.0), room._reach(one, two, distance)
         chord = 1e-5
         points = room._tooth_points(one, chord, 33)
-        many = [np.inf, np.inf]
+        many = np.inf
         for part in np.array_split(np.linspace(-reach, reach, 2001), 20):
-            many = [min(least, float(gap.min())) for least, gap in zip(many, turn.gaps(*points, part)[0], strict=True)]
-        for least, other in zip(found, many, strict=True):
-            assert least == other or other - 2e-6 < least <= other + chord * 2 * MM
+            many = min(many, float(turn.gaps(*points, part)[0].min()))
+        assert found == many or many - 2e-6 < found <= many + chord * 2 * MM
 
 
 def form_at(first: int, second: int, *, internal: bool) -> tuple[ToothForm, ToothForm]:

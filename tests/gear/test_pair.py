@@ -140,8 +140,26 @@ def test_trochoid_interference_appears_as_the_numbers_approach() -> None:
 
 
 def test_extremum_inside_and_at_an_end() -> None:
-    assert extremum(lambda x: (x - 0.3) ** 2, 0.0, 1.0) == pytest.approx(0.3, abs=1e-7)
-    assert extremum(lambda x: x, 0.25, 1.0) == pytest.approx(0.25, abs=1e-7)
+    assert extremum(lambda x: (x - 0.3) ** 2, lambda x: 2.0 * (x - 0.3), 0.0, 1.0) == pytest.approx(0.3, rel=1e-15)
+    assert extremum(lambda x: x, lambda x: 1.0, 0.25, 1.0) == 0.25
+    assert extremum(lambda x: -x, lambda x: -1.0, 0.1, 0.7) == 0.7
+
+
+@pytest.mark.parametrize(("z1", "z2", "x1", "x2"), [(16, 24, 0.0, 0.5), (60, 64, 0.0, 0.0), (20, 90, 0.3, -0.2)])
+def test_slopes_of_an_internal_pairs_clearances(z1: int, z2: int, x1: float, x2: float) -> None:
+    """Against differences of the clearances themselves."""
+    from dynamics_cli.gear.engagement import at_tight_distance
+    from dynamics_cli.gear.gear import BasicRack, Gear
+    from dynamics_cli.gear.interference import _Corner, _last_turn
+
+    made = at_tight_distance(Gear(z1, 0.003, BasicRack(), 0.0, x1), Gear(-z2, 0.003, BasicRack(), 0.0, -x2))
+    corner = _Corner(made)
+    last = _last_turn(corner)
+    for share in (0.3, 0.6, 0.9):
+        turn, h = share * last, 1e-6 * last
+        for value, slope in ((corner.clearance, corner.clearance_slope), (corner.sideways, corner.sideways_slope)):
+            wanted = (value(turn + h) - value(turn - h)) / (2.0 * h)
+            assert slope(turn) == pytest.approx(wanted, rel=1e-6, abs=1e-9)
 
 
 def test_forces_and_bearings_are_in_balance() -> None:

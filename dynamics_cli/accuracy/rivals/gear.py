@@ -6,7 +6,8 @@ RIVALS = "dynamics_cli.accuracy.rivals."
 INVOLUTE, ROOT, GEOMETRY, BOOK = (
     RIVALS + name for name in ("gear_involute:", "gear_root:", "gear_geometry:", "gear_sizes:")
 )
-SIZES, TRAINS = "gear_geometry.json", "gear_trains.json"
+SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.json"
+PROFILES = RIVALS + "gear_meshes:"
 
 
 def _sizes(task: str, file: str = SIZES, *rivals: Method) -> Question:
@@ -65,4 +66,25 @@ QUESTIONS = (
     ),
     _sizes("crossed", SIZES, Method("virtual spur gears, working angle only", BOOK + "crossed_by_book")),
     _sizes("measure", TRAINS, Method("tan α − α and Newton, external only", BOOK + "span_by_book")),
+    Question(
+        "gear", "mesh", "gear mesh", MESHES, "mesh",
+        Method("closed forms, edges placed by Newton", PROFILES + "mesh", chosen=True),
+        Method("tan α − α and arc cosines, three sizes only", PROFILES + "mesh_by_book"),
+        Method("distances between points, external only", PROFILES + "mesh_by_polygons"),
+    ),
+    Question(
+        "gear", "identify", "gear identify", MESHES, "identify",
+        Method("closed form", PROFILES + "identify", chosen=True, tracked=True),
+        Method("involutes of six decimals, spur, best shift only", PROFILES + "identify_by_table"),
+    ),
+    Question(
+        "gear", "data-block", "gear data-block", MESHES, "data_block",
+        Method("closed forms, rounded last", PROFILES + "data_block", chosen=True),
+        Method("involutes of six decimals, external, some only", PROFILES + "block_by_table"),
+    ),
+    Question(
+        "gear", "profile", "gear profile", MESHES, "profile",
+        Method("closed forms, junction bracketed", PROFILES + "profile", chosen=True),
+        Method("end of the rack's flank, external only", PROFILES + "profile_by_book"),
+    ),
 )  # fmt: skip

@@ -141,7 +141,6 @@ IDENTIFY = Task(
     ),
     table="candidates",
     arrays=False,
-    tracked=False,
 )
 
 TASKS: "tuple[Task, ...]" = (TRAIN, RATIO, MEASURE, IDENTIFY, PROFILE, MESH)

@@ -1,0 +1,97 @@
+"""Numbers that carry rounding bounds through tasks that work on arrays: put in, taken out, tightened and stated."""
+
+from dynamics_cli.errors import DynamicsError
+from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.records import ErrorBound
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from typing import Any
+
+
+def carried(part: "Any") -> "Any":
+    """The doubles of records and dictionaries as exact numbers that will carry bounds, without derivatives."""
+    if type(part) is float:
+        return Tracked(part, 0.0, ())
+    return _over(part, carried)
+
+
+def in_many_digits(part: "Any") -> "Any":
+    """The doubles of records and dictionaries as numbers of 60 digits."""
+    if type(part) is float:
+        from dynamics_cli.numerics.many_digits import ManyDigits
+
+        return ManyDigits.inputs([part])[0]
+    return _over(part, in_many_digits)
+
+
+def bare(part: "Any") -> "Any":
+    """The plain doubles again."""
+    if hasattr(part, "apply"):
+        return part.value
+    return _over(part, bare)
+
+
+def in_digits(call: "Callable[[], Any]") -> "Any":
+    """What a call gives in arithmetic of 60 digits; None where that leads to a refusal."""
+    from dynamics_cli.numerics.many_digits import run
+
+    try:
+        return run(call)
+    except (DynamicsError, ArithmeticError):
+        return None
+
+
+def measured(value: float, exact: "Any", bound: float) -> float:
+    """The error of a value beside the same number in many digits; its bound where there is none."""
+    from dynamics_cli.numerics.many_digits import ManyDigits, measured_error
+
+    return measured_error(value, exact, bound) if isinstance(exact, ManyDigits) else bound
+
+
+def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
+    """Replace the bounds of numbers by what the same numbers in many digits tell of their errors."""
+    for one, other in zip(numbers, exact, strict=True):
+        if isinstance(one, Tracked):
+            one.error = measured(one.value, other, one.error)
+
+
+def _over(part: "Any", function: "Any") -> "Any":
+    if isinstance(part, dict):
+        return {name: function(item) for name, item in part.items()}
+    if isinstance(part, tuple):
+        return tuple(function(item) for item in part)
+    if hasattr(part, "fields"):
+        return type(part)(**{name: function(getattr(part, name)) for name in part.fields})
+    return part
+
+
+def like(number: float, beside: "Any") -> "Any":
+    """A double, exact as it is, as a number like the one it stands beside."""
+    if isinstance(beside, Tracked):
+        return Tracked(number, 0.0, (0.0,) * len(beside.slopes))
+    return type(beside).inputs([number])[0] if hasattr(beside, "apply") else number
+
+
+def error_of(number: "Any") -> float:
+    """What rounding may have done to a number."""
+    return number.error if isinstance(number, Tracked) else 0.0
+
+
+def with_error(number: "Any", error: float) -> "Any":
+    """A number with another bound; one that carries none as it is."""
+    return Tracked(number.value, error, number.slopes) if isinstance(number, Tracked) else number
+
+
+def share(name: str, number: "Any") -> ErrorBound:
+    """The bound of a result as a share of it; as it is where the result is zero."""
+    size = abs(bare(number))
+    if size == 0.0:
+        return ErrorBound(name, error_of(number), relative=False)
+    return ErrorBound(name, error_of(number) / size * (1.0 + 2.0**-50))
+
+
+def width(name: str, number: "Any", more: float = 0.0) -> ErrorBound:
+    """The bound of a result that is a difference, in its own unit."""
+    return ErrorBound(name, error_of(number) + more, relative=False)
