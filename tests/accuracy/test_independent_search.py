@@ -26,11 +26,7 @@ def test_no_bound_is_below_the_error(task: str) -> None:
 
 @pytest.mark.parametrize("task", QUESTIONS)
 def test_bounds_are_tight_in_the_median(task: str) -> None:
-    assert 0.0 < found(task).median <= ROOM.get(task, 100.0)
-
-
-# Above 100: every body of a row is given the roundings of all collisions, at the size of the fastest.
-ROOM = {"impact chain": 300.0}
+    assert 0.0 < found(task).median <= 100.0
 
 
 def test_a_bound_that_is_too_small_is_found(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from mpmath import mp, mpf
 from references.impact_keller import Impact
 from references.impact_solids import Solid, dot, frame, plus, size, turned_about, vector
+from references.impact_spatial_found import FOUND
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LAWS = ("stronge", "newton", "poisson")
@@ -290,6 +291,7 @@ def impacts() -> list[tuple[str, str, str, dict[str, Any]]]:
         hard("flail", "found by search: on a lever of thirty gyration radii it jams in restitution and presses again",
              flail, fixed([-0.8886385730275457, 0.4035479035734726, 0.5524870147256022]), [0.0, 1.0, 0.0],
              1.2958933420630503, 1.0, law)  # fmt: skip
+    found += [(f"{name}, {inputs['law']['word']}", "hard", why, inputs) for name, why, inputs in FOUND]
     return found
 
 
