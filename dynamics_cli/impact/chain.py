@@ -46,7 +46,7 @@ def chain(*, bodies: tuple[Body, ...], restitution: Restitution, law: ChainLaw =
     -----
     Rigid bodies do not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at one
     moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals of so
-    many digits that two runs agree: the bound stated is half a last bit.
+    many digits that two runs agree: the bound stated is that of rounding, here and into another unit.
 
     References
     ----------

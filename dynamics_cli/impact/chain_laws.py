@@ -193,7 +193,7 @@ SMALLEST = 5e-324
 
 
 class Told:
-    """A number as a double, with a bound on its error: the half bit it is rounded by, and what two runs leave open."""
+    """A number as a double, with a bound on its error: rounding here and in another unit, what two runs leave."""
 
     __slots__ = ("error", "value")
 
@@ -202,7 +202,7 @@ class Told:
         # what cannot be told from zero is zero
         zero = abs(second) <= apart
         self.value = 0.0 if zero else float(second)
-        self.error = UNIT_ROUNDOFF * abs(self.value) + float(2 * apart) + SMALLEST
+        self.error = 2.0 * UNIT_ROUNDOFF * abs(self.value) + float(2 * apart) + SMALLEST
 
 
 class Answer:

@@ -12,6 +12,7 @@ from dynamics_cli.impact.space import (
     Matrix,
     SolidInSpace,
     Vector,
+    cross,
     dot,
     frame_about,
     mobility,
@@ -74,9 +75,16 @@ class _Seen:
                 self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
                 self.k = mobility(self.bodies, self.frame)
         self.rubs = contact.friction > 0 and (self.before[0] != 0 or coupled)
-        self.eccentric = coupled
+        # an impulse along the normal turns a body that it passes by, though it moves the contact along the normal only
+        self.eccentric = coupled or ABSENT * ABSENT * self.turning > self.k[2][2]
         self.turns = ABSENT * max(abs(self.k[0][1]), abs(self.k[1][2])) > scale
         self.single = [name for name, body in (("first", scene.first), ("second", scene.second)) if _one_moment(body)]
+
+    @property
+    def turning(self) -> float:
+        """What k_n has of turning: it vanishes where the normal passes through the mass centres."""
+        moments = [cross(body.lever, self.inward) for body in self.bodies]
+        return sum(dot(moment, body.turned(moment)) for body, moment in zip(self.bodies, moments, strict=True))
 
     @property
     def across(self) -> bool:
@@ -215,7 +223,7 @@ def _answered(
     from dynamics_cli.impact.spatial_bounds import answered, beside
 
     found = answered(solver, scene, gravity, *more, advice=advice)
-    if advice or not _left_out(scene, gravity, plane=solver is _in_plane):
+    if advice or found.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
         return found
     return beside(found, answered(_in_space, scene, gravity))
 
@@ -233,6 +241,8 @@ def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
         coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
         if any(abs(entry) > least for entry in coupled):
             return seen.friction > 0 or not plane
+        if not plane and seen.turning > least / 10**60:
+            return True
         return seen.slips and seen.friction > 0 and not seen.before[0]
 
 

@@ -262,7 +262,7 @@ def cleaned(k: Matrix) -> Matrix:
         return k
     from decimal import getcontext
 
-    least = max(k[0][0], k[1][1], k[2][2]).scaleb(SPARE - getcontext().prec)
+    least = max(k[0][0], k[1][1], k[2][2]).scaleb(SPARE - getcontext().prec)  # type: ignore[attr-defined]
     return tuple(tuple(entry if abs(entry) > least else 0 * entry for entry in row) for row in k)  # type: ignore[return-value]
 
 

@@ -13,6 +13,7 @@ from dynamics_cli.impact.decimals import widened
 from dynamics_cli.impact.diagnostics import require_finite
 from dynamics_cli.impact.spatial_results import Solved, SpatialImpact, certificate, report
 from dynamics_cli.impact.straight import End
+from dynamics_cli.numerics.samples import drawing
 from dynamics_cli.records import Advice, ErrorBound, Numerics
 
 TYPE_CHECKING = False
@@ -44,6 +45,9 @@ def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advic
     except InadmissibleError as error:
         if error.code not in DOUBTFUL:
             raise
+    if drawing() and before is not None:
+        _refuse_gain(solved)
+        return report(solved)
     exact, left = widened(given), None
     with localcontext(Context()) as context:
         for order, digits, context.prec in EFFORTS:
@@ -64,16 +68,21 @@ def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advic
         bounds = tuple(_bounds(after, left))
         answer = _rounded(answer, "", left)
     solved = _plain(solved)
-    e, end = solved.restitution, solved.end
+    _refuse_gain(solved)
+    more = {"checks": certificate(answer, solved), "advice": advice, "numerics": Numerics(solved.how, bounds)}
+    return SpatialImpact(**{**answer.__dict__, **more})
+
+
+def _refuse_gain(solved: Solved) -> None:
+    """Refuse a law that gains energy."""
+    end = solved.end
     require(
-        e > 1.0 or solved.lost + end.heat >= -1e-11 * (end.work + end.heat),
+        solved.restitution > 1.0 or solved.lost + end.heat >= -1e-11 * (end.work + end.heat),
         f"{solved.law}: the law gains {{0:.6g}} J of energy here, which no passive contact does",
         -(solved.lost + end.heat),
         code="energy-gained",
         hint="--law stronge never gains energy",
     )
-    more = {"checks": certificate(answer, solved), "advice": advice, "numerics": Numerics(solved.how, bounds)}
-    return SpatialImpact(**{**answer.__dict__, **more})
 
 
 def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":

@@ -11,6 +11,7 @@ import random
 import sys
 import time
 from collections.abc import Callable
+from decimal import Context, localcontext
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -22,12 +23,15 @@ import numpy as np
 
 from dynamics_cli.impact.bodies import ByInertia, OnBody, RigidBody, RigidTarget
 from dynamics_cli.impact.conventions import Axes, ByMass, BySpeed, Restituted
+from dynamics_cli.impact.decimals import widened
 from dynamics_cli.impact.envelope import envelope
 from dynamics_cli.impact.hodograph import travel as in_space
 from dynamics_cli.impact.laws import Law
 from dynamics_cli.impact.path import Mobility, determinant, travel
 from dynamics_cli.impact.path_arrays import planar_impacts
 from dynamics_cli.impact.planar import planar
+from dynamics_cli.impact.spatial import followed
+from dynamics_cli.impact.spatial_bounds import EFFORTS
 
 FT, LBF, MPH, DEG = 0.3048, 4.4482216152605, 0.44704, math.pi / 180.0
 MILLION = 1_000_000
@@ -246,11 +250,22 @@ def space() -> None:
 
     for order in (6, 10, 16, 24, 30):
         line(f"Taylor, order {order}", lambda k, u, mu, e, n=order: in_space(k, u, mu, e, "stronge", n).impulse)
+    for effort in EFFORTS:
+        line(f"Taylor in decimals, {effort[1]} digits", lambda k, u, mu, e, own=effort: in_decimals(k, u, mu, e, own))
     for stride in (0.5, 0.25, 0.05):
         line(f"Taylor, order 16, stride {stride}",
              lambda k, u, mu, e, h=stride: in_space(k, u, mu, e, "stronge", 16, h).impulse)  # fmt: skip
     for tolerance in (1e-6, 1e-10, 1e-13):
         line(f"scipy DOP853, rtol {tolerance:.0e}", lambda k, u, mu, e, t=tolerance: by_scipy(k, u, mu, e, t))
+
+
+def in_decimals(k: Any, u: Any, mu: float, e: float, effort: tuple[int, int, int]) -> tuple[float, ...]:
+    """The path in decimals, as the program follows it after doubles."""
+    order, digits, most = effort
+    with localcontext(Context(prec=most)):
+        rows, start, friction, restitution = widened((k, u, mu, e))
+        end = followed(rows, start, friction, restitution, "stronge", order=order, digits=digits)
+        return tuple(map(float, end.impulse))
 
 
 def by_scipy(k: Any, u: Any, mu: float, e: float, tolerance: float) -> tuple[float, float, float]:

@@ -225,3 +225,22 @@ def test_one_point_does_not_cover_a_side_of_an_envelope() -> None:
     found = envelope(**crash(), **line, friction_points=9)
     assert found.points == 9
     assert len(found.map.arrays["restitution"]) == 5
+
+
+def test_a_normal_that_passes_a_mass_centre_by_turns_the_body_though_nothing_couples() -> None:
+    from dynamics_cli.impact.conventions import ByMass, Fixed
+    from dynamics_cli.impact.scene import central_suffices, oblique_suffices, planar_suffices, solve, solve_planar
+    from dynamics_cli.impact.scene_records import ByComponents, ByTensor, Scene, SceneBody, SceneContact
+    from dynamics_cli.impact.spatial import LeverInSpace
+
+    tensor = ((40.0, 0.0, 0.0), (0.0, 40.0, 0.0), (0.0, 0.0, 30.0))
+    block = SceneBody(ByMass(250.0), ByTensor(tensor), LeverInSpace((0.5, 0.0, 0.0)), ByComponents((0.0, 0.0, -1.0)))
+    scene = Scene(block, SceneBody(Fixed(True)), SceneContact((0.0, 0.0, -1.0), 0.5))
+    assert central_suffices(scene) is None
+    assert oblique_suffices(scene) is None
+    assert planar_suffices(scene)
+    # k_n = 1/m + r²/J
+    impulse = 1.5 / (1.0 / 250.0 + 0.25 / 40.0)
+    for found in (solve_planar(scene), solve(scene)):
+        assert found.normal_impulse == pytest.approx(impulse, rel=1e-15)
+        assert found.first.spin == pytest.approx((0.0, -0.5 * impulse / 40.0, 0.0), rel=1e-15)

@@ -5,6 +5,7 @@ from decimal import Context, localcontext
 from typing import Any
 
 import pytest
+from harness import answer as call
 from mpmath import mp, mpf
 from references.comparison import cases
 from references.generate_impact_spatial_references import box, results
@@ -28,6 +29,7 @@ from dynamics_cli.impact.scene_records import ByComponents, ByTensor, Scene, Sce
 from dynamics_cli.impact.spatial import BodyInSpace, LeverInSpace, SpatialLaw, TargetInSpace, followed, spatial
 from dynamics_cli.impact.spatial_bounds import EFFORTS, numbers
 from dynamics_cli.impact.spatial_results import SpatialImpact
+from dynamics_cli.numerics.samples import Drawing, drawing
 
 UNIT_ROUNDOFF = 2.0**-53
 ROOM = 100.0
@@ -135,6 +137,38 @@ def test_what_24_digits_leave_is_as_stated(monkeypatch: pytest.MonkeyPatch) -> N
                 assert abs(value - finer[bound.result]) <= bound.bound * (abs(value) if bound.relative else 1.0)
         compared += 1
     assert compared >= 20
+
+
+def test_samples_are_answered_in_doubles() -> None:
+    case = next(case for case in WHOLE if case["name"].startswith("two cars"))
+    exact = answer(case)
+    with Drawing():
+        assert drawing()
+        sample = answer(case)
+    assert not drawing()
+    assert sample.numerics is None
+    for (name, one), (_, other) in zip(numbers(sample), numbers(exact), strict=True):
+        assert one == pytest.approx(other, rel=1e-11, abs=1e-13), name
+
+
+def test_samples_of_an_uncertain_impact_are_drawn_as_such(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = []
+
+    def watched(*given: Any, **more: Any) -> Any:
+        seen.append(drawing())
+        return spatial_bounds_answered(*given, **more)
+
+    spatial_bounds_answered = spatial_bounds.answered
+    monkeypatch.setattr(spatial_bounds, "answered", watched)
+    document = call(
+        "impact", "spatial", "--first-mass", "2 +- 0.1 kg", "--first-inertia",
+        "[[0.02, 0, 0], [0, 0.03, 0], [0, 0, 0.04]] kg*m^2", "--first-lever", "0.1, 0.05, -0.2 m", "--first-velocity",
+        "3, 1, -4 m/s", "--second-fixed", "--normal", "0, 0, -1", "--friction", "0.4", "--restitution", "0.6",
+        "--method", "monte-carlo", "--samples", "200", "--seed", "1",
+    )  # fmt: skip
+    assert document["numerics"]["error_bound"]["normal_impulse"]["relative"] < 1e-15
+    assert seen.count(True) >= 100
+    assert seen.count(False) >= 1
 
 
 def tree(record: Any) -> Any:

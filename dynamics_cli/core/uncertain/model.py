@@ -5,6 +5,7 @@ import numpy as np
 from dynamics_cli.core.answer import arguments, result_leaves
 from dynamics_cli.core.shown import plain
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
+from dynamics_cli.numerics.samples import Drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,7 +136,8 @@ class TaskModel:
             values = {**inputs, **{name: column[row] for name, column in columns.items()}}
             args, kwargs = arguments(self.task, self.bound, values)
             try:
-                record = self.function(*args, **kwargs)
+                with Drawing():
+                    record = self.function(*args, **kwargs)
             except (DynamicsError, ArithmeticError):
                 bad[row] = True
                 continue

@@ -44,7 +44,7 @@ ENVELOPE = Task(
         formula="ΔV = |p|/m at every point of {least_restitution|e₁} to {greatest_restitution|e₂}, "
         "{least_friction|μ₁} to {greatest_friction|μ₂}",
         assumptions=(SHORT, POINT),
-        method="closed-form Routh–Keller path on a grid",
+        method="closed-form Routh–Keller path on a grid, extremes in 60 digits",
     ),
     plot=PICTURES + "envelope",
     examples=(
@@ -68,7 +68,7 @@ SPATIAL = Task(
         formula="du = K·(−{friction|μ}·u_t/|u_t|, 1)·dp_n while it slips; p_t = −K_tt⁻¹·k_tn·p_n while it sticks; "
         "{normal_impulse|p_n} where the law with {restitution|e} ends",
         assumptions=(SHORT, POINT),
-        method="Taylor series of order 24",
+        method="Taylor series, in doubles and again in decimals",
     ),
     plot=PICTURES + "spatial",
     examples=(
@@ -118,7 +118,7 @@ SOLVE = Task(
         source=KELLER,
         formula="du = K·(−μ·u_t/|u_t|, 1)·dp_n, {slip_history|history}",
         assumptions=(SHORT, POINT),
-        method="Taylor series of order 24",
+        method="Taylor series, in doubles and again in decimals",
     ),
     plot=PICTURES + "scene",
     examples=(
