@@ -231,7 +231,7 @@ def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> floa
         exact = run(lambda: _angle(compose_scene(first), compose_scene(second))[0])
     except (DynamicsError, ArithmeticError):
         return tilt
-    return tilt if exact is None else measured_error(angle, exact, tilt)  # type: ignore[arg-type]
+    return tilt if exact is None else measured_error(angle, exact, tilt)
 
 
 def _tilt(one: "Composed") -> float:

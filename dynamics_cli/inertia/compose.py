@@ -136,7 +136,7 @@ def _second_pass(leaves: "list[Leaf]", base: "Vector", first: Spread) -> Spread:
     seconds = found.seconds
     if not any(hasattr(x, "slopes") for row in whole.second for x in row):
         return Spread(seconds, product(found.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, found.vectors)  # type: ignore[arg-type]
+    seconds = bounded(whole.second, seconds, found.vectors)
     # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]

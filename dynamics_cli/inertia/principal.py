@@ -91,7 +91,7 @@ def principal_of_many_digits(second_moments: "Matrix") -> Principal:
     from dynamics_cli.numerics.symmetric_digits import eigen_of_many_digits
 
     near = principal(tuple(tuple(getattr(x, "value", x) for x in row) for row in second_moments))  # type: ignore[arg-type]
-    values, vectors = eigen_of_many_digits(second_moments)  # type: ignore[arg-type]
+    values, vectors = eigen_of_many_digits(second_moments)
     upper, lower = (near.degeneracy.startswith((_EVERY, words)) for words in (_FIRST_TWO, _LAST_TWO))
     axes, _ = _axes(vectors, upper, lower, beyond=False)  # type: ignore[arg-type]
     return Principal(values, tuple(map(_alike, axes, near.axes)), near.degeneracy, vectors)  # type: ignore[arg-type]

@@ -9,6 +9,7 @@ from dynamics_cli.records import Advice, ErrorBound, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.inertia.compose import Composed
@@ -76,7 +77,7 @@ def measures_of(whole: "Composed") -> "dict[str, Any]":
 def _shares(
     whole: "Composed", view: View, answer: MassProperties
 ) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
-    off = (lambda value: value) if whole.bare else bare
+    off: Callable[[Any], Any] = (lambda value: value) if whole.bare else bare
     rotation: Matrix = off(_rotation(view, whole))
     point: Vector = off(answer.reference_point)
     rows = []

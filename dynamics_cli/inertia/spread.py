@@ -60,7 +60,7 @@ def spread_of(second: "Matrix") -> Spread:
     found = principal(matrix)  # type: ignore[arg-type]
     if not any(hasattr(x, "slopes") for row in second for x in row):
         return Spread(found.seconds, found.axes, found.degeneracy)
-    return Spread(bounded(second, found.seconds, found.vectors), found.axes, found.degeneracy)  # type: ignore[arg-type]
+    return Spread(bounded(second, found.seconds, found.vectors), found.axes, found.degeneracy)
 
 
 def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":

@@ -278,7 +278,7 @@ def require_tensor(
     if in_many_digits(matrix):
         from dynamics_cli.numerics.symmetric_digits import eigen_of_many_digits
 
-        return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[arg-type, return-value]
+        return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[return-value]
     if not any(hasattr(x, "slopes") for row in matrix for x in row):
         return values, own.axes, own.degeneracy
     moments = bounded(matrix, values, found.vectors[::-1])

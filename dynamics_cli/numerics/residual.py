@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 UNIT_ROUNDOFF = 2.0**-53
 # Covers the rounding of the bound's own arithmetic, and that the vectors are unit ones to rounding only.
 _SLACK = 1.0 + 2.0**-30
+# Roundings of the difference of two quotients.
+_CLOSE = 4.0 * UNIT_ROUNDOFF
 # What gradual underflow can take from a bound.
 _TINY = 5e-324
 _OTHERS = ((1, 2), (0, 2), (0, 1))
@@ -156,14 +158,18 @@ def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
     """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
     found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
+    apart = [
+        abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))
+        for i, j in _OTHERS
+    ]
     for one, (i, j) in enumerate(_OTHERS):
-        gap = min(abs(diagonal[one] - diagonal[k]) - blur[k] for k in (i, j)) - blur[one] - beside[one]
-        gap -= 4.0 * UNIT_ROUNDOFF * max(map(abs, diagonal))
+        gap = min(apart[i], apart[j]) - beside[one]
         if gap > 0.0:
             # the element of its own, and the other two as a matrix
             square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
+            within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
             found[one] = min(found[one], square)
-            found[i], found[j] = min(found[i], square + beside[one]), min(found[j], square + beside[one])
+            found[i], found[j] = min(found[i], square + within), min(found[j], square + within)
     return found
 
 

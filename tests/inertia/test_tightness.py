@@ -5,6 +5,7 @@ may pass through zero: the largest coordinate, the moments, what a difference is
 """
 
 from collections.abc import Callable
+from decimal import Decimal
 from typing import Any
 
 import pytest
@@ -42,9 +43,21 @@ def of_bodies(task: str) -> Callable[..., Any]:
             found = flat(answer)
             stated = answer.numerics.bounds if getattr(answer, "numerics", None) else ()
             angle = {one.result: Tracked(found[one.result], one.bound, ()) for one in stated if not one.relative}
-            inertia_table.count(Errors(), case, found | angle)
+            note(case, found | angle)
 
     return compare
+
+
+def note(case: Any, found: dict[str, Any]) -> None:
+    """Note the errors of a case's results as shares of their sizes, with their bounds."""
+    true = {name: mpf(text) for name, text in case.results.items()}
+    sizes = {name: abs(Decimal(text)) for name, text in case.results.items()}
+    for name, reference in true.items():
+        own, size = found[name], mpf(str(inertia_table.scale(name, sizes)))
+        error = abs(mpf(getattr(own, "value", own)) - reference) - abs(reference) * mpf(10) ** -39
+        bound = getattr(own, "error", None)
+        shares = float(max(error, mpf(0)) / size), None if bound is None else float(mpf(bound) / size)
+        Errors().note(f"{case.name}: {name}", *shares)
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -74,7 +87,8 @@ def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple
     """Case and result, error and bound of the program's own method, as shares of the result or of its size."""
     kept: list[tuple[str, float, float]] = []
 
-    def of_size(_: Errors, where: str, error: float, bound: float | None) -> None:
+    def of_size(own: Errors, where: str, error: float, bound: float | None) -> None:
+        own.relative.append(error)
         if bound is not None:
             kept.append((where, error, bound))
 
@@ -87,8 +101,8 @@ def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple
     patch.setattr(Errors, "note", of_size)
     patch.setattr(Errors, "add", of_itself)
     # the report's rows are of errors that it has noted
-    patch.setattr("dynamics_cli.accuracy.rivals.inertia_table.row", lambda *_: None)
-    patch.setattr("dynamics_cli.accuracy.rivals.inertia_eigen.row", lambda *_: None)
+    patch.setattr("dynamics_cli.accuracy.rivals.inertia_table.row", lambda *_, **__: None)
+    patch.setattr("dynamics_cli.accuracy.rivals.inertia_eigen.row", lambda *_, **__: None)
     mp.dps = 60
     compare("", hard=False, full=False, timed=False)
     return kept

@@ -348,6 +348,24 @@ MATRICES: list[tuple[Any, ...]] = [
             [-2.0547623892431585e-12, 1.0499703639321672e-13, 3.586019507023287e-15],
         ],
     ),
+    (
+        "loosest bound, found",
+        "found by search: graded, and the least eigenvalue is what two smaller steps leave of a difference",
+        [
+            [0.004150457788664302, -6.02157529288693e-13, -3.229162386288555e-09],
+            [-6.02157529288693e-13, 8.923830971123405e-23, 4.691929807693454e-19],
+            [-3.229162386288555e-09, 4.691929807693454e-19, 2.5126319312952134e-15],
+        ],
+    ),
+    (
+        "eleven digits lost, found",
+        "found by search: of the least eigenvalue Jacobi's rotations leave five digits, which one quotient gives back",
+        [
+            [6.087672541786929e-21, -8.959658082092769e-13, -4.8964547660478196e-20],
+            [-8.959658082092769e-13, 0.00013186713113019077, 7.206477912550311e-12],
+            [-4.8964547660478196e-20, 7.206477912550311e-12, 3.9383334216721947e-19],
+        ],
+    ),
 ]
 
 OVERLAPPING: list[tuple[Any, ...]] = [

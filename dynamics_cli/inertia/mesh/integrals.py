@@ -103,7 +103,7 @@ class Moments:
         error = self.centre_error
         if self.frame is not None and self.known:
             error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
-        return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]
+        return error + UNIT_ROUNDOFF * abs(self.centroid)
 
     def in_file(self) -> "tuple[Array, Array]":
         """Second moments in the axes of the file, and how far they may be off."""

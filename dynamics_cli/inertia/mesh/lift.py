@@ -33,7 +33,8 @@ class Lift:
         tracked = Tracked(float(value), float(error), self.slopes)
         for _ in range(abs(power)):
             up, down = up * self.ratio[0], down * self.ratio[1]
-        return _or_unknown(tracked * (up / self.ratio[0]) / (down / self.ratio[1]))  # type: ignore[return-value]
+        made: float = _or_unknown(tracked * (up / self.ratio[0]) / (down / self.ratio[1]))
+        return made
 
     def in_file_unit(self, length: "float | None") -> float:
         """A length in the unit of the file; none is zero."""
@@ -87,7 +88,7 @@ class Lift:
         for value, own_value, error in zip(found.seconds, raw.values, off, strict=True):
             own_error = error + max(-own_value, 0.0)
             seconds.append(_or_unknown(density * self.number(max(value, 0.0), own_error, power)))
-        return Spread(tuple(seconds), found.axes, found.degeneracy)  # type: ignore[arg-type]
+        return Spread(tuple(seconds), found.axes, found.degeneracy)
 
 
 def _or_unknown(number: "Any") -> "Any":

@@ -86,7 +86,7 @@ class WholeMoments:
     def centroid_error(self) -> "Array":
         """How far each coordinate of the mass centre may be off."""
         cut = self._cut * self._size / abs(self.measure) if self.measure else 0.0
-        return _ONCE * abs(self.centroid) + (cut + TINY)  # type: ignore[no-any-return]
+        return _ONCE * abs(self.centroid) + (cut + TINY)
 
     def in_file(self) -> "tuple[Array, Array]":
         """Second moments in the axes of the file, and how far they may be off."""
@@ -96,7 +96,7 @@ class WholeMoments:
     def second_error(self) -> "Array":
         """How far each element of `second` may be off: a rounding, and four of those beside the diagonal."""
         roundings = 4.0 - 3.0 * np.eye(3)
-        return _ONCE * roundings * abs(self.second) + (self._cut * self._size * self._size + TINY)  # type: ignore[no-any-return]
+        return _ONCE * roundings * abs(self.second) + (self._cut * self._size * self._size + TINY)
 
     def spread_error(self, value: float) -> float:
         """By how much an eigenvalue of `second` is stretched by axes not quite across one another (Ostrowski)."""
