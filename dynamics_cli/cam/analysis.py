@@ -1,13 +1,13 @@
 """Certified extremes of curvature, pressure angle and contact of a whole cam, and what its plate weighs."""
 
 from functools import lru_cache
-from math import inf, pi
+from math import ceil, hypot, inf, pi
 
 import numpy as np
 
 from dynamics_cli.cam.contact import Geometry, check_speed
 from dynamics_cli.cam.followers import FlatFace
-from dynamics_cli.cam.pieces import Cover, Ends, pieces, within
+from dynamics_cli.cam.pieces import Cover, Ends, pieces, widths, within
 from dynamics_cli.errors import require
 from dynamics_cli.records import ErrorBound, record
 
@@ -15,14 +15,16 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-GAUSS = 12
-"""Nodes of a quadrature on a piece of 15 degrees at most, its halves and its quarters."""
+GAUSS = 16
+"""Nodes of a quadrature on a piece of 15 degrees at most and its halves."""
 
 PIECE = pi / 12.0
 # Roundings of a quadrature, as a share of a size that does not cancel.
 QUADRATURE = 8e-15
-# Halving helps for good once it does by this.
-FAST = 0.01
+# A piece is short enough when halving it moves the whole by this share at most; so often at most, and so many.
+GOOD = 4e-17
+DEPTH = 24
+MOST = 4096
 
 
 @record
@@ -157,7 +159,11 @@ class Plate:
     polar : float
         Second moment of the area about the cam's axis [m⁴].
     area_error, perimeter_error : float
-        What the quadrature may leave out by what halving its pieces moved, and rounding, as shares of the sizes.
+        Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes.
+    centroid_error : float
+        The same of the centroid [m].
+    polar_error : float
+        The same of the second moment, as a share of it.
     """
 
     area: float
@@ -167,6 +173,8 @@ class Plate:
     polar: float
     area_error: float
     perimeter_error: float
+    centroid_error: float
+    polar_error: float
 
 
 @lru_cache(maxsize=2)
@@ -200,47 +208,65 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
 
     Notes
     -----
-    Gauss-Legendre of 12 nodes on pieces of 3.75 degrees or less, held against pieces twice and four times as long: near
-    the axis a curve turns fast. A curve that cuts itself counts loops twice.
+    Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
+    short steep rise, a curve turns fast. A curve that cuts itself counts loops twice.
     """
-    levels = [_integrals(geometry, motion, start_angle, level) for level in range(3)]
-    area, perimeter, x, y, polar = (float(part.sum()) for part in levels[-1])
+    spans = widths(motion)
+    zone, low, high = (np.array(column) for column in zip(*_shares(spans), strict=True))
+    frame = geometry, motion, start_angle, np.array(spans)
+    values = _integrals(*frame, zone, low, high)
+    sums, left, most = np.zeros(5), np.zeros(5), np.zeros(2)
+    for depth in range(DEPTH):
+        middle = 0.5 * (low + high)
+        rows = (np.concatenate(pair) for pair in ((zone, zone), (low, middle), (middle, high)))
+        halves = _integrals(*frame, *rows).reshape(5, 2, -1)
+        both = halves.sum(axis=1)
+        moved = np.abs(both - values)
+        most = np.maximum(most, np.abs(sums + both.sum(axis=1))[:2])
+        good = (moved[:2] <= GOOD * most[:, None]).all(axis=0) | (depth == DEPTH - 1) | (zone.size > MOST)
+        sums += both[:, good].sum(axis=1)
+        left += 2.0 * moved[:, good].sum(axis=1)
+        bad = ~good
+        if not bad.any():
+            break
+        zone = np.concatenate((zone[bad], zone[bad]))
+        low, high = np.concatenate((low[bad], middle[bad])), np.concatenate((middle[bad], high[bad]))
+        values = halves[:, :, bad].reshape(5, -1)
+    area, perimeter, x, y, polar = sums.tolist()
     third = 1.0 / (3.0 * area) if area else 0.0
-    errors = [
-        _left(*(level[which] for level in levels)) / abs(whole) + QUADRATURE if whole else 0.0
-        for which, whole in enumerate((area, perimeter))
+    shares = [
+        off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
     ]
-    return Plate(area, perimeter, third * x, third * y, polar, *errors)
+    away = abs(third) * hypot(x, y)
+    # first moments are sums of a mean radius times the area
+    centroid = abs(third) * float(left[2] + left[3]) + away * shares[0] + QUADRATURE * perimeter / (2.0 * pi)
+    return Plate(area, perimeter, third * x, third * y, polar, shares[0], shares[1], centroid, shares[4])
 
 
-def _left(coarse: "Any", middle: "Any", fine: "Any") -> float:
-    """What a quadrature may leave out, by what halving each piece moved, and halving its halves.
-
-    Where the second time moved it by less than a hundredth of the first the next ones move it by less still.
-    """
-    first, second = np.abs(middle - coarse), np.abs(fine - middle)
-    with np.errstate(all="ignore"):
-        ratio = np.where(first > 0.0, second / np.where(first > 0.0, first, 1.0), 1.0)
-    return float((second * np.where(ratio < FAST, 4.0 * ratio, 2.0)).sum())
+def _shares(spans: "list[float]") -> "list[tuple[int, float, float]]":
+    """Zones cut into pieces of 15 degrees or less: zone, and the shares of it that each reaches from and to."""
+    made = []
+    for zone, span in enumerate(spans):
+        parts = max(1, ceil(span / PIECE - 1e-9))
+        made += [(zone, index / parts, (index + 1) / parts) for index in range(parts)]
+    return made
 
 
-def _integrals(geometry: Geometry, motion: "Any", start_angle: float, level: int) -> "tuple[Any, ...]":
-    """Area, length, first moments (thrice) and polar second moment of pieces of 15 degrees, each in 2^level parts."""
-    starts, ends = pieces(motion)
-    parts = np.maximum(np.ceil((ends - starts) / PIECE - 1e-9), 1.0).astype(int) << level
-    owner = np.repeat(np.arange(parts.size), parts)
-    share = 1.0 / parts[owner]
-    index = np.arange(owner.size) - (np.cumsum(parts) - parts)[owner]
+def _integrals(
+    geometry: Geometry, motion: "Any", start_angle: float, spans: "Any", zone: "Any", low: "Any", high: "Any"
+) -> "Any":
+    """Area, length, first moments (thrice) and polar second moment of pieces, (5, n)."""
+    starts, _ = pieces(motion)
     nodes, weights = _gauss(GAUSS)
-    place = (index[:, None] + 0.5 * (1.0 + nodes)) * share[:, None]
-    width = (ends - starts)[owner]
-    theta = starts[owner][:, None] + width[:, None] * place
-    weight = 0.5 * (width * share)[:, None] * weights
-    s, s1, s2 = within(motion, place, owner)
+    half = 0.5 * (high - low)
+    place = 0.5 * (low + high)[:, None] + half[:, None] * nodes
+    theta = starts[zone][:, None] + spans[zone][:, None] * place
+    weight = (spans[zone] * half)[:, None] * weights
+    s, s1, s2 = within(motion, place, zone)
     check_speed(geometry, s1)
     touch = geometry.touch(s, s1, s2)
     (x, y), (nx, ny) = touch.point, touch.normal
     swept = (x * nx + y * ny) * touch.run * weight
     zx, zy = geometry.turned((x, y), theta, start_angle)
     rows = (0.5 * swept, np.abs(touch.run) * weight, zx * swept, zy * swept, 0.25 * ((x * x + y * y) * swept))
-    return tuple(row.reshape(-1, GAUSS << level).sum(axis=1) for row in rows)
+    return np.stack([row.sum(axis=1) for row in rows])

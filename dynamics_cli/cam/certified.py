@@ -1,12 +1,10 @@
 """Certified extremes of functions of a motion, and of quotients of their sums, with bounds of all that they err by."""
 
-from itertools import pairwise
 from math import inf
 
 import numpy as np
 
-from dynamics_cli.cam.motion import radians
-from dynamics_cli.cam.pieces import Cover, within
+from dynamics_cli.cam.pieces import Cover, widths, within
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.chebyshev import Proxies
 from dynamics_cli.numerics.discs import Disc
@@ -200,7 +198,7 @@ class Survey:
         made = self.made
         own = made.coefficients[3 + which]
         even = np.arange(0, own.shape[1], 2)
-        width = (made.ends - made.starts) * np.array(_widths(self.motion))[made.owner]
+        width = (made.ends - made.starts) * np.array(widths(self.motion))[made.owner]
         return (
             float(width @ (own[:, even] @ (1.0 / (1.0 - even * even)))),
             float(width @ np.abs(own).sum(axis=1)),
@@ -229,16 +227,6 @@ def _off(found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: f
         if open_.any():
             error = max(error, float((np.maximum(found.tops[found.rows], slip) / below.centre)[open_].max()))
     return error * (1.0 + 2.0**-40)
-
-
-def _widths(motion: "Motion") -> "list[float]":
-    """Widths of the zones; the ends of a narrow one, as angles, would not tell them."""
-    found = []
-    for span in motion.segments:
-        width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
-        cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
-        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
-    return found
 
 
 def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":

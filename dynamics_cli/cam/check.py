@@ -223,7 +223,7 @@ def check(
     from dynamics_cli.cam.contact import Geometry
     from dynamics_cli.cam.jump import asked_jump
     from dynamics_cli.cam.pieces import joint_jumps
-    from dynamics_cli.cam.profile import concave, convex
+    from dynamics_cli.cam.profile import concave, convex, radius_bounds
     from dynamics_cli.cam.undercut import lift_lost
 
     geometry = Geometry(follower, rotation, flank)
@@ -287,7 +287,12 @@ def check(
         advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every turning place certified",
-            (*pressure_bounds(found), *_lost_bound(geometry, loss), *_jump_bound(jump)),
+            (
+                *pressure_bounds(found),
+                *radius_bounds(geometry, found),
+                *_lost_bound(geometry, loss),
+                *_jump_bound(jump),
+            ),
         ),
     )
 

@@ -6,6 +6,7 @@ from math import ceil, pi
 import numpy as np
 
 from dynamics_cli.cam.enclosures import discs
+from dynamics_cli.cam.motion import radians
 from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
 from dynamics_cli.numerics.discs import Disc
 from dynamics_cli.numerics.remainders import proved_proxies
@@ -29,6 +30,16 @@ FINER = 7
 def pieces(motion: "Motion") -> "tuple[Any, Any]":
     """Starts and ends of the pieces of one turn, in radians and in order."""
     return np.array([zone.start for zone in motion.zones]), np.array([zone.end for zone in motion.zones])
+
+
+def widths(motion: "Motion") -> "list[float]":
+    """Widths of the zones; the ends of a narrow one, as angles, would not tell them."""
+    found = []
+    for span in motion.segments:
+        width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
+        cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
+        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
+    return found
 
 
 def sample(motion: "Motion", theta: "Any", derivatives: int = 3) -> "tuple[Any, ...]":

@@ -1,6 +1,6 @@
 """The profile of a radial cam: pitch curve, cam curve, cutter path, pressure angle, curvature, and the plate."""
 
-from math import pi
+from math import hypot, inf, pi
 
 from dynamics_cli.cam.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program import Program, motion_of
@@ -20,6 +20,7 @@ INNER = Flank("inner")
 # Beyond this the curve is straight for every purpose, and a document holds no infinity.
 STRAIGHT = 1e12
 MANY = 10_000_000
+UNIT = 2.0**-53
 
 
 @record
@@ -277,16 +278,30 @@ def profile(
         checks=_checks(geometry, touch),
         advice=_advice(geometry, found, joint_jumps(motion)[0]),
         numerics=Numerics(
-            "exact envelope; extremes by Chebyshev proxies of every piece; Gauss quadrature of 20 nodes",
-            (*_plate_bounds(body, runs_forward(geometry, found)), *pressure_bounds(found)),
+            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it stands",
+            (
+                *_plate_bounds(body, runs_forward(geometry, found), weight),
+                *pressure_bounds(found),
+                *radius_bounds(geometry, found),
+            ),
         ),
     )
 
 
-def _plate_bounds(body: "Plate", forward: bool) -> tuple[ErrorBound, ...]:
+def _plate_bounds(body: "Plate", forward: bool, weight: "float | None") -> tuple[ErrorBound, ...]:
     """Bounds of the quadrature; where the curve turns back, its length has kinks that Gauss's rule does not see."""
-    length = (ErrorBound("perimeter", body.perimeter_error),) if forward else ()
-    return (ErrorBound("area", body.area_error), *length)
+    made = [ErrorBound("area", body.area_error)]
+    if forward:
+        made.append(ErrorBound("perimeter", body.perimeter_error))
+    off = body.centroid_error
+    made += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
+    if weight is not None:
+        away = hypot(body.x, body.y)
+        about = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
+        made.append(ErrorBound("mass", body.area_error + UNIT))
+        made.append(ErrorBound("inertia", body.polar_error + UNIT))
+        made.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
+    return tuple(made)
 
 
 def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float, cutter: float) -> "Any":
@@ -341,6 +356,25 @@ def concave(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, flo
         return None, None
     value, place = found.curvature.smallest()
     return (geometry.side * geometry.roller - 1.0 / value, place) if value < -1e-12 else (None, None)
+
+
+def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, ...]:
+    """Proved bounds of the least radii of curvature: what 1/κ is off where κ is, and two roundings."""
+    bend = found.curvature
+    made = []
+    for name, radius, value, error in (
+        ("least_convex_radius", convex(geometry, found)[0], bend.greatest, bend.greatest_error),
+        ("least_concave_radius", concave(geometry, found)[0], bend.least, bend.least_error),
+    ):
+        if radius is None:
+            continue
+        off = bend.least_error
+        if not geometry.flat:
+            left = abs(value) - error
+            off = error / (abs(value) * left) + 2.0 * UNIT / abs(value) if left > 0.0 else inf
+        if off < inf:
+            made.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
+    return tuple(made)
 
 
 def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:

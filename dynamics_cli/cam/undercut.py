@@ -4,7 +4,7 @@ The cut cam is what no position of the follower covers. Its edge is the envelope
 the envelope crosses itself; put back on the cam, the follower rests on such a corner wherever its own contact is gone.
 """
 
-from math import inf, pi
+from math import inf, isfinite, pi
 
 import numpy as np
 
@@ -26,7 +26,7 @@ TURN = 2.0 * pi
 COVERED = 1e-12
 # How far a corner may be from its place, of the cam's size: found, and where points are too near to tell.
 FOUND = 2e-15
-# What a gap between lift and seat rounds by, of that size (arms: of a radian).
+# What a gap between lift and seat rounds by, of the sizes of cam and follower.
 ROUNDED = 1.2e-15
 BLURRED = 1e-12
 SLIPPING = 2049
@@ -112,12 +112,12 @@ def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "L
     main = [loop for loop in loops if _winds(loop, arcs)]
     if not main:
         return Loss(inf, 0.0, 0.0, stretches, 0, len(loops))
-    lift, place, error = _worst(curve, main[0], size)
     corner = FOUND if all(crossing.exact for crossing in found) and len(whole) == len(found) else BLURRED
+    lift, place, error = _worst(curve, main[0], size, corner)
     if not backward and len(loops) == 1 and lift <= BLURRED * size:
         # a dwell that is a point of the cam, on its axis
         return None
-    return Loss(lift, float(place) % TURN, error + corner * size, stretches, len(main[0]), len(loops) - 1)
+    return Loss(lift, float(place) % TURN, error, stretches, len(main[0]), len(loops) - 1)
 
 
 def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
@@ -280,13 +280,15 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
             far = np.hypot(px - f.pivot_distance, py)  # type: ignore[union-attr]
             level = np.arctan2(py, f.pivot_distance - px)  # type: ignore[union-attr]
             arm = f.arm  # type: ignore[union-attr]
-            opening = np.arccos((arm * arm + far * far - roller * roller) / (2.0 * arm * far))
+            # half the angle by its tangent: nothing cancels where the roller is small beside the arm
+            inner, outer = (roller - (arm - far)) * (roller + (arm - far)), (arm + far - roller) * (arm + far + roller)
+            opening = 2.0 * np.arctan2(np.sqrt(inner), np.sqrt(outer))
         found = level + opening - start if drives > 0.0 else start - (level - opening)
     return np.where(np.isnan(found), -np.inf, found)
 
 
-def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, float, float]":
-    """The greatest lift lost on any corner of a loop, its cam angle, and the bound of what the search leaves out."""
+def _worst(curve: Envelope, loop: "list[Corner]", size: float, off: float) -> "tuple[float, float, float]":
+    """The greatest lift lost on any corner of a loop, its cam angle, and its error, corners being `off` that share."""
     motion, geometry = curve.motion, curve.geometry
     drives = geometry.way * geometry.side
     parts, points = _gone(curve, loop)
@@ -318,11 +320,33 @@ def _worst(curve: Envelope, loop: "list[Corner]", size: float) -> "tuple[float, 
     piece = made.owner[top.rows]
     share = 0.5 * (made.starts + made.ends)[top.rows] + 0.5 * (made.ends - made.starts)[top.rows] * top.units
     gaps = lost(share[:, None], piece)[0, :, 0]
-    error = settled(top, level + gaps, np.full(gaps.shape, ROUNDED * level))[2]
     index = int(gaps.argmax())
     own = int(piece[index])
     place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[index]))
-    return max(float(gaps[index]), 0.0), place, error
+    # the seat rounds as if the corner were elsewhere by roundings of the lengths of cam and follower
+    steep = _steep(geometry, place, complex(points[own]), 1e-6 * size)
+    rounded = ROUNDED * (size + _reach(geometry)) * steep
+    rounded += 2.0**-51 * (abs(geometry.start) + max(map(abs, motion.stroke)))
+    error = settled(top, level + gaps, np.full(gaps.shape, rounded))[2]
+    return max(float(gaps[index]), 0.0), place, error + off * size * steep
+
+
+def _steep(geometry: Geometry, theta: float, point: complex, step: float) -> float:
+    """How far the seat on a point moves for each metre of the point, by differences."""
+    moved = point + step * np.array([1.0, -1.0, 1.0j, -1.0j])
+    rests = seat(geometry, np.full(4, theta), moved.real, moved.imag)
+    found = float(np.hypot(rests[0] - rests[1], rests[2] - rests[3])) / (2.0 * step)
+    return found if isfinite(found) else inf
+
+
+def _reach(geometry: Geometry) -> float:
+    """Lengths of the follower that its seat is told from."""
+    f: Any = geometry.follower
+    if isinstance(f, FlatFace):
+        return 0.0
+    if isinstance(f, OscillatingFlat):
+        return f.pivot_distance + abs(f.face_offset)
+    return geometry.roller + (f.pivot_distance + f.arm if geometry.oscillating else abs(f.offset))
 
 
 def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: "Any") -> "tuple[float, float, float]":

@@ -36,15 +36,16 @@ def _given(case: Case) -> "tuple[Geometry, Any]":
 def by_proxies(geometry: "Geometry", motion: "Any") -> "Found":
     """The program's own: Chebyshev proxies of every piece of every law, each with a bound."""
     from dynamics_cli.cam.analysis import analyse, pressure_bounds
-    from dynamics_cli.cam.profile import convex
+    from dynamics_cli.cam.profile import convex, radius_bounds
 
     found = analyse(geometry, motion)
     bounds = {bound.result: bound.bound for bound in pressure_bounds(found)}
+    radii = {bound.result: bound.bound for bound in radius_bounds(geometry, found)}
     large, least = found.pressure.largest()[0], found.pressure.smallest()[0]
     return {
         PRESSURE[0]: (large, _of(bounds, PRESSURE[0], large)),
         PRESSURE[1]: (least, _of(bounds, PRESSURE[1], least)),
-        CONVEX: (convex(geometry, found)[0], None),
+        CONVEX: (convex(geometry, found)[0], radii.get(CONVEX)),
     }
 
 
