@@ -154,9 +154,10 @@ def wall(form: ToothForm, tolerance: float) -> "tuple[Array, Array, Array]":
     chain = flank(form, tolerance)
     radius, half = chain.radius, pi / form.teeth - chain.angle
     if form.internal:
+        radius, half = radius[::-1], half[::-1]
+    if form.internal and form.fillet > 0.0:
         more_radius, more_half = _fillet_points(form)
-        radius = np.concatenate([radius[::-1], more_radius[1:]])
-        half = np.concatenate([half[::-1], more_half[1:]])
+        radius, half = np.concatenate([radius, more_radius[1:]]), np.concatenate([half, more_half[1:]])
     slope = radius * np.gradient(half, radius)
     return radius, half, 1.0 / np.sqrt(1.0 + slope * slope)
 
@@ -165,8 +166,6 @@ def _fillet_points(form: ToothForm) -> "tuple[Array, Array]":
     """The fillet of an internal gear from the involute to the root circle, as radii and half angles of the space."""
     import numpy as np
 
-    if form.fillet == 0.0:
-        return np.array([form.form, form.root]), np.full(2, form.half_angle(form.roll(form.form)))
     centre, angle = _fillet_centre(form)
     reach = sqrt((centre - form.base) * (centre + form.base))
     half = pi / form.teeth - angle

@@ -199,7 +199,7 @@ def test_distances_from_the_root_are_those_of_whole_outlines(z1: int, z2: int, m
         assert gap is not None
         # an involute that gets as far as where the other begins touches it there
         found = outlines(first, second, distance, turned)
-        assert gap - 1e-9 * MM <= found <= abs(gap) + 0.01 * MM
+        assert gap - 1e-9 * MM <= found <= abs(gap) + 0.001 * MM
 
 
 def test_a_distance_is_that_of_the_gears_whichever_drives_and_however_large() -> None:
@@ -214,6 +214,16 @@ def test_tips_that_stay_beyond_the_form_circle_have_no_distance() -> None:
     assert answer.first_in_second is None
     assert "first_in_second" not in {one.result for one in answer.numerics.bounds}
     assert answer.second_in_first is not None
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("internal", [False, True])
+def test_sharp_roots_have_room_like_nearly_sharp_ones(internal: bool) -> None:
+    common = {"first_teeth": 20, "second_teeth": 60, "pitch": M2, "internal": internal, "points": 10}
+    common |= {"first_tip_diameter": 45 * MM} if internal else {}
+    sharp, nearly = (mesh(**common, root_radius_factor=radius) for radius in (0.0, 1e-6))
+    assert sharp.second_in_first == pytest.approx(nearly.second_in_first, abs=1e-7 * MM)
+    assert sharp.first_in_second == pytest.approx(nearly.first_in_second, abs=1e-5 * MM)
 
 
 def test_every_number_of_a_mesh_has_a_bound() -> None:

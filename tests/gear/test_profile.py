@@ -279,3 +279,18 @@ def test_what_cannot_be_is_refused(arguments: dict, code: str) -> None:
 def test_names_of_the_trade() -> None:
     assert Sign("khk") == "outward"
     assert Profile("full-depth") == "a"
+
+
+@pytest.mark.parametrize("pressure_angle", [0.2 + 0.01 * k for k in range(30)])
+def test_a_rack_with_sharp_corners_joins_to_the_bit(pressure_angle: float) -> None:
+    """Flank and root land were calculated each by itself, and differed by an ulp here and there."""
+    found = pieces(profile(teeth=4, pitch=PITCH, rack=True, root_radius_factor=0.0, pressure_angle=pressure_angle))
+    for piece, following in pairwise(found):
+        assert piece.end == following.start
+
+
+def test_circles_state_tight_bounds() -> None:
+    for arguments in ({"teeth": 9}, {"teeth": 27, "profile_shift": -1.5}, {"teeth": 72, "internal": True}):
+        bounds = profile(pitch=PITCH, **arguments).numerics.bounds
+        assert {one.result for one in bounds} == {f"{name}_diameter" for name in ("tip", "root", "base", "form")}
+        assert all(one.relative and one.bound < 25 * 2.0**-53 for one in bounds)
