@@ -25,6 +25,7 @@ import cam_search_cases as cases
 import cam_search_contact as contact
 import cam_search_designs as designs
 import cam_search_export as exports
+import cam_search_forces as forces
 import cam_search_tables as tables
 from cam_search_compared import UNIT_ROUNDOFF, Compared, column_of
 from precise import many_bits
@@ -35,7 +36,7 @@ Case = dict[str, Any]
 
 
 class Question(NamedTuple):
-    """A task: how inputs are drawn, how an answer is compared, what it takes from which shipped cases, and how often."""
+    """A task: how inputs are drawn, how an answer is compared, what it takes of which shipped cases, how often."""
 
     draw: Callable[[random.Random], Case]
     compare: Callable[[Case], Iterator[Compared]]
@@ -47,9 +48,7 @@ class Question(NamedTuple):
 CAM = ("program", "follower", "rotation", "flank")
 QUESTIONS = {
     "cam motion": Question(cases.motion, tables.moving, ("motion", "profile", "force"), ("program",)),
-    "cam force": Question(
-        cases.force, tables.pressing, ("force",), (*CAM, "train", "contact", "shaft_speed")
-    ),
+    "cam force": Question(cases.force, forces.pressing, ("force",), (*CAM, "train", "contact", "shaft_speed")),
     "cam profile": Question(cases.profile, tables.outlining, ("profile",), CAM),
     "cam size": Question(
         cases.size, designs.sizing, ("size",), (*CAM, "rise_limit", "return_limit", "least_radius"), 0.15

@@ -26,7 +26,7 @@ class Compared(NamedTuple):
 
     @property
     def error(self) -> float:
-        """How far the result is off, less what the exact side may be: places climbed to are good to 2⁻¹⁰⁰ of the size."""
+        """How far the result is off, less what the exact side may be: climbs end within 2⁻¹⁰⁰ of the size."""
         own = Exact(2) ** -90 * max(Exact(self.size), abs(self.exact))
         return float(max(abs(Exact(self.value) - self.exact) - own, Exact(0)))
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from cam_search_motion import Jet, Turn, Zone, arc_tangent, as_jet, sine_cosine, sqrt
+from cam_search_motion import Turn, Zone, arc_tangent, as_jet, sine_cosine, sqrt
 from precise import FUNCTIONS, Exact, exact_pi
 
 State = tuple[Any, Any, Any]
@@ -139,8 +139,6 @@ class Carried:
         return times(point, (cos, sin))
 
 
-
-
 def _shares(count: int) -> Any:
     """Shares of a zone to sample, fine towards its ends, where a law leaves its dwell with a high power."""
     ends = [2.0**-k for k in range(8, 36)]
@@ -158,7 +156,9 @@ class Looking:
     shares, steps = coarse
 
 
-def climbed(quantity: Quantity, zone: Zone, ends: tuple[Any, Any], place: Any, sign: int, shift: int, size: float) -> Any:
+def climbed(
+    quantity: Quantity, zone: Zone, ends: tuple[Any, Any], place: Any, sign: int, shift: int, size: float
+) -> Any:
     """The quantity where its derivative vanishes between two places, by Newton's method kept between them.
 
     What comes back is a value that is taken there, whatever the derivative does.
@@ -232,7 +232,7 @@ def _humps(values: Any) -> list[tuple[float, float, int]]:
     found = []
     for i in np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > -np.inf)).tolist():
         end = 0 if i < FINE else last
-        if Looking.steps == 1 and not FINE <= i <= last - FINE and values[i] - values[end] <= 3e-14 * size:
+        if Looking.steps == 1 and not FINE <= i <= last - FINE and values[i] - values[end] <= 2e-15 * size:
             i = end
         # as much as it falls to the nearer neighbour
         beside = max(padded[i], padded[i + 2])

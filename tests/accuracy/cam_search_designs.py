@@ -5,8 +5,9 @@ from typing import Any
 
 from cam_search_compared import Compared, Stated
 from cam_search_contact import Carried, extreme
+from cam_search_forces import Pressed, jumping
 from cam_search_motion import Turn
-from cam_search_tables import MISSED, NOTHING, Pressed, doubles, follower_of, jumping, shape
+from cam_search_tables import MISSED, NOTHING, doubles, follower_of, shape
 from cam_search_undercut import lost
 from precise import FUNCTIONS, Exact
 
@@ -115,7 +116,7 @@ def _flat(answer: Any, turn: Turn, stated: Stated, values: dict[str, Any], least
     floor = -extreme(turn, lambda *state: state[0], -1)
     exact = max(least - low, floor, Exact(0))
     room = float(abs(low)) + float(least)
-    yield from stated.compare("base_radius", answer.base_radius, exact, MISSED * room, size=max(float(exact), 0.0))
+    yield from stated.compare("base_radius", answer.base_radius, exact, MISSED * room, size=room)
     slow, fast = (extreme(turn, lambda *state: state[1], sign) for sign in (-1, 1))
     width = fast - slow + 2 * values.get("face_margin", 0)
     yield from stated.compare("face_width", answer.face_width, width, MISSED * float(width))

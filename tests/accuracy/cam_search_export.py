@@ -6,6 +6,7 @@ along the tangent there adds only its square.
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -119,7 +120,7 @@ def pieces_of(outline: Any) -> list[Any]:
     found: list[Any] = []
     for piece in outline.pieces:
         points = getattr(piece, "points", None)
-        found += [piece] if points is None else [Arc(a, b, 0.0) for a, b in zip(points, points[1:], strict=False)]
+        found += [piece] if points is None else [Arc(a, b, 0.0) for a, b in pairwise(points)]
     return found
 
 

@@ -5,7 +5,6 @@ conditions in rationals: nothing is folded about the middle, and no constant is 
 its derivatives to any order at a real of 240 bits, and in doubles at an array, which only says where to look.
 """
 
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from math import factorial
@@ -185,9 +184,3 @@ def law_of(name: str, numbers: tuple[float, ...] = ()) -> tuple[Branch, ...]:
         constant = Exact(numbers[0]) if numbers else Exact(1) / 2
         return tuple(scca(Exact(1) / 4, 0, Exact(3) / 4, constant))
     return tuple(_named(name))
-
-
-def joined(branches: tuple[Branch, ...]) -> Iterator[tuple[Any, Any]]:
-    """Ends of the branches that meet: equal where the law is whole."""
-    for before, after in zip(branches, branches[1:], strict=False):
-        yield before.at(before.high, 1), after.at(after.low, 1)

@@ -29,7 +29,14 @@ def read(text: str) -> list[Clause]:
     clauses = []
     for part in text.split(";"):
         words = part.split()
-        clause: Clause = {"move": words.pop(0), "amount": None, "swing": False, "span": None, "law": None, "numbers": ()}
+        clause: Clause = {
+            "move": words.pop(0),
+            "amount": None,
+            "swing": False,
+            "span": None,
+            "law": None,
+            "numbers": (),
+        }
         if clause["move"] == "dwell":
             if words:
                 clause["span"] = Fraction(words[0])
@@ -256,4 +263,3 @@ def arc_tangent(y: Any, x: Any) -> Any:
     if isinstance(y, np.ndarray) or isinstance(x, np.ndarray | float):
         return np.arctan2(y, x)
     return FUNCTIONS["atan2"](y, x)
-

@@ -122,7 +122,9 @@ def _crossings(points: Any, before: Any, after: Any) -> list[tuple[int, int]]:
     with np.errstate(all="ignore"):
         t, u = ((q - p).conj() * s).imag / across, ((q - p).conj() * r).imag / across
     hits = np.argwhere((t >= 0.0) & (t <= 1.0) & (u >= 0.0) & (u <= 1.0))
-    return [(int(before[i]), int(after[j])) for i, j in sorted(hits.tolist(), key=lambda hit: hit[1] - hit[0])][:3][::-1]
+    return [(int(before[i]), int(after[j])) for i, j in sorted(hits.tolist(), key=lambda hit: hit[1] - hit[0])][:3][
+        ::-1
+    ]
 
 
 def _solved(envelope: _Envelope, a: Any, b: Any) -> Ends | None:
@@ -212,8 +214,12 @@ def _gap(envelope: _Envelope, found: Ends) -> Any:
         if best is None or gaps[i] > best[0]:
             step = (high - low) / 100
             middle = low + step * i
-            best = float(gaps[i]), zone, max(middle - step, low), min(max(middle, low + step / 8), high - step / 8), min(
-                middle + step, high
+            best = (
+                float(gaps[i]),
+                zone,
+                max(middle - step, low),
+                min(max(middle, low + step / 8), high - step / 8),
+                min(middle + step, high),
             )
     if best is None:
         return None

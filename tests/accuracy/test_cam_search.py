@@ -10,7 +10,7 @@ import cam_search_cases as drawn
 import pytest
 from cam_search import QUESTIONS
 from cam_search_compared import Compared
-from cam_search_contact import extreme
+from cam_search_contact import Looking, extreme
 from cam_search_laws import JERKY, MOVING, RESTING, law_of
 from cam_search_motion import Turn, read, written
 from mpmath import mp, mpf
@@ -67,9 +67,15 @@ def shipped(file: str, task: str) -> Iterator[dict[str, Any]]:
         ("cam check", "cam_design.json", 4),
     ],
 )
-def test_what_is_exact_here_is_what_the_references_say(task: str, file: str, least: int) -> None:
+def test_what_is_exact_here_is_what_the_references_say(
+    task: str, file: str, least: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Two constructions in many digits, written apart: mpmath's derivatives there, jets of 240 bits here."""
     many_bits()
+    # some references are humps that rise 1e-18 above the end beside them
+    shares, steps = Looking.fine
+    monkeypatch.setattr(Looking, "shares", shares)
+    monkeypatch.setattr(Looking, "steps", steps)
     checked = 0
     for case in shipped(file, task.split()[1]):
         given = drawn.fitted(random.Random(1), case["inputs"], QUESTIONS[task].draw, QUESTIONS[task].keys)
@@ -78,13 +84,13 @@ def test_what_is_exact_here_is_what_the_references_say(task: str, file: str, lea
         for one in QUESTIONS[task].compare(given):
             if one.name in case["results"] and "[" not in one.name:
                 reference = Exact(case["results"][one.name])
-                room = Exact(10) ** -16 * max(abs(reference), Exact(one.size) * Exact(10) ** -12)
+                room = Exact(10) ** -28 * max(abs(reference), Exact(10) ** -20)
                 assert abs(one.exact - reference) <= room, (case["name"], one.name)
                 checked += 1
     assert checked >= least
 
 
-@pytest.mark.parametrize("name", (*RESTING, *JERKY, *MOVING, "modified-constant-velocity"))
+@pytest.mark.parametrize("name", [*RESTING, *JERKY, *MOVING, "modified-constant-velocity"])
 def test_laws_are_those_of_the_references(name: str) -> None:
     many_bits()
     branches = law_of(name)
