@@ -491,6 +491,9 @@ class TestBlocks:
             (-1057.3148873253658, 0.0, 4336.692743671448), (-1057.314887325366, 0.0, -4336.6393438970945),
         ])  # fmt: skip
         source = Corners("", "", points, np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1), (2, 1, 3)]))
+        shell: Any = Lift(reading.Measured(source, shell=True), LengthUnit("m"), 0).measure()
+        assert shell.value > 0.0
+        assert shell.error <= 1e-14 * shell.value
         centroid: Any = Lift(reading.Measured(source, shell=False), LengthUnit("m"), 0).centroid()
         middle = points.mean(axis=0)
         for own, true in zip(centroid, middle, strict=True):

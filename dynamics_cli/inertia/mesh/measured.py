@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 # as it costs them nothing that can be felt.
 GRADED = 1e-4
 SMALL = 100_000
-# Up to this many triangles whole numbers take no longer than that second pass does.
+# Up to this many triangles whole numbers take at most half as long again as two passes do.
 FEW = 128
 
 

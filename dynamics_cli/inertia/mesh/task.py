@@ -90,9 +90,10 @@ def mesh(
 
     Notes
     -----
-    Bounds are of rounding, given the corners as stored. That the surface closes is proved by a 64-bit sum over its
-    directed edges; it sees neither surfaces that cross one another nor a closed surface given twice. A thin shell has
-    its mass on the triangles: the thickness makes mass, and is neglected against the size.
+    Bounds are of rounding, given the corners as stored. Up to 128 triangles the sums are formed in whole numbers and
+    each result is rounded once; of more in doubles, with bounds calibrated by search. That the surface closes is proved
+    by a 64-bit sum over its directed edges; it sees neither surfaces that cross one another nor a closed surface given
+    twice. A thin shell has its mass on the triangles: the thickness makes mass, and is neglected against the size.
 
     References
     ----------

@@ -55,7 +55,7 @@ class WholeMoments:
         scale = unit**power << (ROOT_BITS if shell else 0)
         self.measure = total / (shares[0] * scale)
         # what the cut roots are short of, and how far its weight is from any point of the body
-        self._cut = len(rows) * 2.0**-ROOT_BITS / unit / unit + TINY if shell else 0.0
+        self._cut = len(rows) / (unit * unit << ROOT_BITS) + TINY if shell else 0.0
         self._size = float(np.ptp(corners.reshape(3, 3, -1), axis=(0, 2)).max())
         self.measure_error = _ONCE * abs(self.measure) + (self._cut + TINY)
         self.centroid = np.zeros(3)
@@ -76,7 +76,7 @@ class WholeMoments:
         self.frame = np.array(axes)
         lines, _ = whole(axes)
         products, cells = grams(lines), along(central, lines)
-        # axes that are a hair longer than one stretch both ways; what is beside the diagonal is small itself
+        # divided by how much longer than one the axes are; beside the diagonal by the one instead of by both
         long = [products[k][k] * scale for k in range(3)]
         self.second = np.array([[cells[i][j] / long[max(i, j)] for j in range(3)] for i in range(3)])
         beside = [sum(abs(products[i][j]) for j in range(3) if j != i) / products[i][i] for i in range(3)]
