@@ -40,7 +40,9 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
     # a base circle has no negative radius, and the lowest face stays above the axis
     floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
-    slip = (both.least_error if base > floor else 4.0 * UNIT * floor) + UNIT * max(base, floor)
+    # where either might decide it counts
+    slip = max(both.least_error if base + both.least_error >= floor else 0.0, 4.0 * UNIT * floor)
+    slip += UNIT * max(base, floor)
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
     found = analyse(geometry, motion)

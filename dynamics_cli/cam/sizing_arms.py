@@ -1,6 +1,6 @@
 """How the smallest cam of an arm is found: the angle at which the arm may start, in closed form at every cam angle."""
 
-from math import asin, atan2, cos, hypot, pi, sin, sqrt, tan
+from math import asin, atan2, cos, hypot, inf, pi, sin, sqrt, tan
 
 import numpy as np
 
@@ -102,8 +102,28 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     most, most_error = min((over.least, over.least_error), (pi - lift.greatest, lift.greatest_error + 4.0 * UNIT))
     # a limit that might decide counts with its own error
     error = max(slip for value, slip, _ in ends if value + slip >= least - error)
+    if error == inf:
+        # an arc cosine is cut off somewhere on the turn, which leaves its proxies unproved there
+        error = _pressed(motion, (arm, pivot), least, limits, turn)
     floor = max(-lift.least, 0.0)
     return Reach(max(least, floor), most, binding, error if least + error > floor else lift.least_error, most_error)
+
+
+def _pressed(
+    motion: "Any", lengths: tuple[float, float], start: float, limits: tuple[float, float], turn: float
+) -> float:
+    """How far from an angle of the arm the pressure angle surely breaks a limit below and surely keeps both above."""
+    arm, pivot = lengths
+    prime = distance(arm, pivot, 0.5 * pi)
+    geometry = Geometry(followers.OscillatingRoller(prime, 0.0, arm, pivot), "cw" if turn < 0.0 else "ccw")
+
+    def pressed(angle: float) -> tuple[float, float]:
+        geometry.start = angle
+        seen = analyse(geometry, motion).pressure
+        ends = ((seen.greatest - limits[0], seen.greatest_error), (-seen.least - limits[1], seen.least_error))
+        return max(1.0 + excess for excess, _ in ends), max(error for _, error in ends)
+
+    return sure_about(pressed, 1.0, start, 1e-6)
 
 
 def require_reach(found: Reach, start: float) -> None:

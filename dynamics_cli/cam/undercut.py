@@ -345,8 +345,8 @@ def _reach(geometry: Geometry) -> float:
     if isinstance(f, FlatFace):
         return 0.0
     if isinstance(f, OscillatingFlat):
-        return f.pivot_distance + abs(f.face_offset)
-    return geometry.roller + (f.pivot_distance + f.arm if geometry.oscillating else abs(f.offset))
+        return float(f.pivot_distance + abs(f.face_offset))
+    return float(geometry.roller + (f.pivot_distance + f.arm if geometry.oscillating else abs(f.offset)))
 
 
 def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: "Any") -> "tuple[float, float, float]":

@@ -96,7 +96,7 @@ def test_motions(case: dict[str, Any]) -> None:
 
 
 @every("cam_geometry.json", "profile")
-def test_pressure_angles(case: dict[str, Any]) -> None:
+def test_pressure_angles_and_curvature(case: dict[str, Any]) -> None:
     inputs = case["inputs"]
     answer = profile(
         NOTHING,
@@ -115,6 +115,11 @@ def test_pressure_angles(case: dict[str, Any]) -> None:
             assert abs(float(text)) < 1e-50
             continue
         held(value, text, bounds[name], max(abs(float(text)), SMALL_ANGLE))
+    text = case["results"]["least_convex_radius"]
+    if answer.least_convex_radius is not None:
+        follower = follower_of(inputs["follower"])
+        size_ = abs(float(text)) + getattr(follower, "roller_radius", follower.base_radius)
+        held(answer.least_convex_radius, text, bounds["least_convex_radius"], size_)
 
 
 def sizes() -> list[dict[str, Any]]:
