@@ -2,7 +2,10 @@
 
 import json
 import random
+import subprocess
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import cam_search
@@ -88,6 +91,25 @@ def test_what_is_exact_here_is_what_the_references_say(
                 assert abs(one.exact - reference) <= room, (case["name"], one.name)
                 checked += 1
     assert checked >= least
+
+
+def test_the_worst_that_was_found_holds_its_bounds() -> None:
+    many_bits()
+    compared = 0
+    for task in ("force", "profile", "motion"):
+        for case in shipped("cam_found.json", task):
+            given = {"points": 5, **case["inputs"]}
+            for one in cam_search.answered(QUESTIONS[f"cam {task}"], given):
+                assert one.error <= one.bound, (case["name"], one.name)
+                compared += one.name in case["results"]
+    assert compared >= 35
+
+
+def test_generating_the_found_cases_again_gives_the_same_bytes(tmp_path: Path) -> None:
+    made = tmp_path / "cam_found.json"
+    generator = Path(references.__file__).with_name("generate_cam_found_references.py")
+    subprocess.run([sys.executable, str(generator), str(made)], check=True)
+    assert made.read_bytes() == (DATA / "cam_found.json").read_bytes()
 
 
 @pytest.mark.parametrize("name", [*RESTING, *JERKY, *MOVING, "modified-constant-velocity"])

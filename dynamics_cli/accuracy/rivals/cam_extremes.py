@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Found = dict[str, tuple[float | None, float | None]]
 
-FILE = "cam_geometry.json"
+FILES = ("cam_geometry.json", "cam_found.json")
 GOLDEN = 0.6180339887498949
 # Pressure angles are compared with this at the least: a follower in line has angles about zero.
 SMALL_ANGLE = 1e-3
@@ -133,7 +133,8 @@ def compared(
     import numpy as np
 
     pace = Pace(full=full)
-    cases = [(case, *_given(case)) for case in load(FILE) if case.task == "profile" and (case.hard or not hard)]
+    every = [case for file in FILES for case in load(file) if case.task == "profile"]
+    cases = [(case, *_given(case)) for case in every if case.hard or not hard]
     made: list[Row] = []
     base: float | None = None
     for method, function in methods:

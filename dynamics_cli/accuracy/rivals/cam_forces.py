@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     Found = dict[str, tuple[float, float | None]]
     Answer = Callable[[dict[str, Any]], Found]
 
-FILE = "cam_forces.json"
+FILES = ("cam_forces.json", "cam_found.json")
 GOLDEN = 0.6180339887498949
 
 
@@ -162,7 +162,8 @@ def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
     import numpy as np
 
     pace = Pace(full=full)
-    cases = [(case, given(case)) for case in load(FILE) if case.hard or not hard]
+    every = [case for file in FILES for case in load(file) if case.task == "force"]
+    cases = [(case, given(case)) for case in every if case.hard or not hard]
     made: list[Row] = []
     base: float | None = None
     for method, function in METHODS:
