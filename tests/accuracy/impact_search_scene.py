@@ -226,7 +226,7 @@ def in_space(rng: random.Random) -> Tree:
 
 def draw(rng: random.Random) -> Tree:
     """A fresh scene."""
-    return rng.choices((particles, in_the_plane, in_space), (12, 13, 1))[0](rng)
+    return rng.choices((particles, in_the_plane, in_space), (10, 11, 2))[0](rng)
 
 
 def starts() -> list[Tree]:
@@ -253,4 +253,4 @@ def starts() -> list[Tree]:
 
 def question() -> Question:
     """`impact solve`."""
-    return Question("impact solve", starts(), draw, ask, drawn=0.96)
+    return Question("impact solve", starts(), draw, ask, drawn=0.95)
