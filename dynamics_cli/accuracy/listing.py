@@ -4,6 +4,7 @@ import json
 from functools import cache
 from pathlib import Path
 
+from dynamics_cli.pictures import Axis, Bars, Panel, Picture
 from dynamics_cli.quantities import Text
 from dynamics_cli.records import record
 
@@ -54,14 +55,16 @@ def manifest() -> "dict[str, Any]":
 
 
 def listed(family: str, task: str, *, hard: bool) -> tuple[ReferenceCase, ...]:
-    """The cases of a family and task, or all."""
-    return tuple(
+    """The cases of a family and task, or all, those of one command together."""
+    found = [
         _case(file, case)
         for file in manifest()["files"]
         if family in ("", file["family"])
         for case in file["cases"]
         if task in ("", case["command"]) and (case["kind"] == HARD or not hard)
-    )
+    ]
+    places = {command: place for place, command in enumerate(dict.fromkeys(case.command for case in found))}
+    return tuple(sorted(found, key=lambda case: places[case.command]))
 
 
 def _case(file: "dict[str, Any]", case: "dict[str, str]") -> ReferenceCase:
@@ -73,7 +76,9 @@ def _case(file: "dict[str, Any]", case: "dict[str, str]") -> ReferenceCase:
 
 def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[str]":
     """The cases for people: a block for each command, its hard cases with their reasons; `wrapped` breaks lines."""
-    made: list[str] = []
+    sources = {case["source"] for case in cases}
+    meaning = "; ".join(f"{word}: {words}" for word, words in manifest()["sources"].items() if word in sources)
+    made = ["", *(f"  {line}" for line in wrapped(meaning, width - 2))]
     before = ""
     for case in cases:
         if case["command"] != before:
@@ -86,3 +91,16 @@ def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[st
         if case.get("why"):
             made += [f"      {line}" for line in wrapped(case["why"], width - 6)]
     return made
+
+
+def counted(cases: tuple[ReferenceCase, ...]) -> Picture:
+    """How many cases each command has, a bar for the hard ones below that of all."""
+    commands = dict.fromkeys(case.command for case in cases)
+    names: list[str] = []
+    counts: list[float] = []
+    for command in commands:
+        own = [case for case in cases if case.command == command]
+        names += [command, "of these hard"]
+        counts += [float(len(own)), float(sum(case.difficulty == HARD for case in own))]
+    bars = Bars(tuple(names), [0.0] * len(names), counts)
+    return Picture((Panel(Axis("reference cases"), Axis(""), (bars,)),), "reference cases of 40 digits")

@@ -6,6 +6,7 @@ so that panels can be compared.
 
 from math import ceil, floor, log10
 
+from dynamics_cli.accuracy.listing import counted
 from dynamics_cli.accuracy.rows import CHOSEN, compared_worst
 from dynamics_cli.pictures import Axis, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import EvaluationTime
@@ -40,6 +41,8 @@ ERROR = "worst error (1: no digit is right)"
 
 def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
     """A panel for every question with several methods, one of all of them, and one of each family's other questions."""
+    if made.cases is not None:
+        return counted(made.cases)
     questions = by_question(made)
     if not questions:
         return errors_alone(made)

@@ -2,9 +2,9 @@
 
 To ship what a search has found: add a line to found_cases.json with the file's name, the task, a name that no other
 case of the task has, `why` ("found by search: …": which result, by how much, and what makes it hard there) and the
-inputs with doubles as text; then run the file's generator, which adds the results, and generate_manifest.py. Files
-whose generators call `found` take cases so. Those of inertia and of particles are in inertia_found.py and
-impact_found.py.
+inputs with doubles as text; then run regenerate.py with the name of the file, which adds the results. Files whose
+generators call `found` take cases so. Those of inertia and of impact stand in inertia_found.py, impact_found.py and
+their like.
 """
 
 import json

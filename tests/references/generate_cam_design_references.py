@@ -207,7 +207,7 @@ ROCKERS = [
     ("flat rocker with offset face", "", LEVER, "0.11", "0.006", "0.01"),
     (
         "flat rocker with its face beyond the pivot",
-        "the radius of curvature gains what the face loses",
+        "the face lies beyond the pivot: its offset is negative, and lever and radius of curvature change sides",
         LEVER, "0.1", "-0.005", "0.002",
     ),
 ]  # fmt: skip
@@ -292,7 +292,7 @@ def pair_cases():
 def main():
     sizes = [*offset_cases(), *rocker_cases(), *pair_cases()]
     cases = [case("check", *parts) for parts in corner_cases()] + [case("size", *parts) for parts in sizes]
-    about = "Written by generate_cam_design_references.py: SI inputs as doubles, results to 40 digits of 50."
+    about = "Written by generate_cam_design_references.py: SI inputs as doubles, results to 40 digits of 90."
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_design.json"
     text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
     target.write_text(text + "\n", encoding="utf-8")

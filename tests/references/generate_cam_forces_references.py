@@ -133,7 +133,8 @@ def cusps():
         )  # fmt: skip
     low = extreme(lambda lift, t: lift(t) + diff(lift, t, 2), both, -1)
     base = float(-low + MANY.number("1e-9"))
-    yield ("flat face a nanometre off a cusp", "R + s + s″ is left over from centimetres", STEEP, "150", S,
+    yield ("flat face a nanometre off a cusp",
+        "R + s + s″ is a nanometre left over from centimetres: seven digits of the curvature cancel", STEEP, "150", S,
            flat(repr(base)), 1, True)  # fmt: skip
 
 
@@ -160,7 +161,7 @@ def main():
                 "results": {key: written(value) for key, value in results.items()},
             }
         )
-    about = "Written by generate_cam_forces_references.py: SI inputs as doubles, results to 40 digits of 60."
+    about = "Written by generate_cam_forces_references.py: SI inputs as doubles, results to 40 digits of 90."
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_forces.json"
     text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
     target.write_text(text + "\n", encoding="utf-8")

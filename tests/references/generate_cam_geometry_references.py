@@ -120,7 +120,7 @@ def main():
             "points": COUNT,
         }
         cases.append(case("profile", name, why, inputs, answers(segments, follower, turn, side, swing)))
-    about = "Written by generate_cam_geometry_references.py: SI inputs as doubles, results to 40 digits of 60."
+    about = "Written by generate_cam_geometry_references.py: SI inputs as doubles, results to 40 digits of 90."
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_geometry.json"
     text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
     target.write_text(text + "\n", encoding="utf-8")

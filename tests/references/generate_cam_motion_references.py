@@ -164,7 +164,8 @@ DERIVATIVES = ("lift", "velocity", "acceleration", "jerk")
 
 
 def text(value: Any) -> str:
-    return mp.nstr(value, 40)
+    # what 200 digits leave of a zero is none; nothing here is truly so small
+    return mp.nstr(value, 40) if abs(value) > mpf(10) ** -120 else "0.0"
 
 
 def rise_case(kind: str, name: str, why: str, law: Law, inputs: dict[str, Any]) -> dict[str, Any]:
@@ -261,6 +262,10 @@ PROGRAMS: dict[str, list[Segment]] = {
         ("0.005", 0, 1, "3-4-5"), ("0", 1, 3000001, ""), ("-0.005", 3000001, 3100001, "modified-trapezoid"),
         ("0", 3100001, 3600000, ""),
     ],
+    "dwell 200 deg; rise 5 mm in 0.0001 deg 3-4-5; dwell 100 deg; return in 33.3 deg cycloidal; dwell": [
+        ("0", 0, 2000000, ""), ("0.005", 2000000, 2000001, "3-4-5"), ("0", 2000001, 3000001, ""),
+        ("-0.005", 3000001, 3333001, "cycloidal"), ("0", 3333001, 3600000, ""),
+    ],
 }  # fmt: skip
 
 
@@ -274,9 +279,10 @@ def motions(generator: random.Random) -> list[dict[str, Any]]:
     for program, segments in PROGRAMS.items():
         whole = mpf(segments[-1][2])
         for number in range(10):
-            chosen = generator.choice([0, 2])
+            moves = [segment for segment in segments if segment[3]]
+            chosen = generator.choice([0, 1])
             # hard ones take turns: each end of each move once
-            segment = segments[chosen if number < 6 else 2 * (number // 2 % 2)]
+            segment = moves[chosen if number < 6 else number // 2 % 2]
             start, end = (2 * pi * mpf(edge) / whole for edge in segment[1:3])
             place = mpf(generator.random())
             hard = number >= 6

@@ -50,6 +50,17 @@ DEGREES = {
 }
 
 
+# What other converters are known to print wrongly.
+KNOWN = (
+    ("98.6", "degF", "degC", "exactly 37: five ninths and the offset in doubles leave 37.00000000000006"),
+    ("25", "degC", "degF", "exactly 77: nine fifths and the offset in doubles leave 76.99999999999993"),
+    ("60", "mph", "ft/s", "exactly 88: a factor of 28 decimal digits leaves two units of the 26th"),
+    ("1", "lbf", "N", "exactly 4.4482216152605: the double nearest to it, not to a product of rounded factors"),
+    ("1e308", "km/h", "m/s", "within a factor of two of the largest double: a product by 1000 first overflows"),
+    ("5e-308", "m/s", "km/h", "next to the smallest normal double: a quotient by 3600 first loses its digits"),
+)
+
+
 def reason(value: str, source: str, kind: str) -> str:
     """Why a value is hard to convert."""
     if kind == "temperature":
@@ -61,12 +72,12 @@ def reason(value: str, source: str, kind: str) -> str:
     return HARD[value]
 
 
-def converted(value: str, source: str, target: str, kind: str) -> str | None:
-    """The result to 40 digits; None where it leaves the range of a double."""
+def converted(value: str, source: str, target: str, kind: str, reach: int = 300) -> str | None:
+    """The result to 40 digits; None where it has more than so many decimal orders."""
     (a, p, zero), (b, q, origin) = KINDS[kind][source], KINDS[kind][target]
     exact = (Fraction(value) * a + zero - origin) / b
     number = mpf(exact.numerator) / exact.denominator * mp.pi ** (p - q)
-    if number != 0 and not mpf(10) ** -300 < abs(number) < mpf(10) ** 300:
+    if number != 0 and not mpf(10) ** -reach < abs(number) < mpf(10) ** reach:
         return None
     return mp.nstr(number, 40)
 
@@ -88,6 +99,12 @@ def main() -> None:
                 case |= {"name": f"{value} {source} to {target}", **({"why": why} if why else {})}
                 inputs = {"value": value, "from": source, "to": target}
                 lines.append(json.dumps({**case, "inputs": inputs, "results": {"value": expected}}))
+    for value, source, target, why in KNOWN:
+        kind = next(kind for kind, units in KINDS.items() if source in units)
+        case = {"task": "convert", "kind": "hard", "name": f"{value} {source} to {target}", "why": why}
+        inputs = {"value": value, "from": source, "to": target}
+        results = {"value": converted(value, source, target, kind, 308)}
+        lines.append(json.dumps({**case, "inputs": inputs, "results": results}))
     for worst in found("convert.json"):
         inputs = worst["inputs"]
         kind = next(kind for kind, units in KINDS.items() if inputs["from"] in units)

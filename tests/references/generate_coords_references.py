@@ -81,23 +81,23 @@ def cartesian(generator: random.Random) -> Iterator[tuple[str, Point]]:
         yield apart((x, y, z)), (x, y, z)
     yield from (("", point) for point in [(3.0, 1.0, 4.0), (1.0, 2.0, 5.0)])
     yield from [
-        ("the origin, where no angle is determined", (0.0, 0.0, 0.0)),
+        ("the origin: no angle is determined, and a quotient for one is zero over zero", (0.0, 0.0, 0.0)),
         ("on the z-axis, where θ is not determined and φ is an exact zero", (0.0, 0.0, 2.0)),
         ("on the z-axis below the origin: θ is not determined, and φ is the rounded π", (0.0, 0.0, -2.0)),
-        ("on the cut of θ: 180 degrees, not −180", (-1.0, 0.0, 0.0)),
+        ("on the cut of θ: 180 degrees, not −180, by the sign of a zero", (-1.0, 0.0, 0.0)),
         ("below the cut of θ by less than an angle can show: −180 degrees, not 180", (-1.0, -1e-300, 1.0)),
-        ("above the cut of θ by less than its last place", (-1.0, 1e-17, 1.0)),
+        ("above the cut of θ by less than its last place: the sine of a double near π decides", (-1.0, 1e-17, 1.0)),
         ("off the z-axis by less than the last place of ρ: an arc cosine gives φ = 0", (1e-20, 0.0, 1.0)),
         (
             "off the negative z-axis by 1e-20: an arc cosine gives exactly π, and θ must keep its digits",
             (1e-20, 1e-20, -1.0),
         ),
-        ("off the plane by less than the last place of ρ", (1.0, 1.0, 1e-20)),
+        ("off the plane by less than the last place of ρ: an arc cosine sees a right angle only", (1.0, 1.0, 1e-20)),
         ("three of the smallest doubles: lengths round to whole multiples of them", (LEAST, LEAST, LEAST)),
         ("a triangle 3, 4, 5 of the smallest doubles: the length is exact", (3 * LEAST, -4 * LEAST, 0.0)),
-        ("subnormal components, whose digits are few", (7e-310, -3e-312, 5e-309)),
-        ("squares of all components underflow", (TINY, TINY, TINY)),
-        ("squares of all components overflow", (HUGE, -HUGE, HUGE)),
+        ("subnormal components: few digits are given, and none of them may be lost", (7e-310, -3e-312, 5e-309)),
+        ("squares of all components underflow, and the radius does not", (TINY, TINY, TINY)),
+        ("squares of all components overflow, and the radius does not", (HUGE, -HUGE, HUGE)),
         ("near the largest double: the sum of components overflows, their length does not", (1e308, 1e308, 1e308)),
         (
             "600 orders of magnitude between components: θ is a right angle to the last bit",
@@ -115,7 +115,7 @@ def cylindrical(generator: random.Random) -> Iterator[tuple[str, Point]]:
     yield "", (4.0, 0.5235987755982988, 2.0)
     yield from [
         ("no radius: θ says nothing, and must not appear in the answer", (0.0, 0.4, 1.0)),
-        ("the origin with an angle given: the answer has none", (0.0, 0.4, 0.0)),
+        ("the origin with an angle given: a radius of zero takes it away, and the answer has none", (0.0, 0.4, 0.0)),
         ("the double nearest π: its sine is 1.2e-16, what that double is short of π", (1.0, PI, 0.0)),
         ("the double nearest −π, which other angles write as 180 degrees", (1.0, -PI, 0.0)),
         ("an angle beyond π must be brought back by an exact turn", (1.0, 4.0, 1.0)),
@@ -125,7 +125,7 @@ def cylindrical(generator: random.Random) -> Iterator[tuple[str, Point]]:
         ("off the negative z-axis by less than the last place of ρ", (1e-20, 1.0, -1.0)),
         ("the smallest doubles: components round to none or one of them", (LEAST, 1.0, LEAST)),
         ("radius and angle of 1e-300: their product underflows to zero", (TINY, 1e-300, TINY)),
-        ("squares of radius and height overflow", (HUGE, 2.0, -HUGE)),
+        ("squares of radius and height overflow, and their root does not", (HUGE, 2.0, -HUGE)),
         (
             "a right angle as a double, its cosine 6e-17, at 600 orders of magnitude between radius and height",
             (1e-300, 1.5707963267948966, 1e300),

@@ -36,10 +36,11 @@ def matrices():
         for i in range(3):
             for j in range(i):
                 graded[i][j] = graded[j][i]
-        why = "graded as a needle's or a plate's moments are: the small eigenvalue is lost beside the large one"
+        a, b, c = grade
+        why = f"graded by {a:g}, {b:g}, {c:g} on both sides: the small eigenvalue is lost beside the large one"
         yield "hard", f"graded {nth}", why, graded
     for gap in (1e-4, 1e-8, 1e-12, 1e-15):
-        why = "two eigenvalues nearly equal: the trigonometric formula loses half of the digits"
+        why = f"eigenvalues within {gap:g} of one another: the trigonometric formula loses half of the digits"
         yield "hard", f"gap {gap:g}", why, [[1.0, gap, 0.0], [gap, 1.0, gap], [0.0, gap, 1.0 + gap]]
     for name, why, rows in inertia_found.MATRICES:
         yield "hard", name, why, rows

@@ -323,7 +323,9 @@ def involute_cases() -> list[Case]:
         for _ in range(6):
             angle = low * (high / low) ** generator.random()
             hard = low < 1e-3 or high > 1.5
-            why = "tan φ − φ loses every digit" if low < 1e-3 else "tan φ is near its pole"
+            small = "tan φ − φ is φ³/3 at so small an angle: the difference loses every digit"
+            steep = "tan φ is near its pole: an angle's last place moves the involute by many of its own"
+            why = small if low < 1e-3 else steep
             given = {"phi": angle}
             value = inv(mpf(angle))
             cases.append(
@@ -349,7 +351,7 @@ def involute_cases() -> list[Case]:
                     {"phi": solved(mpf(given["value"]))},
                 )
             )
-    join = "at a join or an end of the range of the series"
+    join = "at a join or an end of the series' range: both sides must give the same to the last place"
     ends = (0.6848532563722795, 0.6848532563722797, 1e-24, 5e5, 1e9)
     cases += [
         made("inverse", "hard", f"inverse of {value}", join, {"value": value}, {}, {"phi": solved(mpf(value))})
@@ -377,6 +379,8 @@ def ordinary() -> list[Case]:
         )
     cases.append(pair_case("ordinary", "internal", 16, 48, 0.2, -0.1, internal=True))
     cases.append(pair_case("ordinary", "wide", 20, 43, 0.3, 0.2, a=0.0962))
+    cases.append(pair_case("ordinary", "published, handbook table 4.1", 12, 24, 0.0, 0.0))
+    cases.append(pair_case("ordinary", "published, handbook table 4.3", 12, 24, 0.6, 0.36))
     cases.append(crossed_case("ordinary", "screws", (15, 20.0, 0.4), (24, 30.0, 0.2)))
     return cases
 
@@ -387,11 +391,44 @@ def hard() -> list[Case]:
         for z, x in ((4, 0.1), (5, 0.3), (6, 0.4), (7, 0.45), (8, 0.54), (9, 0.6))
     ]
     cases += [
-        gear_case("hard", "nearly pointed", 12, 0.82020, why="the tip thickness vanishes at x = 0.820204"),
-        gear_case("hard", "z = 1000", 1000, 0.5, why="inv α and inv α_a agree in their leading digits"),
-        gear_case("hard", "large shift", 40, 1.3, why="tips far outside the reference circle"),
-        gear_case("hard", "x = -12, z = 1000", 1000, -12.0, why="tips inside the reference circle"),
-        gear_case("hard", "helix 0.01 deg", 20, 0.2, beta=0.01 * DEGREE, why="lead and helix near their limits"),
+        gear_case(
+            "hard",
+            "nearly pointed",
+            12,
+            0.82020,
+            why=("the tip thickness vanishes at x = 0.820204: here it is what is left of two angles that agree"),
+        ),
+        gear_case(
+            "hard",
+            "z = 1000",
+            1000,
+            0.5,
+            why=(
+                "a thousand teeth: inv α and inv α_a agree in their leading digits, and the tooth is their difference"
+            ),
+        ),
+        gear_case(
+            "hard",
+            "large shift",
+            40,
+            1.3,
+            why=("tips far outside the reference circle, near where the tooth comes to a point"),
+        ),
+        gear_case(
+            "hard",
+            "x = -12, z = 1000",
+            1000,
+            -12.0,
+            why=("a shift of −12: tips lie inside the reference circle, and inv α_a is less than inv α"),
+        ),
+        gear_case(
+            "hard",
+            "helix 0.01 deg",
+            20,
+            0.2,
+            beta=0.01 * DEGREE,
+            why=("a helix of 0.01 deg: the lead is a quotient by a tangent that all but vanishes"),
+        ),
         gear_case(
             "hard",
             "helix 70 deg",
@@ -401,16 +438,28 @@ def hard() -> list[Case]:
             why="a steep helix: the normal section is far from the transverse",
         ),
         gear_case(
-            "hard", "pressure angle 22.5 deg", 20, 0.3, alpha=22.5 * DEGREE, why="the largest corner just fits the rack"
+            "hard",
+            "pressure angle 22.5 deg",
+            20,
+            0.3,
+            alpha=22.5 * DEGREE,
+            why=("the rack's corner just fits between its flanks: the land between corners is a difference near zero"),
         ),
-        gear_case("hard", "internal", 36, -0.2, internal=True, why="negative diameters throughout"),
+        gear_case(
+            "hard",
+            "internal",
+            36,
+            -0.2,
+            internal=True,
+            why=("an internal gear: diameters are negative throughout, and roots must take the right sign"),
+        ),
         gear_case(
             "hard",
             "internal tip near its base circle",
             34,
             0.0,
             internal=True,
-            why="√(d_a² − d_b²) of nearly equal diameters",
+            why="the tip lies next to the base circle: √(d_a² − d_b²) of nearly equal diameters",
         ),
     ]
     # shifts of an internal pair that bring inv α_w towards 0: Σx = inv α·(z₂ − z₁)/(2 tan α)·(1 − δ)
@@ -428,7 +477,7 @@ def hard() -> list[Case]:
             0.0,
             -1.0,
             internal=True,
-            why="Σz = 1: inv α_w is ruled by the shifts",
+            why="z₂ − z₁ = 1: inv α_w is ruled by the shifts, divided by one tooth only",
         ),
         pair_case(
             "hard",
@@ -438,10 +487,27 @@ def hard() -> list[Case]:
             0.1,
             -0.9,
             internal=True,
-            why="Σz = 2: the working angle is above 45°",
+            why="z₂ − z₁ = 2: the working angle is above 45°, where its involute grows fast",
         ),
-        pair_case("hard", "steep helix", 12, 30, 0.1, 0.0, beta=50.0 * DEGREE, why="helix above 45°"),
-        pair_case("hard", "one to one thousand", 20, 1000, 0.4, -0.4, why="radii of very different size"),
+        pair_case(
+            "hard",
+            "steep helix",
+            12,
+            30,
+            0.1,
+            0.0,
+            beta=50.0 * DEGREE,
+            why=("a helix above 45°: twist and transverse sizes outgrow the normal ones, tan β exceeds one"),
+        ),
+        pair_case(
+            "hard",
+            "one to one thousand",
+            20,
+            1000,
+            0.4,
+            -0.4,
+            why=("one to fifty: the pinion's part of the path of contact is a small difference of long ones"),
+        ),
         pair_case(
             "hard",
             "tiny backlash",
@@ -450,15 +516,63 @@ def hard() -> list[Case]:
             0.3,
             0.2,
             a=0.095937,
-            why="backlash is a difference of two involute functions",
+            why="backlash is what is left of two involute functions that agree in their first digits",
         ),
-        pair_case("hard", "eight teeth", 8, 9, 0.54, 0.5, tips="clearance", why="few teeth and shortened tips"),
-        bevel_case("hard", "shafts 1 deg", 20, 21, 1.0 * DEGREE, "cones that are nearly cylinders"),
+        pair_case(
+            "hard",
+            "published, handbook table 4.6",
+            16,
+            24,
+            0.0,
+            -0.5,
+            internal=True,
+            why="the pinion's contact would begin 0.03 mm beyond its base circle: a sign, left of a difference",
+        ),
+        pair_case(
+            "hard",
+            "eight teeth",
+            8,
+            9,
+            0.54,
+            0.5,
+            tips="clearance",
+            why=(
+                "eight teeth on nine: tips are cut back by what the shifts exceed "
+                "the spread of the axes, a small difference"
+            ),
+        ),
         bevel_case(
-            "hard", "shafts 179 deg", 20, 60, 179.0 * DEGREE, "an internal wheel with its pinion almost parallel to it"
+            "hard",
+            "shafts 1 deg",
+            20,
+            21,
+            1.0 * DEGREE,
+            "shafts a degree apart: cones are nearly cylinders, distances quotients by the sine of their angles",
         ),
-        bevel_case("hard", "crown", 20, 40, 120.0 * DEGREE, "the wheel's cone is flat: cos δ₂ is rounding"),
-        bevel_case("hard", "just internal", 20, 40, 120.0001 * DEGREE, "δ₂ just above 90°"),
+        bevel_case(
+            "hard",
+            "shafts 179 deg",
+            20,
+            60,
+            179.0 * DEGREE,
+            "shafts a degree from opposed: an internal wheel, its cone angle near 180°, the sine of it small",
+        ),
+        bevel_case(
+            "hard",
+            "crown",
+            20,
+            40,
+            120.0 * DEGREE,
+            "the wheel's cone is flat: the cosine of its angle is nothing but rounding",
+        ),
+        bevel_case(
+            "hard",
+            "just internal",
+            20,
+            40,
+            120.0001 * DEGREE,
+            "the wheel's cone is just beyond flat: its cosine is small and negative",
+        ),
         worm_case(
             "hard",
             "at the limit of self-locking",
@@ -468,16 +582,28 @@ def hard() -> list[Case]:
             0.0939693,
             "lead angle and angle of friction agree in six digits",
         ),
-        worm_case("hard", "no friction", 3, 40, 0.05, 0.0, "efficiency 1 exactly"),
+        worm_case(
+            "hard",
+            "no friction",
+            3,
+            40,
+            0.05,
+            0.0,
+            "no friction: the efficiency is exactly one both ways, and losses are zeros, not small",
+        ),
         crossed_case(
             "hard",
             "shafts that are nearly parallel",
             (15, 20.0, 0.0),
             (24, -19.999, 0.0),
-            "the helices cancel but for 0.001°",
+            "the helices cancel but for 0.001°: four digits of the shafts' angle go with them",
         ),
         crossed_case(
-            "hard", "large negative shifts", (20, 45.0, -0.9), (30, 45.0, -0.9), "inv α_wn is a quarter of inv α_n"
+            "hard",
+            "large negative shifts",
+            (20, 45.0, -0.9),
+            (30, 45.0, -0.9),
+            "shifts take three quarters of inv α_n away: the working angle is solved from the small rest",
         ),
     ]
     return cases

@@ -299,10 +299,14 @@ def unknowns(rng: random.Random) -> Iterator[Case]:
         "the shift is what is left of a span of half a metre",
         readings(1000, 0.001, TWENTY, 0.1, (110, 115)),
     )
-    yield "five teeth", "spans over one and two", readings(5, 0.01, TWENTY, 0.5, (1, 2), addendum=0.8)
+    yield (
+        "five teeth",
+        "few teeth: spans over one and two, whose difference is all that tells the base pitch",
+        readings(5, 0.01, TWENTY, 0.5, (1, 2), addendum=0.8),
+    )
     yield (
         "many spans",
-        "four spans, one of them off",
+        "four spans, one of them off: it must not drag the base pitch that the others agree on",
         readings(48, 0.0025, TWENTY, 0.0, (4, 5, 6, 7), noise=(0.0, 3e-5, -2e-5, 0.0)),
     )
     yield (
@@ -381,15 +385,31 @@ def blocks(rng: random.Random) -> Iterator[Case]:
         "a reference diameter of two metres to a millionth of a millimetre",
         drawn(1000, 0.002, 0.0, 112, 0.0034),
     )
-    yield "whole millimetres", "no decimals at all", drawn(40, 0.005, 0.25, 5, 0.009, decimals=0)
-    yield "internal", "a ring: sizes between balls", drawn(72, 0.002, -0.1, 8, 0.0034, internal=True)
+    yield (
+        "whole millimetres",
+        "no decimals at all: half of a millimetre decides every digit that is printed",
+        drawn(40, 0.005, 0.25, 5, 0.009, decimals=0),
+    )
+    yield (
+        "internal",
+        "a ring: sizes between balls are less by both radii, and signs of shifts turn round",
+        drawn(72, 0.002, -0.1, 8, 0.0034, internal=True),
+    )
     yield (
         "internal with allowances",
         "a ring's thinner teeth widen its spaces",
         drawn(60, 0.003, 0.0, 7, 0.0052, internal=True, upper_allowance=-5e-5, lower_allowance=-9e-5),
     )
-    yield "steep helix", "a lead of a few diameters", drawn(24, 0.003, 0.1, 10, 0.0055, helix_angle=0.9)
-    yield "tiny helix", "a lead of kilometres", drawn(30, 0.002, 0.0, 4, 0.0036, helix_angle=1e-6)
+    yield (
+        "steep helix",
+        "a helix so steep that the lead is a few diameters: tan β is large where others divide by it",
+        drawn(24, 0.003, 0.1, 10, 0.0055, helix_angle=0.9),
+    )
+    yield (
+        "tiny helix",
+        "a helix so small that the lead is kilometres: a quotient by a tangent that all but vanishes",
+        drawn(30, 0.002, 0.0, 4, 0.0036, helix_angle=1e-6),
+    )
     yield "watch gear", "a module of 0.05 mm at nine decimals", drawn(20, 0.00005, 0.0, 3, 0.00009)
 
 
@@ -426,10 +446,18 @@ def profiles(rng: random.Random) -> Iterator[Case]:
     limit = 1.0 - 17 * 0.1169777784405111 / 2
     yield "a hair above undercut", "form and base circle are one but for the square of a hair", shape(17, limit + 1e-9)
     yield "a hair into undercut", "the junction is where the curves nearly touch", shape(17, limit - 1e-9)
-    yield "deep undercut", "five teeth without a shift", shape(5, 0.0, addendum_factor=0.6)
+    yield (
+        "deep undercut",
+        "five teeth without a shift: the junction lies far out, where trochoid and involute cross steeply",
+        shape(5, 0.0, addendum_factor=0.6),
+    )
     yield "undercut to the tip", "most of the involute is cut away", shape(27, -1.6)
     yield "sharp corner", "a rack without a corner radius", shape(12, 0.1, root_radius_factor=0.0)
-    yield "steep helix", "the corner is a long ellipse", shape(9, -0.3, helix_angle=1.1)
+    yield (
+        "steep helix",
+        "a steep helix: the corner's circle is a long ellipse, whose normal turns fast at its end",
+        shape(9, -0.3, helix_angle=1.1),
+    )
     yield "a thousand teeth", "the form circle is a difference of large numbers", shape(1000, -1.0)
     yield "a ring at its base circle", "its tips just reach beyond the base circle", shape(34, 0.012, internal=True)
     yield (
@@ -442,7 +470,11 @@ def profiles(rng: random.Random) -> Iterator[Case]:
         "the base circle all but touches the reference circle",
         shape(60, 0.0, pressure_angle=0.03490658503988659),
     )
-    yield "a module of a metre", "as large as mills have them", shape(30, 0.2, 1.0)
+    yield (
+        "a module of a metre",
+        "a module of a metre, as large as mills have them: no tolerance may be in metres",
+        shape(30, 0.2, 1.0),
+    )
 
 
 SOLVERS = {

@@ -210,32 +210,66 @@ def measured(random_: random.Random) -> Iterator[Case]:
         yield "measure", "ordinary", "", gear(teeth, round(random_.uniform(-0.3, 0.1), 3), internal=True)
     hard = [
         ("four teeth: undercut and nearly pointed, contact close to the base circle", gear(4, 0.45, tip=0.4)),
-        ("five teeth", gear(5, 0.4, tip=0.5)),
-        ("six teeth, large shift", gear(6, 0.6, tip=0.3)),
+        ("five teeth: the ball stands far out on a steep flank, and few teeth are spanned", gear(5, 0.4, tip=0.5)),
+        (
+            "six teeth and a shift of 0.6 modules: nearly pointed, the tip's thickness a small difference",
+            gear(6, 0.6, tip=0.3),
+        ),
         ("seven teeth: no shift serves undercut and tip at once", gear(7, 0.45, tip=0.5)),
-        ("nine teeth at 14.5 degrees: deep undercut", gear(9, 0.3, alpha=0.25307274153917776, tip=0.8)),
+        (
+            "nine teeth at 14.5 degrees: deep undercut, and a base circle so large that the flank is short",
+            gear(9, 0.3, alpha=0.25307274153917776, tip=0.8),
+        ),
         ("a thousand teeth: inv α_K is a small difference of small angles", gear(1000, 0.0)),
-        ("a thousand teeth and an odd one", gear(1001, 0.25)),
-        ("odd number of teeth", gear(17, 0.2)),
+        ("a thousand teeth and an odd one: the cosine of half a pitch is one but for 1e-6", gear(1001, 0.25)),
+        (
+            "odd number of teeth: the balls are not opposite, the size over them is shorter by a cosine near one",
+            gear(17, 0.2),
+        ),
         ("shift of three modules: thickness far from half a pitch", gear(60, 3.0, tip=0.2)),
-        ("negative shift of a large gear", gear(300, -2.0)),
-        ("helix above 45 degrees", gear(20, 0.1, 0.9)),
-        ("helix of 70 degrees, like a worm", gear(12, 0.0, 1.2217304763960306)),
+        ("negative shift of a large gear: the ball sinks to where the flank begins", gear(300, -2.0)),
+        ("helix above 45 degrees: the ball touches far from the transverse plane of its centre", gear(20, 0.1, 0.9)),
+        (
+            "helix of 70 degrees, like a worm's: transverse sizes are thrice the normal ones",
+            gear(12, 0.0, 1.2217304763960306),
+        ),
         ("helix of a hundredth of a degree: must join the spur gear", gear(30, 0.1, 1.7453292519943296e-4)),
-        ("helix of 1e-9 rad", gear(30, 0.1, 1e-9)),
-        ("pressure angle of 30 degrees", gear(18, 0.1, alpha=0.5235987755982988)),
+        (
+            "helix of 1e-9 rad: its cosine is one, its tangent is not zero, and sizes are a spur gear's",
+            gear(30, 0.1, 1e-9),
+        ),
+        (
+            "pressure angle of 30 degrees: the involute is more than three times that of 20, the base circle small",
+            gear(18, 0.1, alpha=0.5235987755982988),
+        ),
         (
             "pressure angle of 10 degrees: inv α is the difference of nearly equal numbers",
             gear(90, 0.0, alpha=0.17453292519943295),
         ),
-        ("small ball, touching just above the form circle", gear(24, 0.4, pin=0.005)),
-        ("large ball, touching near the tip", gear(24, 0.4, pin=0.0068)),
-        ("internal, odd number of teeth", gear(71, -0.1, internal=True)),
-        ("internal with few teeth", gear(36, -0.3, internal=True, tip=0.7, pin=0.0058)),
-        ("internal, a thousand teeth", gear(1000, 0.0, internal=True)),
-        ("internal helical", gear(60, -0.2, 0.4, internal=True, over=0)),
-        ("module of a hundredth of a millimetre", gear(40, 0.0, m=1e-5, pin=1.7e-5)),
-        ("module of a metre", gear(40, 0.0, m=1.0)),
+        (
+            "small ball, touching just above the form circle: whether it does is a small difference",
+            gear(24, 0.4, pin=0.005),
+        ),
+        ("large ball, touching near the tip: whether it still does is a small difference", gear(24, 0.4, pin=0.0068)),
+        (
+            "internal with an odd number of teeth: the size between balls is "
+            "longer by a cosine near one, less both radii",
+            gear(71, -0.1, internal=True),
+        ),
+        (
+            "internal with few teeth: the space closes fast, and the ball's own size decides where it lies",
+            gear(36, -0.3, internal=True, tip=0.7, pin=0.0058),
+        ),
+        (
+            "internal with a thousand teeth: the ball's involute is a small difference of small angles",
+            gear(1000, 0.0, internal=True),
+        ),
+        (
+            "internal and helical: signs of the helix and of the space change what is added and what is taken away",
+            gear(60, -0.2, 0.4, internal=True, over=0),
+        ),
+        ("module of a hundredth of a millimetre: no tolerance may be in metres", gear(40, 0.0, m=1e-5, pin=1.7e-5)),
+        ("module of a metre: no tolerance may be in metres, seen from the other end", gear(40, 0.0, m=1.0)),
     ]
     for why, g in hard:
         yield "measure", "hard", why, g
@@ -305,16 +339,41 @@ def roots(random_: random.Random) -> Iterator[Case]:
         x = round(random_.uniform(max(-12.0, 1.4 - z / 2), 1.0), 3)
         yield "root", "ordinary", "", cutter(z, x, beta=random_.choice([0.0, 0.0, round(random_.uniform(0.0, 1.2), 3)]))
     for z in (5, 6, 7, 8, 9, 10, 17, 25, 1000):
-        yield "root", "hard", "few teeth, or no shift at all: deep undercut or none", cutter(z, 0.0)
-        yield "root", "hard", "the largest shift: the corner lies above the pitch line", cutter(z, 1.0)
+        yield (
+            "root",
+            "hard",
+            "no shift: deep undercut at five teeth, micrometres of it at 17, none at 25",
+            cutter(z, 0.0),
+        )
+        yield (
+            "root",
+            "hard",
+            "the largest shift: the corner lies above the pitch line, its depth a difference that changes sign",
+            cutter(z, 1.0),
+        )
     for z in (27, 60, 200, 1000):
-        yield "root", "hard", "x = −12: nearly all of the involute is cut away", cutter(z, -12.0)
+        yield (
+            "root",
+            "hard",
+            "x = −12: nearly all of the involute is cut away, the junction is far out and its equation steep",
+            cutter(z, -12.0),
+        )
     limit = 1.0 - 17 * 0.1169777784405111 / 2
     for step in (-1e-3, -1e-5, -1e-7, -1e-9, -1e-11, -1e-13, -1e-15, 1e-15, 1e-12):
         why = "a hair from the limit of undercut: the curves touch there, and t is as small as the hair"
         yield "root", "hard", why, cutter(17, limit + step)
-    yield "root", "hard", "a sharp corner", cutter(12, 0.0, rho=0.0)
-    yield "root", "hard", "a full round of the rack", cutter(12, 0.0, rho=0.47)
+    yield (
+        "root",
+        "hard",
+        "a sharp corner of the rack: its ellipse is a point, and the envelope is that point's own path",
+        cutter(12, 0.0, rho=0.0),
+    )
+    yield (
+        "root",
+        "hard",
+        "a full round of the rack: both corners meet, the land between them is zero but for rounding",
+        cutter(12, 0.0, rho=0.47),
+    )
     yield "root", "hard", "helix above 45 degrees: the corner is a long ellipse", cutter(6, -1.0, beta=1.1)
     yield "root", "hard", "helix of 1e-9: the ellipse is a circle but for rounding", cutter(9, 0.0, beta=1e-9)
 

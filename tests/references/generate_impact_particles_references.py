@@ -167,14 +167,26 @@ def centrals(generator: random.Random) -> Iterator[Case]:
     for close in (300.0 - 1e-12, 299.99999999999994):
         yield "hard", "speeds that agree to nearly all digits: only the difference counts", pair(1e3, 300.0, 7e2, close)
     gap = {"first": {"bulk": mass(1e3), "velocity": 300.0}, "second": {"bulk": mass(7e2)}, "closing_speed": 1e-12}
-    yield "hard", "a closing speed of 1e-12 m/s given at 300 m/s", {**base, **gap}
+    yield (
+        "hard",
+        "a closing speed of 1e-12 m/s at 300 m/s: it is given, since the velocities' difference has no digit of it",
+        {**base, **gap},
+    )
     for e in (0.0, 1.0, 0.9999999999999999, 1e-39):
         why = "the ends of restitution: 1 - e² cancels if it is not factored"
         yield "hard", why, pair(3.0, 4.0, 2.0, -1.0, contact=restituted(e))
     why = "equal masses with e = 1 exchange velocities: the first comes to rest exactly"
     yield "hard", why, pair(0.7, 1.3, 0.7, 0.0, contact=restituted(1.0))
-    yield "hard", "speeds near the end of the range, squares are large", pair(1e-3, 1e39, 2e-3, -1e38)
-    yield "hard", "speeds near the other end, squares are tiny", pair(1e3, 1e-38, 2e3, -1e-39)
+    yield (
+        "hard",
+        "speeds of 1e39 m/s: energies are 75 orders above ordinary ones, and no tolerance may be absolute",
+        pair(1e-3, 1e39, 2e-3, -1e38),
+    )
+    yield (
+        "hard",
+        "speeds of 1e-38 m/s: energies of 1e-73 J must not vanish beside any tolerance",
+        pair(1e3, 1e-38, 2e3, -1e-39),
+    )
     wall = {"first": {"bulk": mass(2.0), "velocity": 3.0}, "second": {"bulk": FIXED, "velocity": -40.0}, **base}
     yield "hard", "a wall that comes to meet the body and does work on it", wall
     creeping = {"first": {"bulk": mass(2.0), "velocity": 11.0}, "second": {"bulk": FIXED, "velocity": -1.6e-7}, **base}
@@ -183,7 +195,11 @@ def centrals(generator: random.Random) -> Iterator[Case]:
     why = "found by search: a grain that is left with what little the heavy body's velocity becomes"
     yield "hard", why, pair(5.3e-5, 20.0, 3.0, 0.0, contact=restituted(8.2e-6))
     energetic = {"record": "Energetic", "energetic_contact": 1.7}
-    yield "hard", "a contact that gives energy: the loss is negative", pair(3.0, 4.0, 2.0, -1.0, contact=energetic)
+    yield (
+        "hard",
+        "a contact that gives energy: restitution above one, 1 − e² and the loss are negative",
+        pair(3.0, 4.0, 2.0, -1.0, contact=energetic),
+    )
 
 
 def direction(heading: Any, axes: str) -> tuple[Any, Any]:
@@ -341,13 +357,21 @@ def obliques(generator: random.Random) -> Iterator[Case]:
         why = "a mass ratio of 1e15: the heavy body's change is lost in a difference of its velocities"
         yield "hard", why, pair(ratio, [20.0, 4.0], 1.0, [-3.0, 2.0], line)
     line = {"record": "Centres", "first_centre": [1e8, 1e8], "second_centre": [100000000.25, 100000000.125]}
-    yield "hard", "centres far from the origin", pair(2.0, [5.0, 5.0], 1.0, [0.0, 0.0], line)
+    yield (
+        "hard",
+        "centres 3e8 sizes from the origin: the line of impact is a difference of positions that keeps eight digits",
+        pair(2.0, [5.0, 5.0], 1.0, [0.0, 0.0], line),
+    )
     line = {"record": "Normal", "normal": 0.0444}
     own = pair(5.3e-5, [20.0, 0.0], 3.0, [0.0, 0.0], line)
     why = "found by search: a grain whose velocity along the line becomes that of the heavy sphere"
     yield "hard", why, {**own, "contact": restituted(8.2e-6)}
     line = {"record": "Normal", "normal": 0.3}
-    yield "hard", "closing a millionth at 300 m/s", pair(2.0, [300.0, 40.0], 1.0, [299.999999, 40.0], line)
+    yield (
+        "hard",
+        "closing at a millionth of 1 m/s at 300 m/s: kinetic energies agree in all their digits",
+        pair(2.0, [300.0, 40.0], 1.0, [299.999999, 40.0], line),
+    )
 
 
 def drop(x: dict[str, Any]) -> dict[str, Any]:
@@ -412,18 +436,30 @@ def drops(generator: random.Random) -> Iterator[Case]:
 
     for e in (0.9999999999999999, 1.0 - 1e-9):
         yield "hard", "nearly elastic: the time to rest grows as 1/(1 - e)", found("Restituted", restitution=e)
-    yield "hard", "e = 0: no bounce at all", found("Restituted", restitution=0.0)
-    yield "hard", "e = 1: no end", found("Restituted", restitution=1.0)
-    why = "the fiftieth bounce: a root of high order"
+    yield (
+        "hard",
+        "e = 0: no bounce at all, and quotients by e, or logarithms of it, do not exist",
+        found("Restituted", restitution=0.0),
+    )
+    yield (
+        "hard",
+        "e = 1: bounces have no end, 1 − e divides the time to rest and is zero",
+        found("Restituted", restitution=1.0),
+    )
+    why = "the fiftieth bounce: restitution is a hundredth root of a ratio of heights, a power loses as many digits"
     yield "hard", why, found("ReboundHeight", rebound_height=1e-4, after_bounces=50)
-    why = "a rebound as high as the drop to 15 digits"
+    why = "a rebound as high as the drop to 15 digits: what is lost of restitution and energy is their last place"
     yield "hard", why, found("ReboundHeight", rebound_height=1.4999999999999996)
     why = "rest hardly later than the fall: the difference of two times"
     yield "hard", why, found("RestTime", rest_time=0.5531)
-    why = "flight times that agree to ten digits"
+    why = "flight times that agree to ten digits: the restitution's distance from one keeps six"
     yield "hard", why, {**found("FlightTimes", flight_time=0.5, next_flight_time=0.49999999995), "height": 0.4}
     flights = {"record": "FlightTimes", "flight_time": 0.5, "next_flight_time": 1e-3}
-    yield "hard", "a height from flights that end at once", {"evidence": flights, "bounces": 2, "gravity": G}
+    yield (
+        "hard",
+        "flights that end at once: the height is that of a time whose square is tiny",
+        {"evidence": flights, "bounces": 2, "gravity": G},
+    )
 
 
 def pendulum(x: dict[str, Any]) -> dict[str, Any]:
@@ -491,7 +527,11 @@ def pendulums(generator: random.Random) -> Iterator[Case]:
     yield "hard", "struck at the centre of percussion: the hinge feels nothing", {**base, "swing": hinged}
     for shot in (1e-15, 1e15):
         rise = {"record": "Rise", "rise": 0.1}
-        yield "hard", "a shot very light or very heavy", {**base, "shot_mass": shot, "swing": rise}
+        yield (
+            "hard",
+            "a shot very light or very heavy beside the bob: the velocity kept is a share near zero or near one",
+            {**base, "shot_mass": shot, "swing": rise},
+        )
 
 
 def seize(x: dict[str, Any]) -> dict[str, Any]:
@@ -591,11 +631,15 @@ def seizes(generator: random.Random) -> Iterator[Case]:
     far = {"point": [1e6, 0.0, 0.0], "axis": [0.0, 0.0, 1.0]}
     yield "hard", "held far from the body: its own inertia hardly counts", {"body": {**base, **far}}
     thin = {"inertia": [[1e-12, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]], "angular_velocity": [4.0, 1.0, 0.0]}
-    yield "hard", "a thin rod: inertias of very different size", {"body": {**base, **thin}}
+    yield "hard", "a thin rod: moments of inertia twelve orders apart in one sum", {"body": {**base, **thin}}
     own = {"point": [0.0, 0.0, 0.0], "velocity": [0.0, 0.0, 0.0]}
     yield "hard", "held at the mass centre about which it turns: nothing is lost", {"body": {**base, **own}}
     plate = {"record": "SquarePlate", "plate_mass": 1e-39, "side": 1e38, "spin": 1e-30}
-    yield "hard", "a plate of sizes far apart", {"body": {**plate, "seized": {"word": "edge"}}}
+    yield (
+        "hard",
+        "a plate of 1e-39 kg and 1e38 m: mass times the square of a side is finite only if taken in one order",
+        {"body": {**plate, "seized": {"word": "edge"}}},
+    )
 
 
 def step(x: dict[str, Any]) -> dict[str, Any]:
@@ -738,7 +782,7 @@ def chains(generator: random.Random) -> Iterator[Case]:
     yield "hard", why, row((2.0, 3.0), (1.0, 0.0), (4.0, -1.0), e=0.0, law="simultaneous")
     why = "a ball between two that separate feels the impact of one side only"
     yield "hard", why, row((1.0, 2.0), (2.0, 0.0), (1.0, 5.0), e=0.5, law="simultaneous")
-    why = "a mass ratio of 1e12 in the middle"
+    why = "a mass of 1e12 between light ones: both velocities about it are differences that lose twelve digits"
     yield "hard", why, row((1.0, 2.0), (1e12, 0.0), (1.0, 0.0), e=0.5, law="simultaneous")
 
 
@@ -896,7 +940,11 @@ def momenta(generator: random.Random) -> Iterator[Case]:
     for apart in (0.1668, 2.975, -0.1667):
         yield "hard", "approach paths nearly on one line: an angle condition just below 12", crash(apart=apart)
     for ratio in (1e6, 1e-6):
-        yield "hard", "vehicles a million times apart in mass", crash(ratio=ratio)
+        yield (
+            "hard",
+            "vehicles a million times apart in mass: the light one's speed is what is left of the heavy one's momentum",
+            crash(ratio=ratio),
+        )
     own = crash(apart=1.5707963267948966)
     yield "hard", "paths exactly square to double precision: the condition is 1", own
 
@@ -1031,18 +1079,30 @@ def crushes(generator: random.Random) -> Iterator[Case]:
 
     yield "hard", "force at 45 degrees: the correction doubles the energy", single(force_angle=0.7853981633974483)
     tiny = {"record": "Coefficients", "stiffness_a": 5e4, "stiffness_b": 1e-9}
-    yield "hard", "hardly any B: G = A²/(2B) rules", single(stiffness=tiny)
+    yield "hard", "hardly any B: G = A²/(2B) outgrows all crush, and cancels from it", single(stiffness=tiny)
     none = {"record": "Coefficients", "stiffness_a": 0.0, "stiffness_b": 5e5}
-    yield "hard", "no A: all energy is of the square of the depth", single(stiffness=none)
+    yield (
+        "hard",
+        "no A: all energy is of the depth's square, G is zero and its quotient by A zero over zero",
+        single(stiffness=none),
+    )
     sharp = {"record": "Stations", "stations": [0.0, 0.0, 0.0, 0.0, 0.0, 1e-9], "width": 1.5}
-    yield "hard", "a scratch at the last of six stations", single(profile=sharp)
+    yield (
+        "hard",
+        "a scratch at the last of six stations: all other depths are exact zeros, area and centroid are that one's",
+        single(profile=sharp),
+    )
     elastic = {**single(), "second": {"bulk": FIXED, "force_angle": 0.0}, "restitution": 0.9999999}
-    yield "hard", "nearly elastic: (1 + e)/(1 - e) is large", elastic
+    yield "hard", "nearly elastic: (1 + e)/(1 − e) multiplies whatever rounding 1 − e has", elastic
     lever = {"offset": 0.8, "face_distance": 2.0, "force_angle": 0.38050637711236485, "yaw_inertia": 2500.0}
     yield "hard", "the force passes the mass centre: the lever arm is a difference", single(**lever)
     barrier = {"record": "BarrierTest", "test_speed": 15.6, "test_crush": 0.4, "no_damage_speed": 15.599999999,
                "test_mass": 1500.0, "test_width": 1.6}  # fmt: skip
-    yield "hard", "a test hardly faster than the speed without damage", single(stiffness=barrier)
+    yield (
+        "hard",
+        "a test hardly faster than the speed without damage: stiffness is a difference of speeds over the crush",
+        single(stiffness=barrier),
+    )
 
 
 def yaw_inertia(x: dict[str, Any]) -> dict[str, Any]:

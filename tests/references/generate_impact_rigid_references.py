@@ -246,20 +246,26 @@ def hard() -> list[Case]:
         add("closing 1e-12 m/s at 300 m/s", "the closing speed is the last bits of the velocities",
             scene(body(1000.0, 1500.0, (1.0, 0.25), (300.0, 1.0)), body(900.0, 1200.0, (-1.0, 0.5),
                   (299.99999999999898, 1.0)), 0.0, 0.5, 0.3, law))  # fmt: skip
-        add("grazing", "slip is ten orders above the approach",
+        add("grazing",
+            "slip is ten orders above the approach: the normal impulse is decided by what is lost beside it",
             scene(body(1.0, 0.1, (0.25, -0.5), (20.0, -1e-9)), fixed(), -0.5 * math.pi, 0.3, 0.5, law,
                   closing_speed=1e-9))  # fmt: skip
         add("no coupling", "k_x is zero: stick needs no friction and slip changes nothing across",
             scene(body(1.0, 0.5, (1.0, 0.0), (3.0, 2.0)), fixed(), 0.0, 0.25, 0.5, law))  # fmt: skip
         add("coupling 1e-17", "k_x is lost beside k_t, but its sign decides the way of reversed slip",
             scene(body(1.0, 0.5, (1.0, 1e-17), (3.0, 0.001)), fixed(), 0.0, 0.25, 0.5, law))  # fmt: skip
-        add("one body fixed and moving", "a barrier that moves does work",
+        add("one body fixed and moving",
+            "a barrier that moves does work: the other body's energy is not "
+            "conserved, and nothing divides by its mass",
             scene(body(1.0, 0.5, (1.0, 0.25), (3.0, 2.0), 1.0), fixed((-2.0, 0.5)), 0.0, 0.3, 0.5, law))  # fmt: skip
         add("no restitution", "the work to be given back is zero, and so is the argument of its root",
             scene(car, other, 0.17, 0.3, 0.0, law))  # fmt: skip
-        add("friction without bound", "the contact sticks at once but for the first slip",
+        add("friction without bound",
+            "friction without bound: slip stops at an impulse that all but vanishes, and then must stay stopped",
             scene(car, other, 0.17, 1e6, 0.1, law))  # fmt: skip
-        add("a grain and a planet", "inertias from 1e-12 to 1e24 in one matrix",
+        add("a grain and a planet",
+            "inertias from 1e-12 to 1e24 in one matrix: the planet's terms are "
+            "lost in sums with the grain's, and rule its motion",
             scene(body(1e-9, 1e-19, (1e-5, 2e-6), (3.0, 1.0)), body(6e24, 1e38, (-6.4e6, 0.0), (0.0, 0.0)), 0.0, 0.5,
                   0.8, law))  # fmt: skip
     for law in LAWS[:3]:
@@ -272,7 +278,7 @@ def hard() -> list[Case]:
         for shift in (-1e-15, 0.0, 1e-15):
             add(
                 f"slip stops as compression ends {shift:+.0e}",
-                "two events in one, from both sides",
+                "slip stops as compression ends: two events in one, and which comes first is a last place",
                 scene(body(1.0, 0.5, (0.5, 0.0), (1.0, 0.375 * (1.0 + shift)), 0.0), fixed(), 0.0, 0.25, 0.5, law),
             )
         add("slip at rest", "there is no first slip: stick or the way out is decided by K alone",
@@ -282,11 +288,20 @@ def hard() -> list[Case]:
             scene(body(1.0, 0.01, (0.3, -0.5), (6.0, -1.0)), fixed(), -0.5 * math.pi, 1.5, 0.5, law))  # fmt: skip
         add("long lever", "K is nearly singular: k_t k_n exceeds k_x² by one part in 1e8",
             scene(body(1.0, 1e-4, (0.5, 0.5), (3.0, 1.0), 0.5), fixed(), 0.0, 0.4, 0.5, law))  # fmt: skip
-        add("hardly any slip", "the first slip is sixteen orders below the approach",
+        add("hardly any slip",
+            "the first slip is sixteen orders below the approach: its impulse is one rounding of the whole",
             scene(body(1.0, 0.5, (0.75, 0.5), (2.0, -1e-16)), fixed(), 0.0, 0.3, 0.5, law))  # fmt: skip
     for law in ("stronge", "poisson"):
-        add("elastic", "nothing may be lost but to friction", scene(car, other, 0.17, 0.3, 1.0, law))
-    add("frictionless and elastic", "nothing at all may be lost", scene(car, other, 0.17, 0.0, 1.0, "stronge"))
+        add(
+            "elastic",
+            "elastic: no energy may be lost but to friction, and a difference of energies shows rounding as loss",
+            scene(car, other, 0.17, 0.3, 1.0, law),
+        )
+    add(
+        "frictionless and elastic",
+        "frictionless and elastic: nothing may be lost at all, whatever the rounding of energies",
+        scene(car, other, 0.17, 0.0, 1.0, "stronge"),
+    )
     return cases
 
 

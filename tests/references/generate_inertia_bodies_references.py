@@ -146,7 +146,9 @@ def shapes(generator: random.Random) -> Iterator[Case]:
     arcs = (1e-9, 1e-5, 0.01, 0.5, 1.49, 1.51, 2.99, 3.01, 3.19, 3.21, 6.2)
     for shape in ("arc-rod", "sector"):
         for angle in arcs:
-            why = "moments of a short arc cancel to the fourth power of its angle; or beside a switch of series"
+            why = f"at {angle:g} rad, beside a switch of series: both sides must agree in the last place"
+            if angle < 0.1:
+                why = f"an arc of {angle:g} rad: its moments are differences that cancel to the fourth power of that"
             yield (
                 "shape",
                 "hard",

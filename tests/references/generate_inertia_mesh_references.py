@@ -42,9 +42,9 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
                 yield "ordinary", name, "", recipe(solid, (1.0, 0.75, 0.5), turn, (0.25, -0.5, 1.0), single=single)
     for solid in ("ball 1", "bracket", "hollow ball"):
         yield "ordinary", f"shell of {solid}", "", recipe(solid, (1.0, 0.75, 0.5), TURN, (0.25, -0.5, 1.0), shell=True)
-    why = "moments about the origin exceed those about the centroid by the square of the offset"
     for power in (2, 4, 6, 8):
         far = 10.0**power
+        why = f"1e{power} sizes from the origin: moments about it exceed those about the centroid 1e{2 * power} times"
         yield (
             "hard",
             f"ball at 1e{power} sizes",
@@ -53,11 +53,12 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
         )
     for power in (1, 3, 5):
         far = 10.0**power
+        why = f"1e{power} sizes from the origin in single precision: corners keep {7 - power} digits, sums need more"
         inputs = recipe("ball 2", (1.0, 0.75, 0.5), TURN, (far, -0.7 * far, 0.3 * far), single=True)
         yield "hard", f"ball at 1e{power} sizes, single", why, inputs
-    why = "the least moment is the square of the slenderness smaller, and turning loses it"
     for power in (3, 6):
         thin = 10.0**-power
+        why = f"a needle: the least second moment is 1e-{2 * power} of the others, and turning loses it among them"
         for single in (False, True):
             last = " single" if single else ""
             for turn in (STILL, TURN):
@@ -73,10 +74,13 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
             last = " single" if single else ""
             yield "hard", f"plate 1e{power} turned{last}", why, recipe("ball 2", (1.0, 0.75, thin), TURN, single=single)
         yield "hard", f"box plate 1e{power} turned", why, recipe("box", (1.0, 0.75, thin), TURN, (3.0, -2.0, 1.0))
+    far = (1e3, -7e2, 3e2)
+    why = "a plate of 1e-6 at a thousand sizes: the least second moment is 1e-18 of what its sums about the origin are"
+    yield "hard", "plate 1e6 turned at 1e3 sizes", why, recipe("ball 2", (1.0, 0.75, 1e-6), TURN, far)
     why = "three lengths of different size: the tensor is graded"
     yield "hard", "blade", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN)
     yield "hard", "blade far off", why, recipe("ball 2", (1.0, 1e-2, 1e-5), TURN, (300.0, 500.0, -200.0))
-    why = "equal moments determine no axes"
+    why = "equal moments determine no axes: what decides between them is the rounding of the corners"
     yield "hard", "cube turned", why, recipe("box", (1.0, 1.0, 1.0), TURN)
     yield "hard", "ball turned", why, recipe("ball 2", (1.0, 1.0, 1.0), TURN)
     yield "hard", "round needle", why, recipe("ball 2", (1.0, 1e-4, 1e-4), TURN)
@@ -84,7 +88,7 @@ def cases() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "hard", "huge", why, recipe("bracket", (1e40, 1e40, 1e40), TURN)
     yield "hard", "minute", why, recipe("bracket", (1e-45, 1e-45, 1e-45), TURN)
     yield "hard", "least of single precision", why, recipe("bracket", (1e-38, 1e-38, 1e-38), TURN, single=True)
-    why = "a thin wall between two surfaces that nearly cancel"
+    why = "a thin wall between two surfaces that nearly cancel, each of them far from the origin"
     yield "hard", "hollow ball far off", why, recipe("hollow ball", (1.0, 0.75, 0.5), TURN, (1e3, -2e3, 5e2))
     for power in (4, 8):
         far = 10.0**power
@@ -142,7 +146,11 @@ def integrals(inputs: dict[str, Any]) -> dict[str, str]:
     out["principal_moments.first"] = spread[1] + spread[2]
     out["principal_moments.second"] = spread[2] + spread[0]
     out["principal_moments.third"] = spread[0] + spread[1]
-    return {name: nstr(value, 40) for name, value in out.items()}
+    # what roots of 80 digits leave of a zero is none
+    reach = mpf(max(abs(x) for corners in whole for p in corners for x in p)) / unit
+    sizes = {"centroid": reach, "moments": trace, "products": trace}
+    least = {name: sizes.get(name.partition("[")[0].partition(".")[0], 0) * mpf(10) ** -60 for name in out}
+    return {name: nstr(value, 40) if abs(value) > least[name] else "0.0" for name, value in out.items()}
 
 
 def in_whole_numbers(made: list[Any]) -> tuple[list[Any], int]:

@@ -60,10 +60,10 @@ def cases(rng: random.Random) -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "ordinary", "built of plates", "", {"pieces": [*flanges, {"width": 0.1, "height": 0.01, "y": -0.095}]}
     for power in (3, 6, 8, 12):
         far = 10.0**power
-        why = "moments about the origin exceed those about the centroid by the square of the offset"
+        why = f"1e{power} sizes from the origin: moments about it exceed those about the centroid 1e{2 * power} times"
         yield "hard", f"star at 1e{power} sizes", why, {"polygon": star(rng, 1.5, (far, -0.7 * far), 1)}
     for power in (3, 6, 9):
-        why = "the least moment is the square of the slenderness smaller, and a difference of the others"
+        why = f"a strip: the least moment is 1e-{2 * power} of the others, and a difference of them once it is turned"
         for turn in (0, 2):
             yield "hard", f"strip 1e{power}, turn {turn}", why, {"polygon": strip(1.0, 10.0**-power, turn)}
         far = strip(1.0, 10.0**-power, 0, (30.0, -20.0))

@@ -66,6 +66,8 @@ def speeds(generator: random.Random) -> Iterator[Case]:
         if generator.random() < 0.5:
             inputs["mass"] = draw(generator, 700.0, 4000.0)
         yield f"{count} surfaces", inputs
+    exam = {"distance": 11.0, "friction": 0.65, "grade": 0.0, "braking": 1.0}
+    yield "published, examination question", {"segments": [exam], "end_speed": 3.5, "gravity": 9.81}
 
 
 def distances(generator: random.Random) -> Iterator[Case]:

@@ -57,28 +57,54 @@ def contacts() -> list[tuple[str, str, str, Contact]]:
         for name, why, given in (
             ("slip turns round", "friction stops the slip and cannot hold it: it comes back before the impact is over",
              (*k, 0.4, -1.5, 0.25, 0.6)),
-            ("slip turns round in restitution", "compression is over when the slip stops",
+            ("slip turns round in restitution",
+                "slip stops in restitution and comes back: the work is that of three stretches of different slope",
              (*k, 1.6, -1.5, 0.25, 0.9)),
-            ("sticks", "stick from a part of compression on", (*k, 0.7, -1.5, 0.6, 0.6)),
+            ("sticks",
+                "slip stops in compression and sticks: the impulse's two "
+                "slopes meet at a root of the slip", (*k, 0.7, -1.5, 0.6, 0.6)),
             ("threshold of stick", "friction is |k_x|/k_t: stick or reversed slip by the last bit",
              (*k, 0.7, -1.5, 0.5, 0.6)),
-            ("threshold of stick, below", "friction is one rounding short of what holds",
+            ("threshold of stick, below",
+                "friction is one rounding short of what holds: reversed slip in "
+                "place of stick, with a slope next to zero",
              (*k, 0.7, -1.5, math.nextafter(0.5, 0.0), 0.6)),
             ("jam", "friction drives the bodies together while the first slip lasts: u_n falls",
              (4.0, -6.0, 10.0, -8.0, -1.0, 2.0, 0.5)),
             ("nearly a jam", "the slope of u_n is a last bit of k_n: compression takes as much longer",
              (4.0, -5.0, 10.0, -1e17, -1.0, math.nextafter(2.0, 0.0), 0.5)),
-            ("no coupling", "k_x is zero: no way out, and stick needs nothing", (2.0, 0.0, 3.0, 0.5, -1.0, 0.4, 0.5)),
-            ("coupling 1e-20", "k_x is lost beside k_t but its sign decides", (2.0, 1e-20, 3.0, 0.5, -1.0, 0.4, 0.5)),
-            ("no friction", "nothing acts across, at any slip", (*k, 0.4, -1.5, 0.0, 0.6)),
-            ("friction without bound", "stick at once but for the first slip", (*k, 0.4, -1.5, 1e12, 0.6)),
-            ("grazing", "slip is twelve orders above the approach", (*k, 20.0, -2e-11, 0.3, 0.5)),
-            ("hardly any slip", "slip is sixteen orders below the approach", (*k, 1e-16, -1.0, 0.3, 0.5)),
-            ("plastic", "no restitution: the root of nothing", (*k, 0.4, -1.5, 0.25, 0.0)),
-            ("elastic", "nothing lost but to friction", (*k, 0.4, -1.5, 0.25, 1.0)),
-            ("long lever", "k_t k_n exceeds k_x² by a millionth", (1.0, -0.9999995, 1.0, 0.3, -1.0, 0.4, 0.5)),
-            ("grains", "mobilities of 1e22 per kilogram", (2e22, -1e22, 3e22, 0.4, -1.5, 0.25, 0.6)),
-            ("planets", "mobilities of 1e-22 per kilogram", (2e-22, -1e-22, 3e-22, 0.4, -1.5, 0.25, 0.6)),
+            ("no coupling",
+                "k_x is zero: no way out of stick, and |k_x|/k_t ≤ μ "
+                "must hold for any friction, even none", (2.0, 0.0, 3.0, 0.5, -1.0, 0.4, 0.5)),
+            ("coupling 1e-20",
+                "k_x is lost in any sum with k_t, but its sign "
+                "decides which way reversed slip goes", (2.0, 1e-20, 3.0, 0.5, -1.0, 0.4, 0.5)),
+            ("no friction",
+                "no friction: nothing acts across at any slip, losses "
+                "across are zeros and not small", (*k, 0.4, -1.5, 0.0, 0.6)),
+            ("friction without bound",
+                "friction without bound: slip stops at an impulse that all but vanishes", (*k, 0.4, -1.5, 1e12, 0.6)),
+            ("grazing",
+                "slip is twelve orders above the approach: it lasts to the "
+                "end, and its change is below its last place", (*k, 20.0, -2e-11, 0.3, 0.5)),
+            ("hardly any slip",
+                "slip is sixteen orders below the approach: it stops "
+                "within one rounding of the impulse", (*k, 1e-16, -1.0, 0.3, 0.5)),
+            ("plastic",
+                "no restitution: the work to be given back is zero, and the "
+                "root of a difference is that of rounding", (*k, 0.4, -1.5, 0.25, 0.0)),
+            ("elastic",
+                "elastic: restitution's work equals compression's, "
+                "whose difference is all rounding", (*k, 0.4, -1.5, 0.25, 1.0)),
+            ("long lever",
+                "k_t k_n exceeds k_x² by a millionth: the "
+                "determinant of K keeps ten digits", (1.0, -0.9999995, 1.0, 0.3, -1.0, 0.4, 0.5)),
+            ("grains",
+                "mobilities of 1e22 per kilogram: their "
+                "products are 1e44, impulses 1e-22", (2e22, -1e22, 3e22, 0.4, -1.5, 0.25, 0.6)),
+            ("planets",
+                "mobilities of 1e-22 per kilogram: their "
+                "products are 1e-44, impulses 1e22", (2e-22, -1e-22, 3e-22, 0.4, -1.5, 0.25, 0.6)),
         ):  # fmt: skip
             found.append((law, name, why, given))
         for index, given in enumerate(FOUND[law]):

@@ -6,6 +6,7 @@ from typing import Any
 SOURCES = {
     "drawn": "drawn at random among ordinary sizes, by the generator, whose seed is fixed",
     "chosen": "chosen by hand among ordinary sizes",
+    "published": "a published example, whose source and printed digits stand in tests/validation",
     "limit": "made up for a limit, which the reason names: where a textbook formula loses digits, or a branch changes",
     "search, nearest to its bound": "found by search: the error that comes nearest to the bound that is stated",
     "search, largest error": "found by search: the largest error in units of the last place",
@@ -34,9 +35,11 @@ class Origin:
     def source(self, case: dict[str, Any]) -> str:
         """Where a case comes from."""
         why = case.get("why", "")
+        if case["name"].startswith("published"):
+            return "published"
         if case["kind"] == "ordinary":
             return "drawn" if self.drawn and re.match(self.drawn, case["name"]) else "chosen"
-        if not why.startswith("found by search"):
+        if not (why.startswith("found by search") or re.search(r"\bfound\b", case["name"])):
             return "limit"
         why = why.partition("nearby:")[0]
         if "from a tie" in why:
@@ -52,6 +55,8 @@ def _same(*tasks: str) -> dict[str, str]:
 
 BOUNDS = "tests/accuracy/bound_search.py"
 INDEPENDENT = "tests/accuracy/independent_search.py"
+CAMS, IMPACTS = "tests/accuracy/cam_search.py", "tests/accuracy/impact_search.py"
+GEARS, MESHES = "tests/accuracy/gear_search.py", "tests/accuracy/mesh_search.py"
 SYSTEMS = ("cartesian", "cylindrical", "spherical")
 PARTICLES = ("central", "oblique", "drop", "pendulum", "seize", "step", "chain", "momentum", "crush", "yaw_inertia")
 FILES: dict[str, Origin] = {
@@ -81,7 +86,7 @@ FILES: dict[str, Origin] = {
     "inertia_mesh": Origin(
         "inertia", {"mesh": "mesh", "large mesh": "mesh", "overlapping mesh": "mesh"},
         "exact rational sums over triangles about the file's origin, areas by square roots, principal moments by QR",
-        "exact, then 80 digits", "tests/inertia/exact_search.py",
+        "exact, then 80 digits", MESHES,
     ),
     "inertia_sections": Origin(
         "inertia", _same("section"),
@@ -106,7 +111,7 @@ FILES: dict[str, Origin] = {
     "impact_spatial": Origin(
         "impact", {"spatial": "spatial", "keller": "spatial"},
         "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
-        "56 digits", BOUNDS, ".",
+        "56 digits", IMPACTS, ".",
     ),
     "cam_motion": Origin(
         "cam", {"rise": "rise", "polynomial": "rise", "motion": "motion"},
@@ -116,17 +121,17 @@ FILES: dict[str, Origin] = {
     "cam_geometry": Origin(
         "cam", {"profile": "profile", "size": "size"},
         "envelopes by their definition, by Taylor arithmetic; extremes as roots of derivatives",
-        "90 digits", INDEPENDENT,
+        "90 digits", CAMS,
     ),
     "cam_forces": Origin(
         "cam", _same("force"),
         "statics of the follower at the envelope's point, by Taylor arithmetic; extremes as roots of derivatives",
-        "90 digits", INDEPENDENT,
+        "90 digits", CAMS,
     ),
     "cam_design": Origin(
         "cam", _same("check", "size"),
         "corners, losses and smallest sizes as roots of the conditions that define them, all at once",
-        "90 digits", INDEPENDENT,
+        "90 digits", CAMS,
     ),
     "gear_geometry": Origin(
         "gear",
@@ -139,6 +144,12 @@ FILES: dict[str, Origin] = {
         "gear", {"measure": "measure", "root": "profile"},
         "a ball between two helicoids in space, base circles unrolled, envelopes of the rack's corner",
         "60 digits", BOUNDS, ".",
+    ),
+    "gear_meshes": Origin(
+        "gear", {"mesh": "mesh", "identify": "identify", "data_block": "data-block", "profile": "profile"},
+        "involutes as roots, roots as envelopes of the rolled rack, distances where curves run along one another, "
+        "standard sizes as fractions",
+        "72 digits", GEARS, r"\w+ \d",
     ),
     "uncertainty": Origin(
         "uncertainty", {},

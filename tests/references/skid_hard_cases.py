@@ -60,7 +60,7 @@ def distances() -> Iterator[Hard]:
         (30.0, 30.0, "nothing is slowed: distance and time are exact zeros"),
         (30.0, 29.999999999999996, "speeds one unit in the last place apart: a difference of squares has no digit"),
         (30.0, 29.9999999, "speeds that agree in eight digits: a difference of squares keeps half of them"),
-        (1e-300, 0.0, "the square of the speed underflows"),
+        (1e-300, 0.0, "the square of the speed underflows: distance and time are not zero for that"),
         (1e150, 1.0, "the square of the speed is near the largest double, and the end speed is lost beside it"),
         (0.0, 0.0, "at rest from the start: zeros everywhere, none of them divided by"),
     ]:
@@ -175,7 +175,10 @@ def stops() -> Iterator[Hard]:
     for why, change in [
         ("no build-up: the quadratic of its phase divides by its time", {"build_up_time": 0.0}),
         ("the car stops within a hair of the end of build-up: both formulas meet here", {"build_up_time": 5.8}),
-        ("build-up ends as the car stops, on one side of it", {"build_up_time": 5.826944438860908}),
+        (
+            "build-up ends as the car stops: two formulas meet, on one side of their join",
+            {"build_up_time": 5.826944438860908},
+        ),
         ("build-up ends as the car stops, one unit in the last place before", {"build_up_time": 5.8269444388609065}),
         ("build-up ends as the car stops, one unit in the last place after", {"build_up_time": 5.826944438860909}),
         (

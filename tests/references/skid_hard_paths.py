@@ -22,7 +22,10 @@ def yaws() -> Iterator[Hard]:
             "a bank that all but cancels the friction: the speed is the root of a difference",
             {"superelevation": -0.8 + 1e-12},
         ),
-        ("no friction: the bank alone holds the car", {"friction": 0.0, "superelevation": 0.1}),
+        (
+            "no friction: the bank alone holds the car, and quotients by friction do not exist",
+            {"friction": 0.0, "superelevation": 0.1},
+        ),
         (
             "a track as wide as the path's radius allows: the centre's radius is a vanishing difference",
             {"track_width": 119.99999999},
@@ -39,7 +42,10 @@ def yaws() -> Iterator[Hard]:
             "a half circle, where both terms of the radius are equal",
             {"path": {"record": "Chord", "chord": 30.0, "middle_ordinate": 15.0}},
         ),
-        ("the square of the chord overflows", {"path": {"record": "Chord", "chord": 1e200, "middle_ordinate": 1e199}}),
+        (
+            "the square of the chord overflows, and the radius, its quotient, does not",
+            {"path": {"record": "Chord", "chord": 1e200, "middle_ordinate": 1e199}},
+        ),
     ]:
         yield why, f"yaw with {change}", {**base, **change}
 
@@ -48,11 +54,11 @@ def vaults() -> Iterator[Hard]:
     for x, y, why in [
         (20.0, 0.0, "level: the line of sight's angle is an exact zero"),
         (1e-9, -5.0, "straight down: the least speed is a difference of fall and path that nearly cancels"),
-        (1e-9, 5.0, "straight up: all of the speed is for the height"),
-        (1e9, -5.0, "so far out that the fall is lost beside the way"),
+        (1e-9, 5.0, "straight up: all of the speed is for the height, the distance's part is lost in it"),
+        (1e9, -5.0, "so far out that the fall is lost beside the way, and its sign still decides which is less"),
         (20.0, -1e-12, "a fall whose square is lost beside the distance's"),
-        (1e-150, 1e-150, "squares of the distances underflow"),
-        (1e150, -1e150, "squares of the distances overflow"),
+        (1e-150, 1e-150, "squares of the distances underflow: the hypotenuse must be found without them"),
+        (1e150, -1e150, "squares of the distances overflow: the hypotenuse must be found without them"),
     ]:
         yield why, f"{x!r} m out, {y!r} m up", {"distance": x, "rise": y, "gravity": G}
 
@@ -80,8 +86,8 @@ def launches() -> Iterator[Hard]:
             0.7853981633974483,
             "at 45 degrees over a rise of half the way: the landing is level to the last bit",
         ),
-        (1e-200, -1e-200, 0.3, "squares of the distances underflow"),
-        (1e200, -1e200, 0.3, "squares of the distances overflow"),
+        (1e-200, -1e-200, 0.3, "squares of the distances underflow: the hypotenuse must be found without them"),
+        (1e200, -1e200, 0.3, "squares of the distances overflow: the hypotenuse must be found without them"),
     ]:
         inputs = {"distance": x, "rise": y, "take_off": angle, "gravity": G}
         yield why, f"{x!r}, {y!r} at {angle!r}", inputs
@@ -94,7 +100,10 @@ def pedestrians() -> Iterator[Hard]:
             "throw less friction times height is 1e-12: every speed is the root of a difference",
             {"throw_distance": 0.66 + 1e-12},
         ),
-        ("thrown flat from the ground: no flight at all", {"launch_height": 0.0, "launch_angle": 0.0}),
+        (
+            "thrown flat from the ground: no flight at all, its time and way are exact zeros",
+            {"launch_height": 0.0, "launch_angle": 0.0},
+        ),
         ("thrown downwards from a height: the flight's root must be taken without cancelling", {"launch_angle": -0.4}),
         ("thrown downwards from the ground: a flight of no length", {"launch_height": 0.0, "launch_angle": -0.9}),
         (
@@ -107,7 +116,7 @@ def pedestrians() -> Iterator[Hard]:
         ),
         ("hardly any friction: a slide of huge length beside a short flight", {"friction": 1e-9, "launch_angle": 0.3}),
         (
-            "a throw of 1e200 m, whose square overflows",
+            "a throw of 1e200 m, whose square overflows: its root must be taken without it",
             {"throw_distance": 1e200, "launch_height": 0.0, "launch_angle": 0.2},
         ),
         ("the smallest angle a double can hold: flat, but not zero", {"launch_angle": 1e-300}),
@@ -128,7 +137,10 @@ def pedestrians() -> Iterator[Hard]:
             "just above friction tan 30°, where two forms of the greatest angle meet",
             {"friction": 0.578, "launch_height": 0.0},
         ),
-        ("a short throw from a height: close to a drop", {"friction": 0.4, "throw_distance": 2.0}),
+        (
+            "a short throw from a height: nearly a drop, the slide is what little is left of the distance",
+            {"friction": 0.4, "throw_distance": 2.0},
+        ),
         (
             "a friction of three: the landing's loss is larger than the speed for most angles",
             {"friction": 3.0, "throw_distance": 60.0},
@@ -173,19 +185,25 @@ def avoids() -> Iterator[Hard]:
         ("the car stops millimetres before the obstacle: what is left is a difference", {"speed": 17.8542}),
         ("the whole distance goes in reaction to the last bit: no braking is left", {"reaction_time": 2.0}),
         ("the obstacle is reached before the brakes are: reaction outlasts the way", {"reaction_time": 3.0}),
-        ("no reaction: its distance is an exact zero", {"reaction_time": 0.0}),
+        (
+            "no reaction: its distance is an exact zero, and the greatest safe speed a plain root",
+            {"reaction_time": 0.0},
+        ),
         (
             "a reaction of thirty years: the greatest safe speed is a difference that cancels to nothing",
             {"reaction_time": 1e9},
         ),
-        ("at rest: every distance is zero", {"speed": 0.0}),
+        ("at rest: every distance is zero, and none of them may be divided by", {"speed": 0.0}),
         ("drag of 1e-12 left of friction and grade: the greatest safe speed cancels", {"grade": -0.7 + 1e-12}),
         (
             "a sight distance whose product with gravity is tiny beside the reaction's square",
             {"sight_distance": 1e-200},
         ),
         ("a sight distance of 1e200 m, whose square overflows", {"sight_distance": 1e200}),
-        ("reaction takes the whole way, last bit above", {"speed": 33.333333333333336}),
+        (
+            "reaction takes the whole way and one last bit more: the braking left is below zero",
+            {"speed": 33.333333333333336},
+        ),
         (
             "reaction takes the whole way, last bit below: the braking left is one rounding",
             {"speed": 33.33333333333333},
@@ -221,7 +239,7 @@ def spins() -> Iterator[Hard]:
         drag = {"record": "Rotation", "rotation": turned, "start_angle": start, "rolling_drag": rolling}
         yield why, f"spin by {turned!r} from {start!r}", {**base, "drag": drag}
     share = {"record": "Share", "drag_share": 0.5}
-    why = "friction's share and downhill grade cancel to 1e-12"
+    why = "friction's share and downhill grade cancel to 1e-12: four digits of the drag are left"
     yield why, "spin near zero drag", {**base, "drag": share, "grade": -0.35 + 1e-12}
     why = "a picometre at 30 m/s: the speed lost is a difference below the speed's last place"
     yield why, "short spin at speed", {**base, "drag": share, "distance": 1e-12, "end_speed": 30.0}

@@ -16,7 +16,7 @@ from uncertainty_laws import (
     normal,
     root,
 )
-from uncertainty_numbers import density, integral, number, phi, pi, real, special, total
+from uncertainty_numbers import density, integral, number, phi, pi, real, score, special, total
 
 G2 = 2 * number(9.80665)
 
@@ -45,6 +45,18 @@ def root_of(x: Normal) -> Any:
     k = x.mean / x.std
     cylinder = special("pcfd", number(-1.5), -k)
     return real.sqrt(x.std) * real.exp(-k * k / 4) * special("gamma", 1.5) / real.sqrt(2 * pi()) * cylinder
+
+
+def root_where_it_is(x: Normal) -> Law:
+    """√x of what is not negative: the law of the admissible cases."""
+    none = phi(-x.mean / x.std)
+    there = 1 - none
+    return Law(
+        lambda w: None,
+        (0, 0),
+        lambda: (root_of(x) / there, part_of(x) / there),
+        lambda p: real.sqrt(x.mean + x.std * score(none + p * there)),
+    )
 
 
 def part_of(x: Normal) -> Any:

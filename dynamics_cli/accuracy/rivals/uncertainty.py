@@ -68,7 +68,7 @@ def kind_of(case: Case) -> str:
     about_zero = case.name == "product about zero"
     if case.task in FOLDED or about_zero:
         return "kinked"
-    return "bounded" if kinds & set(BOUNDED) or case.task == "step" else "smooth"
+    return "bounded" if kinds & set(BOUNDED) or case.task in ("step", "root") else "smooth"
 
 
 def distributions(case: Case) -> "list[Distribution]":

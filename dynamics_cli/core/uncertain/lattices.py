@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics_cli.core.uncertain.goal import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, tail_direction, width_of
-from dynamics_cli.core.uncertain.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
+from dynamics_cli.core.uncertain.lines import ORDERS, Lines, Moments, Roots, carry, moments, order_moments, solve
 from dynamics_cli.core.uncertain.space import Space, complement
 from dynamics_cli.numerics.lattice import MOST_POINTS, lattice
 from dynamics_cli.numerics.normal_arrays import probability, quantile
@@ -58,8 +58,15 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
         last = (lines, roots)
         grown = larger(count, made.estimate / goal.accuracy)
         cost = 4 * SHIFTS * grown * goal.p.size
-        if made.estimate <= goal.accuracy or grown == count or space.points + cost > goal.points:
-            return _lattice_moments(made, goal)
+        most = grown == count or space.points + cost > goal.points
+        if made.estimate <= goal.accuracy or most:
+            done = _lattice_moments(made, goal)
+            if done is None or done.estimate <= goal.accuracy or most:
+                return done
+            # moments may need more lines than quantiles do
+            grown = larger(count, done.estimate / goal.accuracy)
+            if grown == count or space.points + 4 * SHIFTS * grown * goal.p.size > goal.points:
+                return done
         count = grown
 
 
@@ -104,8 +111,17 @@ def _lattice_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
     if not made.rising:
         return None
     outcome.mean, outcome.std = made.mean, made.std
-    outcome.estimate = max(outcome.estimate, made.error)
+    outcome.estimate = max(outcome.estimate, made.error, _moment_scatter(made))
     return outcome
+
+
+def _moment_scatter(made: Moments) -> float:
+    """The scatter of the replicates' means and deviations, in deviations: σ changes by half of what σ² does."""
+    if made.by_line is None or not made.std > 0.0:
+        return 0.0
+    first, second = (part.reshape(SHIFTS, -1).mean(axis=1) for part in made.by_line)
+    apart = max(float(first.std(ddof=1)) / made.std, float(second.std(ddof=1)) / (2.0 * made.std * made.std))
+    return REPLICATE_FACTOR * apart / float(np.sqrt(SHIFTS))
 
 
 def _thinned(lines: Lines) -> Lines:

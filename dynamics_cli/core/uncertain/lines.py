@@ -114,16 +114,23 @@ def solve(
 
 
 class Moments:
-    """Mean and deviation of a result over the lines, and how far the rule along them can be trusted."""
+    """Mean and deviation of a result over the lines, and how far the rule along them can be trusted.
 
-    __slots__ = ("error", "mean", "order", "rising", "std")
+    `by_line` has the mean and the mean square about the common mean of every line.
+    """
 
-    def __init__(self, mean: float, std: float, error: float, order: int, *, rising: bool) -> None:
+    __slots__ = ("by_line", "error", "mean", "order", "rising", "std")
+
+    def __init__(
+        self, mean: float, std: float, error: float, order: int, *, rising: bool,
+        by_line: "tuple[Array, Array] | None" = None,
+    ) -> None:  # fmt: skip
         self.mean = mean
         self.std = std
         self.error = error
         self.order = order
         self.rising = rising
+        self.by_line = by_line
 
 
 def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moments:
@@ -166,10 +173,12 @@ def order_moments(lines: Lines, count: int) -> Moments:
     sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
     if np.isnan(values).any():
         return Moments(np.nan, np.nan, np.inf, count, rising=False)
-    mean = float(lines.weights @ (values @ along))
+    first = values @ along
+    mean = float(lines.weights @ first)
     apart = values - mean
-    variance = float(lines.weights @ ((apart * apart) @ along))
-    return Moments(mean, np.sqrt(max(variance, 0.0)), np.inf, count, rising=sound)
+    second = (apart * apart) @ along
+    variance = float(lines.weights @ second)
+    return Moments(mean, np.sqrt(max(variance, 0.0)), np.inf, count, rising=sound, by_line=(first, second))
 
 
 def features(rest: "Array") -> "Array":

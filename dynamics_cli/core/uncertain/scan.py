@@ -25,13 +25,20 @@ POINTS = 33
 _BISECTIONS = 44
 _GOLDEN = 0.3819660112501051
 _GAUSS = (np.array([0.1127016653792583, 0.5, 0.8872983346207417]), np.array([5.0, 8.0, 5.0]) / 18.0)
+_GAUSS_OF_TWO = (np.array([0.21132486540518713, 0.7886751345948129]), np.array([0.5, 0.5]))
 
 
 class Pieces:
-    """Monotone, admissible pieces of lines: ends a < b in s, and the values there."""
+    """Monotone, admissible pieces of lines: ends a < b in s, and the values there.
 
-    def __init__(self, line: "Index", a: "Array", b: "Array", fa: "Array", fb: "Array") -> None:
+    `edge` is −1 or 1 where a or b is the boundary of admissibility: slopes may be without bound there.
+    """
+
+    def __init__(
+        self, line: "Index", a: "Array", b: "Array", fa: "Array", fb: "Array", edge: "Array | None" = None
+    ) -> None:
         self.line = line
+        self.edge = np.zeros(line.size) if edge is None else edge
         self.a = a
         self.b = b
         self.fa = fa
@@ -93,6 +100,7 @@ class Scan:
             np.where(forward, inner, start),
             np.where(forward, f_start, value),
             np.where(forward, value, f_start),
+            np.where(forward, 1.0, -1.0),
         )
 
     def _with_turns(self, pieces: Pieces, cells: "Index", sound: "NDArray[Any]") -> Pieces:
@@ -112,7 +120,7 @@ class Scan:
         taken = np.zeros(rise.shape, dtype=bool)
         taken[line, cell] = True
         keep = ~taken[pieces.line, cells]
-        kept = Pieces(*(part[keep] for part in (pieces.line, pieces.a, pieces.b, pieces.fa, pieces.fb)))
+        kept = Pieces(*(part[keep] for part in (pieces.line, pieces.a, pieces.b, pieces.fa, pieces.fb, pieces.edge)))
         before = Pieces(line, s[line, cell], at, values[line, cell], value)
         after = Pieces(line, at, s[line, cell + 1], value, values[line, cell + 1])
         return _joined(kept, before, after)
@@ -267,15 +275,27 @@ class Scan:
             made.append(np.where(np.isfinite(total), total, 0.0))
         return made[0], made[1]
 
-    def _piecewise(self, rough: "Index") -> "tuple[Array, Array]":
+    def broken_error(self) -> "tuple[float, float]":
+        """How far both moments of the lines that are partly admissible move with a rule of two points for three."""
+        rough = np.nonzero(self.broken)[0]
+        if not rough.size:
+            return 0.0, 0.0
+        three, two = self._piecewise(rough), self._piecewise(rough, _GAUSS_OF_TWO)
+        weights = self.lines.weights[rough]
+        first, second = (float(weights @ (one - other)) for one, other in zip(three, two, strict=True))
+        return abs(first), abs(second)
+
+    def _piecewise(self, rough: "Index", rule: "tuple[Array, Array]" = _GAUSS) -> "tuple[Array, Array]":
         count = self.lines.weights.size
         chosen = np.isin(self.pieces.line, rough)
-        line, a, b = self.pieces.line[chosen], self.pieces.a[chosen], self.pieces.b[chosen]
+        line, a, b, edge = (getattr(self.pieces, name)[chosen] for name in ("line", "a", "b", "edge"))
         first, second = np.zeros(count), np.zeros(count)
-        for node, weight in zip(*_GAUSS, strict=True):
-            s = a + node * (b - a)
+        for node, weight in zip(*rule, strict=True):
+            # towards an edge points crowd by the square of the way: a root's slope there is then none
+            s = a + np.where(edge < 0.0, node * node, np.where(edge > 0.0, node * (2.0 - node), node)) * (b - a)
+            along = np.where(edge < 0.0, 2.0 * node, np.where(edge > 0.0, 2.0 - 2.0 * node, 1.0))
             value = self.lines.at(line, s) - self.centre
-            mass = np.where(np.isnan(value), 0.0, weight * (b - a) * density(s))
+            mass = np.where(np.isnan(value), 0.0, weight * along * (b - a) * density(s))
             value = np.where(np.isnan(value), 0.0, value)
             first += np.bincount(line, mass * value, minlength=count)
             second += np.bincount(line, mass * value * value, minlength=count)
@@ -292,5 +312,5 @@ def measure(a: "Array", b: "Array") -> "Array":
 def _joined(*parts: Pieces) -> Pieces:
     return Pieces(
         np.concatenate([p.line for p in parts]),
-        *(np.concatenate([getattr(p, name) for p in parts]) for name in ("a", "b", "fa", "fb")),
+        *(np.concatenate([getattr(p, name) for p in parts]) for name in ("a", "b", "fa", "fb", "edge")),
     )

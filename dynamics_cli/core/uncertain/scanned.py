@@ -137,8 +137,18 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
         made.estimate = FLOOR
     else:
         made.estimate = _coarser(scan, made)
-    made.estimate = max(made.estimate, tolerance)
+    made.estimate = max(made.estimate, tolerance, _broken(scan, made))
     return made
+
+
+def _broken(scan: Scan, made: Outcome) -> float:
+    """What the rule on lines that are partly admissible leaves of mean and deviation, in deviations."""
+    if scan.lines.space.heavy or not made.std > 0.0:
+        return 0.0
+    first, second = (error / scan.admissible for error in scan.broken_error())
+    # of the second moment about the scan's centre the mean's part is taken away again
+    away = abs(made.mean - scan.centre)
+    return max(first / made.std, (0.5 * second + away * first) / made.std**2)
 
 
 def _with_moments(made: Outcome, scan: Scan) -> Outcome:

@@ -4,6 +4,8 @@ Everything that propagates uncertainty sees only `Space.evaluate`: points (input
 NaN where the model is inadmissible. NaN stays inside the engine; what leaves it is a fraction of inadmissible cases.
 """
 
+from decimal import Decimal, localcontext
+
 import numpy as np
 
 from dynamics_cli.errors import FaultError, UsageError
@@ -131,17 +133,33 @@ def positive(matrix: "Array") -> bool:
 
 
 def _cholesky(matrix: "Array") -> "Array | None":
-    """A triangular factor that allows pivots of zero (correlations of ±1); None when a pivot is negative."""
-    count = len(matrix)
+    """A triangular factor that allows pivots of zero (correlations of ±1); None when a pivot is negative.
+
+    A pivot such as 1 − ρ² keeps few digits of a ρ next to one, and is the variance of what then cancels: pivots are
+    calculated in 40 digits.
+    """
+    rows: list[dict[int, Decimal]] = []
+    with localcontext(prec=40):
+        for i, line in enumerate(matrix):
+            row: dict[int, Decimal] = {}
+            for j, entry in enumerate(line[: i + 1]):
+                other = rows[j] if j < i else row
+                shared = row.keys() & other.keys()
+                rest = Decimal(float(entry)) - sum((row[k] * other[k] for k in shared), Decimal(0))
+                if j < i:
+                    if j in other:
+                        row[j] = rest / other[j]
+                    elif abs(rest) > np.sqrt(_PIVOT):
+                        return None
+                elif rest < -_PIVOT:
+                    return None
+                elif rest > _PIVOT:
+                    row[j] = rest.sqrt()
+            rows.append(row)
     made = np.zeros_like(matrix)
-    for j in range(count):
-        rest = matrix[j:, j] - made[j:, :j] @ made[j, :j]
-        if rest[0] < -_PIVOT:
-            return None
-        if rest[0] > _PIVOT:
-            made[j:, j] = rest / np.sqrt(rest[0])
-        elif np.abs(rest).max() > np.sqrt(_PIVOT):
-            return None
+    for i, row in enumerate(rows):
+        for j, value in row.items():
+            made[i, j] = float(value)
     return made
 
 
