@@ -65,7 +65,7 @@ def _log(x: float) -> float:
     if not hasattr(x, "adjusted"):
         return log(x)
     digits = x.adjusted()
-    return log(float(x.scaleb(-digits))) + 2.302585092994046 * digits  # type: ignore[attr-defined]
+    return log(float(x.scaleb(-digits))) + 2.302585092994046 * digits  # type: ignore[attr-defined, no-any-return]
 
 
 def reach(coefficients: "Series", order: int, stride: float) -> float:
