@@ -60,6 +60,14 @@ def _middle(a: "list[float]", first: int, last: int) -> float:
     return total
 
 
+def _log(x: float) -> float:
+    """Natural logarithm, of decimals that leave the range of doubles too."""
+    if not hasattr(x, "adjusted"):
+        return log(x)
+    digits = x.adjusted()
+    return log(float(x.scaleb(-digits))) + 2.302585092994046 * digits  # type: ignore[attr-defined]
+
+
 def reach(coefficients: "Series", order: int, stride: float) -> float:
     """How far the series may go."""
     x, y = coefficients[X], coefficients[Y]
@@ -69,11 +77,11 @@ def reach(coefficients: "Series", order: int, stride: float) -> float:
     for index in (order - 1, order):
         last = max(abs(x[index]), abs(y[index]))
         if last > 0:
-            radius = min(radius, exp(log(float(size / last)) / index))
+            radius = min(radius, exp((_log(size) - _log(last)) / index))
     # work and heat are products: where the slip dies down as an exponential, theirs converges half as far
     heat = coefficients[H]
-    if heat[order] != 0:
-        radius = min(radius, exp(log(float(abs(heat[1] / heat[order]))) / (order - 1)))
+    if heat[1] != 0 and heat[order] != 0:
+        radius = min(radius, exp((_log(abs(heat[1])) - _log(abs(heat[order]))) / (order - 1)))
     return type(size)(radius * stride)
 
 
@@ -126,7 +134,7 @@ def march(
     slip = Slip([*start, zero, zero, zero, zero, zero])
     # slip this much smaller than that which the impact itself can make has stopped
     size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
-    stopped = size * type(size)(f"1e-{digits + 1}")
+    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 6)}")
     while slip.steps < MOST_STEPS:
         state = slip.state
         if root(state[X] * state[X] + state[Y] * state[Y]) <= stopped:

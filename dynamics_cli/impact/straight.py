@@ -100,7 +100,10 @@ def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "
     rounding = abs(k13) + abs(k23) + friction * (k11 + k22)
     # rounding leaves no more of its turning, and the direction is near
     number = type(size)
-    if abs(across) > number(f"2e-{digits}") * rounding or abs(across) > number(f"1e-{digits // 2 + 1}") * -slope:
+    if (
+        abs(across) > number(f"2e-{digits if digits == DOUBLE else digits + 1}") * rounding
+        or abs(across) > number(f"1e-{digits // 2 + 1}") * -slope
+    ):
         return None
     aside = across / slope
     return c - aside * d, d + aside * c
