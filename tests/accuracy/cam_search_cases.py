@@ -254,7 +254,7 @@ def check(rng: random.Random) -> Case:
     kinds = ("Roller", "Roller", "KnifeEdge", "KnifeEdge", "FlatFace", "OscillatingRoller", "OscillatingRoller")
     made = _cam(rng, (*kinds, "OscillatingFlat") if rng.random() < 0.5 else kinds)
     tree = made["follower"]
-    if rng.random() < 0.1 and tree["record"] in ("Roller", "FlatFace"):
+    if rng.random() < 0.06 and tree["record"] in ("Roller", "FlatFace"):
         tree["base_radius"] = repr(float(tree["base_radius"]) * rng.uniform(0.2, 0.6))
     if rng.random() < 0.7:
         rate, preload = rng.uniform(100.0, 3e4), rng.uniform(1.0, 300.0)

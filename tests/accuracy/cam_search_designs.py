@@ -115,7 +115,8 @@ def _flat(answer: Any, turn: Turn, stated: Stated, values: dict[str, Any], least
     low = extreme(turn, lambda *state: state[0] + state[2], -1)
     floor = -extreme(turn, lambda *state: state[0], -1)
     exact = max(least - low, floor, Exact(0))
-    room = float(abs(low)) + float(least)
+    # s + s″ may be nothing at all
+    room = max(map(abs, turn.levels)) + float(least)
     yield from stated.compare("base_radius", answer.base_radius, exact, MISSED * room, size=room)
     slow, fast = (extreme(turn, lambda *state: state[1], sign) for sign in (-1, 1))
     width = fast - slow + 2 * values.get("face_margin", 0)
