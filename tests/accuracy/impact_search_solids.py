@@ -164,7 +164,13 @@ def slacks(met: Met, end: End, noise: Number) -> Callable[[str], Number]:
     speed = size(tuple(met.before)) + max(k[0][0], k[1][1], k[2][2]) * impulse
     sizes = {"": impulse, "sliding_after": speed, "separation_speed": speed, "sliding_before": speed}
     sizes |= dict.fromkeys(("energy_lost", "energy_lost_normal", "energy_lost_tangential"), impulse * speed)
-    sizes |= dict.fromkeys(("impulse_ratio", "stick_friction", "pdof", "elevation"), Exact(1))
+    sizes |= {"impulse_ratio": Exact(1), "stick_friction": Exact(1)}
+    # a direction in the plane is as uncertain as the impulse's part there is small beside the whole
+    x, y, _ = plus(
+        scaled(met.frame[0], end.impulse[0]),
+        plus(scaled(met.frame[1], end.impulse[1]), scaled(met.frame[2], end.impulse[2])),
+    )
+    flat = sqrt(x * x + y * y)
     for name, body in zip(("first", "second"), met.bodies, strict=True):
         change = impulse / body.mass if body.mass is not None else Exact(0)
         turn = size(body.turned(end.impulse)) if body.inverse is not None else Exact(0)
@@ -172,6 +178,7 @@ def slacks(met: Met, end: End, noise: Number) -> Callable[[str], Number]:
         fast, spun = size(body.velocity) + change, size(body.spin) + turn
         sizes |= {f"{name}.{key}": fast for key in ("velocity", "speed", "delta_v", "delta_v_magnitude")}
         sizes |= {f"{name}.spin": spun, f"{name}.spin_change": spun}
+        sizes |= {f"{name}.pdof": impulse / flat if flat else Exact(0), f"{name}.elevation": Exact(1)}
         sizes[f"{name}.energy_change"] = impulse * (fast + spun * size(body.lever))
     return lambda name: noise * sizes.get(name.partition("[")[0], impulse)
 
