@@ -211,5 +211,5 @@ def _clipped(text: str, width: int) -> str:
     """One line, its middle left out where it is too long: what comes last names the result."""
     if len(text) <= width:
         return text
-    tail = min(24, width // 4)
+    tail = min(24, width // 3)
     return f"{text[: width - tail - 1]}…{text[-tail:]}"

@@ -133,6 +133,12 @@ FILES: dict[str, Origin] = {
         "corners, losses and smallest sizes as roots of the conditions that define them, all at once",
         "90 digits", CAMS,
     ),
+    "cam_found": Origin(
+        "cam", {"force": "force", "profile": "profile", "motion": "motion"},
+        "the exact side of the search: laws integrated from their accelerations, followers carried round the cam, "
+        "statics, extremes climbed from fine samples, plates by Gauss's rule of 40 nodes",
+        "70 digits", CAMS,
+    ),
     "gear_geometry": Origin(
         "gear",
         _same("spur", "helical", "pair", "bevel", "crossed", "worm") | {"inv": "involute", "inverse": "involute"},
