@@ -9,7 +9,7 @@ from dynamics_cli.accuracy.rivals.inertia_table import Way, rows_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Any
 
     import numpy as np
@@ -34,14 +34,23 @@ def _groups() -> "dict[str, type]":
     return groups("inertia")
 
 
-def arguments(case: "Case", *, tracked: bool = False) -> "dict[str, Any]":
-    """What a case gives to its task: floats, or numbers that carry their rounding."""
-    numbers: list[Any] = list(leaves(case.inputs))
-    if tracked:
-        from dynamics_cli.numerics.tracked import Tracked
+def arguments(case: "Case", numbers: "Iterable[Any] | None" = None) -> "dict[str, Any]":
+    """What a case gives to its task, with other numbers in place of its floats."""
+    return build(case.inputs, iter(leaves(case.inputs) if numbers is None else numbers), _groups())  # type: ignore[no-any-return]
 
-        numbers = Tracked.inputs(numbers)
-    return build(case.inputs, iter(numbers), _groups())  # type: ignore[no-any-return]
+
+def bounded(case: "Case", function: "Callable[..., Any]") -> "Any":
+    """The answer with the rounding bounds that a command states."""
+    from dynamics_cli.core.tightening import tighten
+    from dynamics_cli.numerics.tracked import Tracked
+
+    def call(numbers: "Iterable[Any]") -> "Any":
+        return function(**arguments(case, numbers))
+
+    doubles = list(leaves(case.inputs))
+    made = call(Tracked.inputs(doubles))
+    tighten(made, doubles, call)
+    return made
 
 
 def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any] | None" = None) -> Way:
@@ -51,7 +60,7 @@ def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any
         given = arguments(case)
         return lambda: function(**given)
 
-    return Way(f"{name} (chosen)", prepare, stated or (lambda case: function(**arguments(case, tracked=True))))
+    return Way(f"{name} (chosen)", prepare, stated or (lambda case: bounded(case, function)))
 
 
 def shape(*, shape: "Any", amount: "Any") -> "Any":
@@ -79,7 +88,7 @@ def both_stated(case: "Case") -> "dict[str, Any]":
     """Two assemblies compared, with the bound of the angle between their axes, which carries none itself."""
     from dynamics_cli.numerics.tracked import Tracked
 
-    made = both(**arguments(case, tracked=True))
+    made = bounded(case, both)
     found = flat(made)
     bounds = {bound.result: bound.bound for bound in made.numerics.bounds}
     return found | {name: Tracked(found[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in found}
