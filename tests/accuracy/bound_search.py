@@ -5,13 +5,13 @@
 Each evaluation disturbs a start's numbers (by last bits, by percents, by orders of magnitude; to zero, to a limit of
 their kind, to one another), sends tracked numbers and numbers of 240 bits (`precise.py`) through the same formula, and
 compares every result: the difference must lie within the bound, as it is stated (where it came out loose, measured by
-a second pass in 60 decimal digits). A part of the evaluations disturbs the worst found so
-far instead of the start. Plain floats go the same way and must give the tracked numbers' bits.
+a second pass in 60 decimal digits). A part of the evaluations disturbs the worst found so far instead of the start.
+Plain floats go the same way and must give the tracked numbers' bits.
 
 What is compared with what: the rounding of a formula with the same formula in many bits. That the formulas themselves
-are right is shown elsewhere, by references of other formulas (tests/references); `independent_search.py` does both at
-once for some of the tasks that iterate or state bounds of their own. The others of these (cam motion, force, profile
-and size, inertia mesh, impact spatial and envelope, gear mesh) are held to their bounds on reference cases alone.
+are right is shown elsewhere, by references of other formulas (tests/references). Tasks that iterate or state bounds of
+their own are searched beside numbers found otherwise: independent_search.py, cam_search.py, gear_search.py,
+impact_search.py, mesh_search.py.
 """
 
 import random
