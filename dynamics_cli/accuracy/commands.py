@@ -18,7 +18,7 @@ TASK = Task(
         "dynamics accuracy convert --peers --untimed",
         "dynamics accuracy cam size --hard --cases",
     ),
-    table="methods",
+    table="cases methods",
     arrays=False,
     tracked=False,
     digits=3,
