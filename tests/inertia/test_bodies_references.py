@@ -31,7 +31,7 @@ def measured(index: int) -> list[tuple[str, Any, Any, Any]]:
     mp.dps = 60
     case = CASES[index]
     function = FUNCTIONS[case.task]
-    bare, tracked = (flat(function(**inertia_bodies.arguments(case, tracked=flag))) for flag in (False, True))
+    bare, tracked = flat(function(**inertia_bodies.arguments(case))), flat(inertia_bodies.bounded(case, function))
     if case.task == "compare":
         tracked = inertia_bodies.both_stated(case)
     found = []
