@@ -99,8 +99,11 @@ class TestNumbers:
             assert abs(mpf(str(found)) - mp.exp(-mpf(1) / 2)) < mpf(10) ** -48
 
 
+SMOOTH = [case for case in CASES if uncertainty.kind_of(case) == "smooth"]
+
+
 class TestEngine:
-    @pytest.mark.parametrize("case", [case for case in CASES if uncertainty.kind_of(case) == "smooth"], ids=str)
+    @pytest.mark.parametrize("case", SMOOTH, ids=[case.name for case in SMOOTH])
     def test_smooth_ones_are_answered_as_closely_as_asked(self, case: Case) -> None:
         found, _ = uncertainty.own(case, {})
         assert wrong(found, case) <= 1e-4, case.name
