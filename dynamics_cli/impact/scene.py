@@ -67,9 +67,10 @@ class _Seen:
         self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
         coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
-        if ABSENT * abs(self.before[0]) <= abs(self.before[2]):
+        # without friction nothing depends on a slip: it is kept, however little it is
+        if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
             self.before = *nothing(self.before[2])[:2], self.before[2]
-            if coupled and contact.friction > 0:
+            if coupled:
                 # without slip the coupling says which way friction will act
                 push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
                 self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
