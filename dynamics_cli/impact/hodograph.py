@@ -21,6 +21,9 @@ ORDER = 24
 # Jorba and Zou (2005): with this share of the radius of convergence a series of this order keeps all digits.
 STRIDE = exp(-2.0)
 MOST_STEPS = 5000
+# Where little is left of the slip: the least power of the stride, and orders to spare, each of which is worth e².
+LEAST_CARE = 0.3
+SPARE = 3
 
 
 def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "Series":
@@ -134,18 +137,21 @@ def march(
     slip = Slip([*start, zero, zero, zero, zero, zero])
     # slip this much smaller than that which the impact itself can make has stopped
     size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
-    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 6)}")
+    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 3)}")
+    fastest = zero
     while slip.steps < MOST_STEPS:
         state = slip.state
-        if root(state[X] * state[X] + state[Y] * state[Y]) <= stopped:
+        speed = root(state[X] * state[X] + state[Y] * state[Y])
+        if speed <= stopped:
             slip.stopped = True
             return slip
         way = settled(k, friction, slip, digits)
         if way is not None:
             glide(k, slip, way, friction, start[2], restitution, law)
             return slip
+        fastest = max(speed, fastest)
         coefficients = series(k, friction, state, order)
-        step = reach(coefficients, order, stride)
+        step = reach(coefficients, order, stride ** _care(speed / fastest, order))
         slip.steps += 1
         index, target = _aim(slip, start[2], restitution, law)
         # where the aim is passed, within the step
@@ -166,6 +172,11 @@ def march(
         else:
             slip.state = [value(series_, step) for series_ in coefficients]
     raise ArithmeticError("the slip did not end")
+
+
+def _care(share: float, order: int) -> float:
+    """Power of the stride where so little is left of the slip: what it still adds needs as many digits less."""
+    return 1.0 if share == 1 else min(max((order + SPARE + _log(share) / 2) / order, LEAST_CARE), 1.0)
 
 
 def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[int, float]":
