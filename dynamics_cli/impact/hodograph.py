@@ -35,18 +35,21 @@ def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "S
     double = 1 / (2 * s[0])
     # τ in units of its own, so that no coefficient leaves the range
     unit = 1 / ((1 + friction) * max(k11, k22, k33))
+    rub, one = friction * unit, type(unit)(1)
+    a11, a12, a22, a13, a23 = rub * k11, rub * k12, rub * k22, rub * k13, rub * k23
+    b13, b23, b33 = unit * k13, unit * k23, unit * k33
     for i in range(order):
-        scale = unit / (i + 1)
         xi, yi, si = x[i], y[i], s[i]
-        rub = friction * scale
-        x.append((k13 * si - friction * (k11 * xi + k12 * yi)) * scale)
-        y.append((k23 * si - friction * (k12 * xi + k22 * yi)) * scale)
-        p.append(si * scale)
-        fx.append(-rub * xi)
-        fy.append(-rub * yi)
-        w.append(sum(map(mul, v, reversed(s))) * scale)
-        v.append((k33 * si - friction * (k13 * xi + k23 * yi)) * scale)
-        h.append(square * rub)
+        part = one / (i + 1)
+        x.append((b13 * si - a11 * xi - a12 * yi) * part)
+        y.append((b23 * si - a12 * xi - a22 * yi) * part)
+        rise, heat = unit * part, rub * part
+        p.append(si * rise)
+        fx.append(-heat * xi)
+        fy.append(-heat * yi)
+        w.append(sum(map(mul, v, s[::-1])) * rise)
+        v.append((b33 * si - a13 * xi - a23 * yi) * part)
+        h.append(square * heat)
         n = i + 1
         square = _middle(x, 0, n) + _middle(y, 0, n)
         s.append((square - _middle(s, 1, n - 1)) * double)
