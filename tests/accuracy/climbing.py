@@ -58,14 +58,15 @@ def stated(
     """
     found = []
     for one in answer.numerics.bounds:
-        for name in (one.result, *(f"{one.result}[{i}]" for i in range(3))):
+        own = one.result
+        for name in (own,) if own in exact else (f"{own}[0]", f"{own}[1]", f"{own}[2]"):
             if name in exact and values.get(name) is not None:
                 bound = one.bound * (abs(values[name]) if one.relative else 1.0)
                 true = exact[name]
                 if name.endswith("pdof") and abs(values[name] - true) > 6:
                     # at the cut between −π and π both are one direction
                     true = true + 2 * exact_pi() if true < 0 else true - 2 * exact_pi()
-                found.append(Compared(name, values[name], bound, true, slacks(name), own=name == one.result))
+                found.append(Compared(name, values[name], bound, true, slacks(name), own=name == own))
     return found
 
 

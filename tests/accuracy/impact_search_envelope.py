@@ -1,6 +1,6 @@
 """`impact envelope`: every point of a small grid of restitution and friction by its own planar impact in 480 bits.
 
-An answer of 1 to 12 points is one evaluation: its least and greatest changes of velocity, of spin and energies against
+An answer of 1 to 9 points is one evaluation: its least and greatest changes of velocity, of spin and energies against
 the extremes of the points, each followed from event to event (`impact_search_planar`).
 """
 
@@ -22,7 +22,7 @@ from dynamics_cli.impact.laws import LAWS
 sqrt, sin, cos = (FUNCTIONS[name] for name in ("sqrt", "sin", "cos"))
 Number = Any
 # Points along each side of the grid, at most.
-MOST = 4
+MOST = 3
 # A law other than Stronge's answers at a point unless it gains more than this share of the work, as the program says.
 GAIN = 1e-12
 NOISE = 160
