@@ -103,7 +103,7 @@ _last: "tuple[Scene, float, _Seen] | None" = None
 
 def _seen(scene: Scene, gravity: float) -> _Seen:
     """The scene as its contact sees it: in doubles one is asked for again and again, by one model after the other."""
-    global _last  # noqa: PLW0603
+    global _last
     if not isinstance(gravity, float):
         return _Seen(scene, gravity)
     last = _last
