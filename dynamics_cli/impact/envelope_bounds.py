@@ -3,7 +3,8 @@
 K and the velocities of the contact are rounded once, from 60 digits, before they go over the grid. At the places of
 the extremes and at the corners of the region the answers are calculated again in 60 digits; what doubles err there,
 four times, is taken for what they may err anywhere. Points of the grid that come as near to an extreme are calculated
-in 60 digits too, unless they are many: then what doubles may err stays in the bound.
+in 60 digits too, unless they are many: then what doubles may err stays in the bound. Where digits cancel, as between
+the parts of K at a very long lever, so many more are taken.
 """
 
 from decimal import Decimal, localcontext
@@ -16,7 +17,7 @@ from dynamics_cli.impact.laws import Meeting, outcome
 from dynamics_cli.impact.path import Mobility
 from dynamics_cli.impact.planar import meeting_of
 from dynamics_cli.numerics.elementary import sqrt
-from dynamics_cli.numerics.many_digits import CONTEXT, ManyDigits
+from dynamics_cli.numerics.many_digits import CONTEXT, DIGITS, ManyDigits
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ UNIT_ROUNDOFF = 2.0**-53
 MISSED = 4.0
 # Of the largest number, what 60 digits cannot tell from nothing.
 SPARE = 1e-45
+# Digits that may cancel before more are taken.
+GUARDS = 8
 
 
 def _many(number: float) -> ManyDigits:
@@ -37,16 +40,25 @@ def _many(number: float) -> ManyDigits:
 
 
 class ExactContact:
-    """The contact of an envelope in 60 digits."""
+    """The contact of an envelope in 60 digits, beside those that cancel."""
 
-    __slots__ = ("bodies", "inward", "meeting", "turns")
+    __slots__ = ("bodies", "context", "inward", "meeting", "turns")
 
     def __init__(
         self, first: "Any", second: "Any", normal: float, contact_point: "Any", closing: "float | None", axes: "Any",
         gravity: float,
     ) -> None:  # fmt: skip
-        with localcontext(CONTEXT):
-            given = (first, second, normal, contact_point, closing, gravity)
+        given = (first, second, normal, contact_point, closing, gravity)
+        self.context = CONTEXT
+        self._meet(given, axes)
+        digits = DIGITS + self._lost()
+        if digits > DIGITS + GUARDS:
+            self.context = CONTEXT.copy()
+            self.context.prec = digits
+            self._meet(given, axes)
+
+    def _meet(self, given: "Any", axes: "Any") -> None:
+        with localcontext(self.context):
             one, two, angle, point, speed, weight = widened(given, _many)
             self.bodies = (
                 solid(one, point, axes, weight, "the first body"),
@@ -56,6 +68,15 @@ class ExactContact:
             self.inward = -towards[0], -towards[1]
             self.meeting = meeting_of(*self.bodies, self.inward, speed, 0.0, 0.0, 1.0)
             self.turns = [_turn(body, self.inward) for body in self.bodies]
+
+    def _lost(self) -> int:
+        """Digits that cancel: in k_t k_n − k_x² where a lever is long, and between velocities of unlike sizes."""
+        k = self.meeting.mobility
+        parts = [self.meeting.slip, self.meeting.approach]
+        for body in self.bodies:
+            parts += [*body.velocity, *(body.spin * part for part in body.lever)]
+        sizes = [_exponent(part) for part in parts if part]
+        return _exponent(k.tangential) + _exponent(k.normal) - _exponent(k.determinant) + max(sizes) - min(sizes)
 
     def rounded(self) -> Meeting:
         """The same in doubles, every number rounded once."""
@@ -71,7 +92,7 @@ class ExactContact:
 
     def values(self, mu: float, e: float, law: str) -> "Values | None":
         """Size of the impulse, energy lost and changes of spin at one point; None where the law has no answer."""
-        with localcontext(CONTEXT):
+        with localcontext(self.context):
             friction, restitution = ManyDigits.inputs([mu, e])
             numbers = {**self.meeting.__dict__, "friction": friction, "restitution": restitution}
             try:
@@ -86,6 +107,10 @@ class ExactContact:
                 if turn is not None:
                     made[name] = turn[0] * pn + turn[1] * pt
             return made
+
+
+def _exponent(number: "Any") -> int:
+    return Decimal(getattr(number, "exact", number)).adjusted()
 
 
 def _plain(number: "Any") -> float:
@@ -129,7 +154,7 @@ class Extremes:
     def missed(self) -> dict[str, float]:
         """What doubles may err, by quantity."""
         near = {place: self.doubles(*place) for place in self.known}
-        with localcontext(CONTEXT):
+        with localcontext(self.exact.context):
             return {
                 name: MISSED * max(abs(values[name] - near[place][name]).value for place, values in self.known.items())
                 for name in next(iter(self.known.values()))

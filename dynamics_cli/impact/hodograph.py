@@ -21,6 +21,9 @@ ORDER = 24
 # Jorba and Zou (2005): with this share of the radius of convergence a series of this order keeps all digits.
 STRIDE = exp(-2.0)
 MOST_STEPS = 5000
+# Where little is left of the slip: the least power of the stride, and orders to spare, each of which is worth e².
+LEAST_CARE = 0.3
+SPARE = 3
 
 
 def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "Series":
@@ -32,18 +35,21 @@ def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "S
     double = 1 / (2 * s[0])
     # τ in units of its own, so that no coefficient leaves the range
     unit = 1 / ((1 + friction) * max(k11, k22, k33))
+    rub, one = friction * unit, type(unit)(1)
+    a11, a12, a22, a13, a23 = rub * k11, rub * k12, rub * k22, rub * k13, rub * k23
+    b13, b23, b33 = unit * k13, unit * k23, unit * k33
     for i in range(order):
-        scale = unit / (i + 1)
         xi, yi, si = x[i], y[i], s[i]
-        rub = friction * scale
-        x.append((k13 * si - friction * (k11 * xi + k12 * yi)) * scale)
-        y.append((k23 * si - friction * (k12 * xi + k22 * yi)) * scale)
-        p.append(si * scale)
-        fx.append(-rub * xi)
-        fy.append(-rub * yi)
-        w.append(sum(map(mul, v, reversed(s))) * scale)
-        v.append((k33 * si - friction * (k13 * xi + k23 * yi)) * scale)
-        h.append(square * rub)
+        part = one / (i + 1)
+        x.append((b13 * si - a11 * xi - a12 * yi) * part)
+        y.append((b23 * si - a12 * xi - a22 * yi) * part)
+        rise, heat = unit * part, rub * part
+        p.append(si * rise)
+        fx.append(-heat * xi)
+        fy.append(-heat * yi)
+        w.append(sum(map(mul, v, s[::-1])) * rise)
+        v.append((b33 * si - a13 * xi - a23 * yi) * part)
+        h.append(square * heat)
         n = i + 1
         square = _middle(x, 0, n) + _middle(y, 0, n)
         s.append((square - _middle(s, 1, n - 1)) * double)
@@ -134,18 +140,21 @@ def march(
     slip = Slip([*start, zero, zero, zero, zero, zero])
     # slip this much smaller than that which the impact itself can make has stopped
     size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
-    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 6)}")
+    stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 3)}")
+    fastest = zero
     while slip.steps < MOST_STEPS:
         state = slip.state
-        if root(state[X] * state[X] + state[Y] * state[Y]) <= stopped:
+        speed = root(state[X] * state[X] + state[Y] * state[Y])
+        if speed <= stopped:
             slip.stopped = True
             return slip
         way = settled(k, friction, slip, digits)
         if way is not None:
             glide(k, slip, way, friction, start[2], restitution, law)
             return slip
+        fastest = max(speed, fastest)
         coefficients = series(k, friction, state, order)
-        step = reach(coefficients, order, stride)
+        step = reach(coefficients, order, stride ** _care(speed / fastest, order))
         slip.steps += 1
         index, target = _aim(slip, start[2], restitution, law)
         # where the aim is passed, within the step
@@ -166,6 +175,11 @@ def march(
         else:
             slip.state = [value(series_, step) for series_ in coefficients]
     raise ArithmeticError("the slip did not end")
+
+
+def _care(share: float, order: int) -> float:
+    """Power of the stride where so little is left of the slip: what it still adds needs as many digits less."""
+    return 1.0 if share == 1 else min(max((order + SPARE + _log(share) / 2) / order, LEAST_CARE), 1.0)
 
 
 def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[int, float]":

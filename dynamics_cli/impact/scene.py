@@ -67,9 +67,10 @@ class _Seen:
         self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
         coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
-        if ABSENT * abs(self.before[0]) <= abs(self.before[2]):
+        # without friction nothing depends on a slip: it is kept, however little it is
+        if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
             self.before = *nothing(self.before[2])[:2], self.before[2]
-            if coupled and contact.friction > 0:
+            if coupled:
                 # without slip the coupling says which way friction will act
                 push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
                 self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
@@ -95,6 +96,20 @@ class _Seen:
             if ABSENT * ABSENT * dot(off, off) > dot(body.velocity, body.velocity) or any(body.spin):
                 return True
         return False
+
+
+_last: "tuple[Scene, float, _Seen] | None" = None
+
+
+def _seen(scene: Scene, gravity: float) -> _Seen:
+    """The scene as its contact sees it: in doubles one is asked for again and again, by one model after the other."""
+    global _last
+    if not isinstance(gravity, float):
+        return _Seen(scene, gravity)
+    last = _last
+    if last is None or last[0] is not scene or last[1] != gravity:
+        _last = last = scene, gravity, _Seen(scene, gravity)
+    return last[2]
 
 
 def _one_moment(body: SceneBody) -> bool:
@@ -151,7 +166,7 @@ def _tensor(turning: ByTensor | ByMoment | ByRadius, mass: float) -> Matrix:
 
 def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Say why the line of impact is enough, or nothing."""
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     if seen.rubs or seen.eccentric or seen.across:
         return None
     return "both bodies move along the normal, which passes through their mass centres: nothing acts across it"
@@ -159,7 +174,7 @@ def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
 
 def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Say why an oblique impact without friction or spin is enough, or nothing."""
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     if seen.rubs or seen.eccentric:
         return None
     why = "without friction" if seen.friction == 0 else "without slip at the contact"
@@ -168,7 +183,7 @@ def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
 
 def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Say why the plane of normal and slip is enough, or nothing."""
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     if seen.friction == 0:
         return "without friction the direction of slip does not matter"
     if seen.turns:
@@ -190,7 +205,7 @@ def solve_central(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Sp
     gravity : Gravity
         Acceleration of gravity, for bodies given by weight [m/s^2].
     """
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     neglects = _neglects(
         ("friction", seen.rubs), ("the levers", seen.eccentric), ("motion across the line", seen.across)
     )
@@ -211,7 +226,7 @@ def solve_oblique(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Sp
     gravity : Gravity
         Acceleration of gravity, for bodies given by weight [m/s^2].
     """
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     neglects = _neglects(("friction", seen.rubs), ("the levers", seen.eccentric))
     return _answered(_smooth, scene, gravity, "oblique impact", advice=neglects)
 
@@ -248,7 +263,7 @@ def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
 
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     # with inertia left out nothing turns; with its lever a spin still moves the contact
     one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
     k = mobility((one, two), seen.frame)
@@ -285,14 +300,14 @@ def solve_planar(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> Spa
     gravity : Gravity
         Acceleration of gravity, for bodies given by weight [m/s^2].
     """
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     turns = seen.turns and seen.friction > 0
     return _answered(_in_plane, scene, gravity, advice=_neglects(("the turning of the slip out of its plane", turns)))
 
 
 def _in_plane(scene: Scene, gravity: float, **_: int) -> Solved:
     """Slip along its line, and then stick or reversed slip."""
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     k, before, zero = seen.k, seen.before, seen.before[2] * 0
     plane = (k[0][0], zero, k[0][2]), (zero, k[1][1], zero), (k[0][2], zero, k[2][2])
     slip = Slip([*before, zero, zero, zero, zero, zero])
@@ -338,7 +353,7 @@ def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImp
     -----
     Which smaller model suffices is decided by K in the frame of the contact, not by how the scene was written down.
     """
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     require(
         not seen.single,
         f"the impact leaves the plane, but the {' and the '.join(seen.single)} body has one moment of inertia only",
@@ -351,7 +366,7 @@ def solve(scene: Scene, /, *, gravity: Gravity = STANDARD_GRAVITY) -> SpatialImp
 
 
 def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
-    seen = _Seen(scene, gravity)
+    seen = _seen(scene, gravity)
     return solved_in_space(seen.bodies, seen.inward, seen.friction, seen.restitution, seen.law, **effort)
 
 

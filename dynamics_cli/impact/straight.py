@@ -56,27 +56,26 @@ def stick_ratio(k: "Matrix") -> "tuple[float, float]":
 def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
     """Direction in which slip starts from rest where friction cannot hold: −μ K_tt ŝ + k_tn = g ŝ with g > 0.
 
-    (g + μ K_tt) ŝ = k_tn with |ŝ| = 1: the size of (g + μ K_tt)⁻¹ k_tn falls with g, so there is one such g.
+    (g + μ K_tt) ŝ = k_tn with |ŝ| = 1: the size of ŝ = (g + μ K_tt)⁻¹ k_tn falls with g, and 1/|ŝ| is concave, nearly
+    a line (Moré and Sorensen, 1983): Newton's method on it rises to the one such g from below.
     """
     (k11, k12, k13), (_, k22, k23), _ = k
-
-    def direction(growth: float) -> "tuple[float, float]":
-        a, b, d = growth + friction * k11, friction * k12, growth + friction * k22
-        det = _difference(a, d, b, b)
-        return _difference(d, k13, b, k23) / det, _difference(a, k23, b, k13) / det
-
-    low, high = type(k13)(0), root(k13 * k13 + k23 * k23)
+    if friction == 0:
+        size = root(k13 * k13 + k23 * k23)
+        return (k13 / size, k23 / size) if size > 0 else (1 + k13, k23)
+    a, b, d, growth = friction * k11, friction * k12, friction * k22, type(k13)(0)
     for _ in range(400):
-        middle = (low + high) / 2
-        if middle in (low, high):
+        along, across = growth + a, growth + d
+        det = _difference(along, across, b, b)
+        x, y = _difference(across, k13, b, k23) / det, _difference(along, k23, b, k13) / det
+        square = x * x + y * y
+        # ŝ·(g + μ K_tt)⁻¹ ŝ
+        slope = (across * x * x - 2 * b * x * y + along * y * y) / det
+        higher = growth + (root(square) - 1) * square / slope
+        if not higher > growth:
             break
-        x, y = direction(middle)
-        if x * x + y * y > 1:
-            low = middle
-        else:
-            high = middle
-    x, y = direction((low + high) / 2)
-    size = root(x * x + y * y)
+        growth = higher
+    size = root(square)
     return x / size, y / size
 
 

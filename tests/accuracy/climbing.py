@@ -58,14 +58,15 @@ def stated(
     """
     found = []
     for one in answer.numerics.bounds:
-        for name in (one.result, *(f"{one.result}[{i}]" for i in range(3))):
+        own = one.result
+        for name in (own,) if own in exact else (f"{own}[0]", f"{own}[1]", f"{own}[2]"):
             if name in exact and values.get(name) is not None:
                 bound = one.bound * (abs(values[name]) if one.relative else 1.0)
                 true = exact[name]
                 if name.endswith("pdof") and abs(values[name] - true) > 6:
                     # at the cut between −π and π both are one direction
                     true = true + 2 * exact_pi() if true < 0 else true - 2 * exact_pi()
-                found.append(Compared(name, values[name], bound, true, slacks(name), own=name == one.result))
+                found.append(Compared(name, values[name], bound, true, slacks(name), own=name == own))
     return found
 
 
@@ -181,10 +182,13 @@ def _evaluate(question: Question, rng: random.Random, inputs: Tree, found: Findi
 
 def near(rng: random.Random, tree: Tree) -> Tree:
     """Inputs near others: some numbers moved by last bits, by shares, by orders of magnitude, or to a special place."""
-    leaves = sum(1 for _ in numbers(tree))
+    # a number may take the place of one of its kind: a mass that stands for a lever asks nothing of sense
+    alike: dict[str, list[float]] = {}
+    for name, value in numbers(tree):
+        alike.setdefault(name, []).append(value)
+    leaves = sum(map(len, alike.values()))
     share = rng.choice((1.0 / max(leaves, 1), 0.3, 0.8))
     step = rng.choice(STEPS)
-    pool = list(numbers(tree))
 
     def moved(name: str, value: float) -> float:
         if rng.random() > share:
@@ -199,7 +203,7 @@ def near(rng: random.Random, tree: Tree) -> Tree:
         elif way < 0.94:
             made = rng.choice((0.0, 1.0, -value))
         else:
-            made = rng.choice(pool) * rng.choice((1.0, 1.0, -1.0, 1.0 + step))
+            made = rng.choice(alike.get(name, [value])) * rng.choice((1.0, 1.0, -1.0, 1.0 + step))
         if name in SHARES:
             return min(max(made, 0.0), 1.0)
         return abs(made) if name in SIZES else made
@@ -207,16 +211,16 @@ def near(rng: random.Random, tree: Tree) -> Tree:
     return with_numbers(tree, moved)
 
 
-def numbers(tree: Any) -> Iterator[float]:
-    """Every double of a tree."""
+def numbers(tree: Any, name: str = "") -> Iterator[tuple[str, float]]:
+    """Every double of a tree, and the name it goes by."""
     if isinstance(tree, float):
-        yield tree
+        yield name, tree
     elif isinstance(tree, dict):
-        for part in tree.values():
-            yield from numbers(part)
+        for key, part in tree.items():
+            yield from numbers(part, key)
     elif isinstance(tree, list):
         for part in tree:
-            yield from numbers(part)
+            yield from numbers(part, name)
 
 
 def with_numbers(tree: Any, change: Callable[[str, float], float], name: str = "") -> Any:

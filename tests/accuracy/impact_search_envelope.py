@@ -1,6 +1,6 @@
-"""`impact envelope`: every point of a small grid of restitution and friction by its own planar impact in 240 bits.
+"""`impact envelope`: every point of a small grid of restitution and friction by its own planar impact in 480 bits.
 
-An answer of 1 to 12 points is one evaluation: its least and greatest changes of velocity, of spin and energies against
+An answer of 1 to 9 points is one evaluation: its least and greatest changes of velocity, of spin and energies against
 the extremes of the points, each followed from event to event (`impact_search_planar`).
 """
 
@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from climbing import Answer, Question, Tree, arguments, read, stated
+from climbing import Answer, Question, Tree, arguments, bits, read, stated
 from impact_search_planar import Contact, Planar, planar
 from impact_search_space import GROUPS
 from precise import FUNCTIONS, Exact
@@ -22,10 +22,12 @@ from dynamics_cli.impact.laws import LAWS
 sqrt, sin, cos = (FUNCTIONS[name] for name in ("sqrt", "sin", "cos"))
 Number = Any
 # Points along each side of the grid, at most.
-MOST = 4
+MOST = 3
 # A law other than Stronge's answers at a point unless it gains more than this share of the work, as the program says.
 GAIN = 1e-12
 NOISE = 160
+# Of the exact side: a very long lever costs the impulse a hundred bits and more.
+BITS = 480
 
 
 class Solid:
@@ -122,7 +124,8 @@ def ask(_: random.Random, tree: Tree) -> Iterator[Answer]:
         np.linspace(tree[f"least_{name}"], tree[f"greatest_{name}"], tree[f"{name}_points"]).tolist()
         for name in ("restitution", "friction")
     )
-    wanted = exact(tree, [(m, r) for m in mu for r in e])
+    with bits(BITS):
+        wanted = exact(tree, [(m, r) for m in mu for r in e])
     if wanted is None or answer.refused:
         return
     # a law may lose nothing at all, but for the last bits of the exact side

@@ -19,7 +19,7 @@ from precise import FUNCTIONS, Exact
 BITS = 128
 ORDER = 25
 STRIDE = Exact(exp(-2.0))
-# Slip this small beside the approach has stopped.
+# Slip this small beside the approach and what it was has stopped.
 STOPPED = Exact(2) ** -76
 MOST_STEPS = 600
 # A direction this near to one that it would keep is taken for it: what a step of the series leaves.
@@ -47,7 +47,8 @@ class Path:
         x, y, self.approach = velocity
         speed = sqrt(x * x + y * y)
         zero = Exact(0)
-        self.size = abs(self.approach)
+        # a slip that is little beside the approach still has a direction, which its impulse takes
+        self.size = min(abs(self.approach), speed)
         self.states = [[x / speed, y / speed, speed, self.approach, zero, zero, zero, zero, zero]]
         self.series: list[list[list[Number]]] = []
         self.steps: list[Number] = []

@@ -143,3 +143,25 @@ def test_a_plateau_of_thousands_of_points_is_bounded_too() -> None:
     with mp.workdps(50):
         contact = Contact(given)
         assert judge(found, [contact.point(5.0, e, "stronge") for e in (0.0, 0.5, 1.0)]) == 6
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_lever_longer_than_all_sense_costs_more_digits(law: str) -> None:
+    # det K is 1e-45 of the products that it is the difference of: 60 digits would leave 15
+    first = RigidBody(
+        ByMass(1471.3152549403676), ByInertia(2508.5022233840414), Lever((1.65e23, -0.4)), ByVelocity((2.5e23, 0.0))
+    )
+    second = RigidTarget(
+        ByMass(1.5e23), ByInertia(2.5e23), Lever((0.0, 0.27643400391615536)), motion=ByVelocity((0.0, 3.0))
+    )
+    given: dict[str, Any] = {"first": first, "second": second, "normal": 0.1}
+    found = envelope(
+        **given, law=Law(law), restitution_points=3, friction_points=2, least_friction=0.48524490050764146,
+        least_restitution=0.1829375989272593, greatest_friction=1.3856614607109112, map_points=2,
+    )  # fmt: skip
+    e, mu = np.linspace(0.1829375989272593, 1.0, 3).tolist(), (0.48524490050764146, 1.3856614607109112)
+    with mp.workdps(160):
+        exact = [Contact(given).point(m, r, law) for m in mu for r in e]
+        assert None not in exact
+        assert found.refused == 0
+        assert judge(found, exact) >= 6

@@ -245,3 +245,18 @@ def test_a_scene_that_a_smaller_model_holds_exactly_is_bounded_to_the_last_bit()
     whole = solve(scene((0.2, 0.0, -0.95), (3.6, 0.0, -0.46), 0.3))
     exact = dict(numbers(whole))
     assert all(abs(value - exact[name]) <= 4.0 * UNIT_ROUNDOFF * abs(value) for name, value in numbers(found))
+
+
+def test_without_friction_the_least_slip_is_kept() -> None:
+    scene = Scene(
+        first=SceneBody(
+            ByMass(43.0), ByTensor(((31.0, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 31.0))),
+            LeverInSpace((0.625, 0.0625, -0.125)), ByComponents((0.0, 1.0215639886172336e-15, -3.5)),
+        ),
+        second=SceneBody(Fixed(True)),
+        contact=SceneContact((0.0, 0.0, -1.0), restitution=1.0, friction=0.0),
+    )  # fmt: skip
+    assert planar_suffices(scene) is not None
+    made, whole = solve_planar(scene), solve(scene)
+    assert made.sliding_before == (0.0, 1.0215639886172336e-15, 0.0)
+    assert made.sliding_after == pytest.approx(whole.sliding_after, rel=1e-15)
