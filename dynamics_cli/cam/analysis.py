@@ -77,7 +77,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        return np.stack(np.broadcast_arrays(*geometry.bends(s.widened(slip), s1, s2)))
+        return np.stack(geometry.bends(s.widened(slip), s1, s2))
 
     try:
         with np.errstate(all="ignore"):
