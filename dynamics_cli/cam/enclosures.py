@@ -127,7 +127,7 @@ def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
     return float(sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order))
 
 
-def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[Any]":
+def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     """How far f and its derivatives may be, within complex discs about t, from what they are at t (arrays).
 
     Parameters
@@ -141,8 +141,8 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[An
 
     Returns
     -------
-    list of array
-        A bound for f and for each derivative.
+    array
+        A bound for f and for each derivative, in rows.
 
     Raises
     ------
@@ -166,35 +166,41 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[An
     tau = origin - t if backwards else t - origin
     # terms may cancel in the slope: they are added up before magnitudes are taken
     slopes, slack, rest = _polynomial_spreads(coefficients, tau, radius, derivatives)
+    orders = range(derivatives + 1)
+    column = (-1, *([1] * tau.ndim))
     for amplitude, w, start in waves:
         u, v = w * tau, w * radius
-        sine, cosine = np.sin(u), np.cos(u)
+        # what the slopes are made of: that of u − sin u, and sines and cosines
+        made = np.empty((3, *u.shape))
+        made[1], made[2] = np.sin(u), np.cos(u)
+        made[0] = 1.0 - made[2]
         half = np.sinh(0.5 * v)
         # cosh v − 1, and v (cosh v − 1), above sinh v − v
         bent = 2.0 * half * half
         beyond = v * bent
-        versed = 1.0 - cosine
-        odd = (np.abs(sine) + LESS) * beyond + (np.abs(cosine) + LESS) * bent
-        even = (np.abs(cosine) + LESS) * beyond + (np.abs(sine) + LESS) * bent
-        factor = amplitude
-        for order in range(derivatives + 1):
-            which = start + order
-            wave = (cosine if which % 2 == 0 else sine) * (1.0 if which % 4 in (1, 2) else -1.0) if which else versed
-            slopes[order] = slopes[order] + factor * w * wave
-            slack[order] += LESS * abs(factor) * w
-            rest[order] = rest[order] + abs(factor) * (odd if which % 2 else even)
-            factor = factor * w
-    return [
-        ((np.abs(slope) + less) * radius + more) * UP for slope, less, more in zip(slopes, slack, rest, strict=True)
-    ]
+        sine, cosine = np.abs(made[1:]) + LESS
+        more = np.stack((cosine * beyond + sine * bent, sine * beyond + cosine * bent))
+        which = [start + order for order in orders]
+        factors = [amplitude * w**order for order in orders]
+        signed = [
+            factor * w * (1.0 if k % 4 in (1, 2) or not k else -1.0) for factor, k in zip(factors, which, strict=True)
+        ]
+        slopes = slopes + np.array(signed).reshape(column) * made[[2 - k % 2 if k else 0 for k in which]]
+        sizes = np.abs(np.array(factors).reshape(column))
+        slack, rest = slack + LESS * w * sizes, rest + sizes * more[[k % 2 for k in which]]
+    return ((np.abs(slopes) + slack) * radius + rest) * UP  # type: ignore[no-any-return]
 
 
-def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[list[Any], ...]":
+def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[Any, ...]":
     """Slopes of a polynomial and its derivatives, what is added to their magnitudes, and the terms beyond the first."""
+    import numpy as np
+
     degree, nothing = len(coefficients) - 1, 0.0 * tau
-    slopes, slack, rest = [nothing] * (derivatives + 1), [0.0] * (derivatives + 1), [0.0 * radius] * (derivatives + 1)
+    slopes, slack = np.zeros((derivatives + 1, *tau.shape)), np.zeros((derivatives + 1, *([1] * tau.ndim)))
+    rest = np.zeros((derivatives + 1, *np.broadcast_shapes(tau.shape, np.shape(radius))))
     if degree < 2:
-        slopes[0] = nothing + coefficients[1] if degree == 1 else nothing
+        if degree == 1:
+            slopes[0] = coefficients[1]
         return slopes, slack, rest
     rows = [tuple(coefficients)]
     for _ in range(degree):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from geometry_cases import CYCLE, KINDS, NOTHING, SWINGING, random_follower, random_program
 from mpmath import mpf
-from test_proof import cams
+from test_proof import cams, of_numbers
 
 from dynamics_cli.cam import followers
 from dynamics_cli.cam.analysis import analyse
@@ -70,12 +70,12 @@ def test_extremes_are_those_of_sixty_digits_within_the_proved_error() -> None:
             if name == "flat" or not inner:
                 continue
             # the place is rounded; the function turns there, and hardly moves
-            exact = cam.carried.pressure(cam.lift, mpf(place))
+            exact = cam.carried.pressure(of_numbers(cam.lift), mpf(place))
             assert abs(exact - mpf(value)) <= mpf(found.pressure.error) + mpf(10) ** -17, name
         for value, place in (found.curvature.largest(), found.curvature.smallest()):
             if not any(zone.start + 1e-6 < place < zone.end - 1e-6 for zone in motion.zones):
                 continue
-            radius = cam.carried.radius(cam.lift, mpf(place))
+            radius = cam.carried.radius(of_numbers(cam.lift), mpf(place))
             reach = cam.geometry.side * mpf(cam.geometry.roller)
             exact = radius if cam.geometry.flat else 1 / (radius + reach)
             assert abs(exact - mpf(value)) <= mpf(found.curvature.error) + mpf(10) ** -16 * abs(value), name
