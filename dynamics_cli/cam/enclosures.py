@@ -188,7 +188,7 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
         slopes = slopes + np.array(signed).reshape(column) * made[[2 - k % 2 if k else 0 for k in which]]
         sizes = np.abs(np.array(factors).reshape(column))
         slack, rest = slack + LESS * w * sizes, rest + sizes * more[[k % 2 for k in which]]
-    return ((np.abs(slopes) + slack) * radius + rest) * UP  # type: ignore[no-any-return]
+    return ((np.abs(slopes) + slack) * radius + rest) * UP
 
 
 def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[Any, ...]":
@@ -252,10 +252,8 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
             whole = sizes.copy()
             for order in range(1, min(orders, 5)):
                 sizes[order] = np.minimum(whole[order], shape.largest(order))
-            rounded = [
-                20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order))
-                for order, size in enumerate(whole)
-            ]
+            for order, size in enumerate(whole):
+                rounded[order] = 20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order))
     for amplitude, w, start in waves:
         u = w * reach
         # below one u − sin u is a series, beyond it a difference; the others keep their digits
