@@ -77,7 +77,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        return np.stack(np.broadcast_arrays(*geometry.bends(s.widened(slip), s1, s2)))
+        return np.stack(geometry.bends(s.widened(slip), s1, s2))
 
     try:
         with np.errstate(all="ignore"):
@@ -237,6 +237,11 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float) -> Plate:
     shares = [
         off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
     ]
+    # an arm's contact is a difference of lengths that reach to its pivot, however small the cam
+    reach = 2.0**-51 * getattr(geometry.follower, "pivot_distance", 0.0)
+    if area and perimeter:
+        across, along = reach * perimeter / abs(area), reach * 2.0 * pi / perimeter
+        shares = [share + more for share, more in zip(shares, (across, along, 0.0, 0.0, 2.0 * across), strict=True)]
     away = abs(third) * hypot(x, y)
     # first moments are sums of a mean radius times the area
     centroid = abs(third) * float(left[2] + left[3]) + away * shares[0] + QUADRATURE * perimeter / (2.0 * pi)

@@ -4,7 +4,7 @@ from math import inf
 
 import numpy as np
 
-from dynamics_cli.cam.pieces import Cover, widths, within
+from dynamics_cli.cam.pieces import FEW, ROUGH, Cover, best_unit, widths, within
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.chebyshev import Proxies
 from dynamics_cli.numerics.discs import Disc
@@ -160,10 +160,29 @@ class Survey:
         if not -inf < quotient < inf:
             return Found(max(quotient, 0.0), self._angle(found, index), 0.0)
         alike = np.flatnonzero(quotients >= quotient - ALIKE * quotient)
-        return Found(
-            quotient, self._angle(found, int(alike[0]) if alike.size else index),
-            _off(found, above, below, quotients, quotient),
-        )  # fmt: skip
+        error, loose = _off(found, above, below, quotients, quotient)
+        if loose.size and error > ROUGH * quotient:
+            more = self._closer(top, bottom, quotient, found, loose)
+            error, _ = _off(found, above, below, quotients, quotient, more)
+        return Found(quotient, self._angle(found, int(alike[0]) if alike.size else index), error)
+
+    def _closer(self, top: Sum, bottom: Sum, quotient: float, found: Summits, loose: "Any") -> float:
+        """The most that top − quotient·bottom is on pieces too flat for their proxies: these are cut about a place."""
+        if loose.size > FEW:
+            return inf
+
+        middles = top.of(Disc(*self.cover.values(found.rows, found.units))).centre
+        units = np.array([best_unit(found, middles, row) for row in loose.tolist()])
+        # what vanishes at its summit has no size to be resolved beside: it is lifted by a share of its parts
+        size = 0.0625 * float(np.abs(middles).max())
+
+        def left(rows: Disc) -> Disc:
+            return (top.of(rows) - bottom.of(rows) * quotient + size)[None]
+
+        with np.errstate(all="ignore"):
+            (ends,) = self.cover.cut(left, loose, units).ends(again=False)
+        most = ends.greatest - size
+        return most + ends.greatest_error + 2.0**-52 * abs(most)
 
     def _angle(self, found: Summits, index: int) -> float:
         own = slice(index, index + 1)
@@ -212,8 +231,13 @@ def _quotients(above: Disc, below: Disc) -> "Any":
     return np.where(above.centre > above.radius, made, -inf)
 
 
-def _off(found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float) -> float:
-    """What the greatest quotient may be off, from the greatest value of above − quotient·below."""
+def _off(
+    found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float, most: float = inf
+) -> "tuple[float, Any]":
+    """What the greatest quotient may be off, from the greatest value of above − quotient·below, and what pieces say so.
+
+    These are the pieces about whose places nothing is known; what that is on them is `most` or less, where known.
+    """
     counts = quotients > 0.0
     left = above.centre - quotient * below.centre
     slip = above.radius + quotient * below.radius + 2.0**-52 * (np.abs(above.centre) + quotient * np.abs(below.centre))
@@ -225,8 +249,9 @@ def _off(found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: f
         loose = doubtful(found, float((left - slip)[best]))
         open_ = counts & loose[found.rows]
         if open_.any():
-            error = max(error, float((np.maximum(found.tops[found.rows], slip) / below.centre)[open_].max()))
-    return error * (1.0 + 2.0**-40)
+            tops = np.minimum(found.tops[found.rows], most)
+            error = max(error, float((np.maximum(tops, slip) / below.centre)[open_].max()))
+    return error * (1.0 + 2.0**-40), np.flatnonzero(np.bincount(found.rows[open_], minlength=1))
 
 
 def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":

@@ -159,6 +159,7 @@ def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | Non
     """The point that two arcs share, from the middles of both; None where they share none."""
     a, b = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
     most = (one.high - one.low, two.high - two.low)
+    seen = set()
     for _ in range(60):
         (p, u), (q, v) = (_single(curve, arc.part, t) for arc, t in ((one, a), (two, b)))
         away = q - p
@@ -169,8 +170,10 @@ def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | Non
         before = a, b
         a = min(max(a + min(max(step[0], -most[0]), most[0]), one.low), one.high)
         b = min(max(b + min(max(step[1], -most[1]), most[1]), two.low), two.high)
-        if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16:
+        # places met before come again and again: at a point the last bits', where there is none those of the ends
+        if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16 or (a, b) in seen:
             break
+        seen.add((a, b))
     p, q = (_single(curve, arc.part, t)[0] for arc, t in ((one, a), (two, b)))
     if abs(p - q) > CLOSE * size:
         return None

@@ -17,6 +17,7 @@ The exact law of a name has its constants as its formula has them, π and all; a
 its conditions; a clamped spline has the coefficients it was given.
 """
 
+from functools import lru_cache
 from math import cos, perm, sin
 
 from dynamics_cli.cam.shapes import Beta, u_minus_sine
@@ -37,6 +38,8 @@ LESS = 2.0**-44
 UP = 1.0 + 2.0**-40
 # so many places are computed one by one, by the more exact functions of the C library
 SINGLE = 256
+# and so many are followed one by one
+SCALARS = 6
 
 
 def bound(shape: "Any", order: int, reach: float) -> float:
@@ -124,7 +127,7 @@ def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
     return float(sum(abs(c) * perm(i, order) * reach ** (i - order) for i, c in enumerate(coefficients) if i >= order))
 
 
-def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[Any]":
+def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     """How far f and its derivatives may be, within complex discs about t, from what they are at t (arrays).
 
     Parameters
@@ -138,8 +141,8 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[An
 
     Returns
     -------
-    list of array
-        A bound for f and for each derivative.
+    array
+        A bound for f and for each derivative, in rows.
 
     Raises
     ------
@@ -163,35 +166,41 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "list[An
     tau = origin - t if backwards else t - origin
     # terms may cancel in the slope: they are added up before magnitudes are taken
     slopes, slack, rest = _polynomial_spreads(coefficients, tau, radius, derivatives)
+    orders = range(derivatives + 1)
+    column = (-1, *([1] * tau.ndim))
     for amplitude, w, start in waves:
         u, v = w * tau, w * radius
-        sine, cosine = np.sin(u), np.cos(u)
+        # what the slopes are made of: that of u − sin u, and sines and cosines
+        made = np.empty((3, *u.shape))
+        made[1], made[2] = np.sin(u), np.cos(u)
+        made[0] = 1.0 - made[2]
         half = np.sinh(0.5 * v)
         # cosh v − 1, and v (cosh v − 1), above sinh v − v
         bent = 2.0 * half * half
         beyond = v * bent
-        versed = 1.0 - cosine
-        odd = (np.abs(sine) + LESS) * beyond + (np.abs(cosine) + LESS) * bent
-        even = (np.abs(cosine) + LESS) * beyond + (np.abs(sine) + LESS) * bent
-        factor = amplitude
-        for order in range(derivatives + 1):
-            which = start + order
-            wave = (cosine if which % 2 == 0 else sine) * (1.0 if which % 4 in (1, 2) else -1.0) if which else versed
-            slopes[order] = slopes[order] + factor * w * wave
-            slack[order] += LESS * abs(factor) * w
-            rest[order] = rest[order] + abs(factor) * (odd if which % 2 else even)
-            factor = factor * w
-    return [
-        ((np.abs(slope) + less) * radius + more) * UP for slope, less, more in zip(slopes, slack, rest, strict=True)
-    ]
+        sine, cosine = np.abs(made[1:]) + LESS
+        more = np.stack((cosine * beyond + sine * bent, sine * beyond + cosine * bent))
+        which = [start + order for order in orders]
+        factors = [amplitude * w**order for order in orders]
+        signed = [
+            factor * w * (1.0 if k % 4 in (1, 2) or not k else -1.0) for factor, k in zip(factors, which, strict=True)
+        ]
+        slopes = slopes + np.array(signed).reshape(column) * made[[2 - k % 2 if k else 0 for k in which]]
+        sizes = np.abs(np.array(factors).reshape(column))
+        slack, rest = slack + LESS * w * sizes, rest + sizes * more[[k % 2 for k in which]]
+    return ((np.abs(slopes) + slack) * radius + rest) * UP
 
 
-def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[list[Any], ...]":
+def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[Any, ...]":
     """Slopes of a polynomial and its derivatives, what is added to their magnitudes, and the terms beyond the first."""
+    import numpy as np
+
     degree, nothing = len(coefficients) - 1, 0.0 * tau
-    slopes, slack, rest = [nothing] * (derivatives + 1), [0.0] * (derivatives + 1), [0.0 * radius] * (derivatives + 1)
+    slopes, slack = np.zeros((derivatives + 1, *tau.shape)), np.zeros((derivatives + 1, *([1] * tau.ndim)))
+    rest = np.zeros((derivatives + 1, *np.broadcast_shapes(tau.shape, np.shape(radius))))
     if degree < 2:
-        slopes[0] = nothing + coefficients[1] if degree == 1 else nothing
+        if degree == 1:
+            slopes[0] = coefficients[1]
         return slopes, slack, rest
     rows = [tuple(coefficients)]
     for _ in range(degree):
@@ -214,32 +223,47 @@ def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivati
     return slopes, slack, rest
 
 
+@lru_cache(maxsize=64)
+def _terms(coefficients: "tuple[float, ...]", orders: int) -> "tuple[Any, Any]":
+    """Magnitudes of the coefficients of a polynomial and its derivatives, and units that their terms round by."""
+    import numpy as np
+
+    count = len(coefficients)
+    sizes, slips = np.zeros((orders, count)), np.zeros((orders, count))
+    for order in range(orders):
+        for i in range(order, count):
+            sizes[order, i - order] = abs(coefficients[i]) * perm(i, order)
+            slips[order, i - order] = (2.0 * i + 20.0) * sizes[order, i - order]
+    return sizes, slips
+
+
 def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int) -> "list[Any]":
     """Bounds of what roundings of the computation and of the place do to f and derivatives, by rows (arrays)."""
     import numpy as np
 
     coefficients, waves, _, _ = shape.parts
-    beta = isinstance(shape, Beta)
-    sizes, rounded = [], []
-    for order in range(derivatives + 2):
-        size = slip = 0.0 * reach
-        for i in range(len(coefficients) - 1, order - 1, -1):
-            size = size * reach + abs(coefficients[i]) * perm(i, order)
-            slip = slip * reach + (2.0 * i + 20.0) * abs(coefficients[i]) * perm(i, order)
-        sizes.append(np.minimum(size, shape.largest(order)) if beta and 0 < order < 5 else size)
-        if beta:
-            rounded.append(20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order)))
-        else:
-            rounded.append(slip)
+    orders = derivatives + 2
+    sizes = rounded = np.zeros((orders, reach.size))
+    if coefficients:
+        terms, slips = _terms(tuple(coefficients), orders)
+        powers = reach ** np.arange(len(coefficients))[:, None]
+        sizes, rounded = terms @ powers, slips @ powers
+        if isinstance(shape, Beta):
+            whole = sizes.copy()
+            for order in range(1, min(orders, 5)):
+                sizes[order] = np.minimum(whole[order], shape.largest(order))
+            for order, size in enumerate(whole):
+                rounded[order] = 20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order))
     for amplitude, w, start in waves:
         u = w * reach
         # below one u − sin u is a series, beyond it a difference; the others keep their digits
-        small = (np.where(u < 1.0, u * u * u / 6.0, 1.0 + u), np.minimum(2.0, 0.5 * u * u), np.minimum(1.0, u))
-        for order in range(derivatives + 2):
-            which, factor = start + order, abs(amplitude) * w**order
-            size, steep = (small[k] if k < 3 else 1.0 for k in (which, which + 1))
-            sizes[order] = sizes[order] + factor * size
-            rounded[order] = rounded[order] + factor * (64.0 * size + 4.0 * u * steep)
+        most = np.ones((start + orders + 1, reach.size))
+        most[0] = np.where(u < 1.0, u * u * u / 6.0, 1.0 + u)
+        most[1], most[2] = np.minimum(2.0, 0.5 * u * u), np.minimum(1.0, u)
+        size, steep = most[start:-1], most[start + 1 :]
+        factor = np.array([[abs(amplitude) * w**order] for order in range(orders)])
+        sizes = sizes + factor * size
+        rounded = rounded + factor * (64.0 * size + 4.0 * u * steep)
     off = getattr(shape, "off", 0.0)
     place = U * (5.0 * t + offset) + off
     return [
@@ -247,16 +271,49 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
     ]
 
 
-def discs(
-    parts: "Sequence[Any]", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False,
-    exact: bool = False,
-) -> "tuple[Disc, ...]":  # fmt: skip
-    """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
+class Parts:
+    """Parts of a motion as arrays: what discs of them are made from.
 
     Parameters
     ----------
     parts : sequence
         Parts of a motion, as `Motion.parts_of` gives them.
+    """
+
+    __slots__ = ("base", "ends", "inner", "members", "off", "scales", "span")
+
+    def __init__(self, parts: "Sequence[Any]") -> None:
+        import numpy as np
+
+        laws = [part.law_piece for part in parts]
+        self.base, self.off, self.span = (
+            np.array([getattr(part, name) for part in parts]) for name in ("base", "off", "span")
+        )
+        self.scales = np.array([part.scales for part in parts])
+        self.ends = np.array([(0.0, 0.0) if law is None else law.ends for law in laws])
+        self.inner = np.array([law is not None and min(law.ends) > 0.0 for law in laws])
+        shapes: dict[int, list[int]] = {}
+        for index, law in enumerate(laws):
+            shapes.setdefault(id(None if law is None else law.shape), []).append(index)
+        # the shape of a dwell is none
+        self.members = []
+        for own in shapes.values():
+            among = np.zeros(len(laws), dtype=bool)
+            among[own] = True
+            law = laws[own[0]]
+            self.members.append((None if law is None else law.shape, among))
+
+
+def discs(
+    parts: "Parts", which: "Any", t: "Any", radius: "Any", derivatives: int, *, shares: bool = False,
+    exact: bool = False, singly: int = SINGLE,
+) -> "tuple[Disc, ...]":  # fmt: skip
+    """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
+
+    Parameters
+    ----------
+    parts : Parts
+        Parts of a motion.
     which : array (m,)
         The part of each row.
     t : array (m, n) or (m,)
@@ -269,6 +326,9 @@ def discs(
         Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
     exact : bool
         Whether places are what they are, and only ends of parts among them rounded.
+    singly : int
+        So many places (m,) are computed one by one where they are what they are, by the more exact functions of the
+        C library; others where it is more than usual.
 
     Returns
     -------
@@ -290,7 +350,7 @@ def discs(
     >>> from dynamics_cli.cam.program import Program, motion_of
     >>> motion = motion_of(Program(), "rise 20 mm in 90 deg cycloidal; return in 270 deg cycloidal")
     >>> one = np.zeros(1, dtype=int)
-    >>> lift = discs(motion.parts_of(0), one, np.array([0.5]), np.array([0.1]), 0)[0]
+    >>> lift = discs(Parts(motion.parts_of(0)), one, np.array([0.5]), np.array([0.1]), 0)[0]
     >>> float(lift.centre[0]), bool(0.002 < lift.radius[0] < 0.003)
     (0.01, True)
     """
@@ -302,36 +362,28 @@ def discs(
     centres = np.zeros((derivatives + 1, *t.shape))
     only = not radius.any()
     radii = np.zeros((derivatives + 1, *np.broadcast_shapes(t.shape, radius.shape)))
-    shapes: dict[int, list[int]] = {}
-    for index, part in enumerate(parts):
-        shapes.setdefault(id(None if part.law_piece is None else part.law_piece.shape), []).append(index)
-    for members in shapes.values():
-        among = np.zeros(len(parts), dtype=bool)
-        among[members] = True
+    for shape, among in parts.members:
         rows = np.flatnonzero(among[which])
         own = which[rows]
         if not own.size:
             continue
-        law = parts[members[0]].law_piece
-        base, off_base = (np.array([getattr(part, name) for part in parts])[own].reshape(column)
-                          for name in ("base", "off"))  # fmt: skip
-        if law is None:
+        base, off_base = parts.base[own].reshape(column), parts.off[own].reshape(column)
+        if shape is None:
             centres[0, rows], radii[0, rows] = base, off_base
             continue
-        span = np.array([part.span for part in parts])[own].reshape(column)
-        single = exact and t.ndim == 1 and rows.size <= SINGLE
-        values = _one_by_one(law.shape, t[rows], derivatives) if single else law.shape(t[rows], derivatives)
-        wide = [0.0] * 5 if only else spreads(law.shape, t[rows], radius[rows] / span * UP, derivatives)
-        scales = np.array([part.scales for part in parts])[own]
-        inner = [not shares or (part.law_piece is not None and min(part.law_piece.ends) > 0.0) for part in parts]
-        offset = np.where(np.array(inner)[own], 3.0, 0.0)
+        places, scales = t[rows], parts.scales[own]
+        single = (exact or singly > SINGLE) and t.ndim == 1 and rows.size <= singly
+        values = _one_by_one(shape, places, derivatives) if single else shape(places, derivatives)
+        about = None if only else radius[rows] / parts.span[own].reshape(column) * UP
+        wide = [0.0] * 5 if only else spreads(shape, places, about, derivatives)
+        offset = np.where(parts.inner[own] | (not shares), 3.0, 0.0)
         if t.ndim == 1:
-            near = np.abs(t[rows])
+            near = np.abs(places)
             off = U * (5.0 * near + offset)
             if exact:
-                ends = np.array([(0.0, 0.0) if part.law_piece is None else part.law_piece.ends for part in parts])[own]
-                off = np.where((ends[:, 0] == t[rows]) | (ends[:, 1] == t[rows]), 2.0 * U * near, 0.0)
-            slips = running_slips(law.shape, t[rows], off, derivatives, HALVES_OF_FLOATS if single else HALVES)
+                ends = parts.ends[own]
+                off = np.where((ends[:, 0] == places) | (ends[:, 1] == places), 2.0 * U * near, 0.0)
+            slips = _running(shape, places, off, derivatives, single=single)
             # the lift's factor and its product count two roundings, each division by the span two more
             slips = [
                 slip + (2.0 + 2.0 * order) * U * np.abs(value)
@@ -339,8 +391,8 @@ def discs(
             ]
         else:
             # the place itself is off by a few roundings: bounds hold a hair beyond it
-            reach = np.abs(t[rows] - law.shape.parts[2]) + 2.0**-49
-            slips = _slips(law.shape, reach.max(axis=1), np.abs(t[rows]).max(axis=1), offset, derivatives)
+            reach = np.abs(places - shape.parts[2]) + 2.0**-49
+            slips = _slips(shape, reach.max(axis=1), np.abs(places).max(axis=1), offset, derivatives)
         # what the ends of a segment are off its lift is too
         whole = np.abs(scales[:, 0].reshape(column))
         share = off_base / np.where(whole > 0.0, whole, 1.0)
@@ -352,6 +404,17 @@ def discs(
             slip = slips[order].reshape(column) + share * np.abs(values[order])
             radii[order, rows] = (np.abs(scale) * (wide[order] + slip) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
+
+
+def _running(shape: "Any", t: "Any", off: "Any", derivatives: int, *, single: bool) -> "Any":
+    """Running bounds at places (n,): a few are followed one by one, which takes floats a tenth of the time."""
+    import numpy as np
+
+    halves = HALVES_OF_FLOATS if single else HALVES
+    if not 0 < t.size <= SCALARS:
+        return running_slips(shape, t, off, derivatives, halves)
+    pairs = zip(t.tolist(), off.tolist(), strict=True)
+    return np.array([running_slips(shape, place, slip, derivatives, halves) for place, slip in pairs]).T
 
 
 def _one_by_one(shape: "Any", t: "Any", derivatives: int) -> "Any":
@@ -372,4 +435,4 @@ def about_angles(motion: "Motion", index: int, theta: "Any", radius: "Any", deri
         # measured from the other end, or further along
         here = (1.0 - other if part.law_piece.far else other) >= part.law_piece.low
         which[here], t[here] = number, other[here]
-    return discs(parts, which, t, radius, derivatives)
+    return discs(Parts(parts), which, t, radius, derivatives)

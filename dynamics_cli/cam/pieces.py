@@ -5,7 +5,7 @@ from math import ceil, pi
 
 import numpy as np
 
-from dynamics_cli.cam.enclosures import discs
+from dynamics_cli.cam.enclosures import Parts, discs
 from dynamics_cli.cam.motion import radians
 from dynamics_cli.numerics.chebyshev import Extremes, Proxies, extremes, proxies
 from dynamics_cli.numerics.discs import Disc
@@ -25,6 +25,8 @@ STEP = pi / 12.0
 ROUGH = 30.0 * 2.0**-53
 FEW = 8
 FINER = 7
+# So many places of these cuts are computed one by one: about a flat place a proxy errs by its values' rounding.
+SINGLY = 2048
 
 
 def pieces(motion: "Motion") -> "tuple[Any, Any]":
@@ -117,10 +119,12 @@ class Cover:
     def __init__(self, motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> None:
         self.motion, self.function, self.derivatives = motion, function, derivatives
         self.owner: Any = None
+        self.finer = False
         if not hasattr(motion, "parts_of"):
             self.made = _estimated(motion, function, derivatives)
             return
         self.parts, self.rows = _rows(motion)
+        self.whole = Parts(self.parts)
         owner = self.rows.owner
         try:
             made = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
@@ -138,10 +142,15 @@ class Cover:
         which, width = rows.which[piece], rows.width[piece]
         t = rows.first[piece][:, None]
         t = t + width[:, None] * np.where(rows.far[piece][:, None], 1.0 - place.centre, place.centre)
-        span = np.array([self.parts[index].span for index in which.tolist()])
+        if self.finer and not np.ndim(place.radius):
+            flat = discs(
+                self.whole, np.repeat(which, t.shape[1]), t.ravel(), np.zeros(t.size), self.derivatives, shares=True,
+                singly=SINGLY,
+            )  # fmt: skip
+            return self.function(*(Disc(one.centre.reshape(t.shape), one.radius.reshape(t.shape)) for one in flat))
         radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
-        radius = radius * (width * span)[:, None]
-        return self.function(*discs(self.parts, which, t, radius, self.derivatives, shares=True))
+        radius = radius * (width * self.whole.span[which])[:, None]
+        return self.function(*discs(self.whole, which, t, radius, self.derivatives, shares=True))
 
     def state(self, pieces_: "Any", units: "Any") -> "tuple[Any, ...]":
         """Lift and derivatives at places (n,) of the proxies' pieces, with what they round by."""
@@ -153,7 +162,7 @@ class Cover:
         # ends of parts are theirs to the bit
         t = np.where(share == rows.starts[row], rows.opens[row], np.where(share == rows.ends[row], rows.closes[row], t))
         which = rows.which[row]
-        return discs(self.parts, which, t, np.zeros(t.shape), self.derivatives, shares=True, exact=True)
+        return discs(self.whole, which, t, np.zeros(t.shape), self.derivatives, shares=True, exact=True)
 
     def angles(self, pieces_: "Any", units: "Any") -> "Any":
         """Cam angles of places of the proxies' pieces."""
@@ -180,17 +189,19 @@ class Cover:
             found = [top for index in which for top in summits(self.made, index, self.still)]
             rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
             centres, radii = self.values(rows, units)
-            made, low = [], 0
+            made, places, low = [], [], 0
             for number, top in enumerate(found):
                 own = slice(low, low + top.rows.size)
                 low = own.stop
                 index, sign = which[number // 2], 1.0 - 2.0 * (number % 2)
                 value, place, error = settled(top, sign * centres[index, own], radii[index, own])
-                angle = self.angles(top.rows[place : place + 1], top.units[place : place + 1])
+                places.append(own.start + place)
                 if again and error > ROUGH * abs(value):
                     value, error = self._closer(index, sign, top, centres[index, own], radii[index, own], error)
-                made.append((sign * value, float(angle[0]), error))
-        return [Ends(*low_, *high) for high, low_ in zip(made[::2], made[1::2], strict=True)]
+                made.append((sign * value, error))
+            angles = self.angles(rows[places], units[places]).tolist()
+        ends = [(value, angle, error) for (value, error), angle in zip(made, angles, strict=True)]
+        return [Ends(*low_, *high) for high, low_ in zip(ends[::2], ends[1::2], strict=True)]
 
     def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
         """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
@@ -206,8 +217,9 @@ class Cover:
             ends += shares[1:]
             owner += [int(self.owner[row])] * (len(shares) - 1)
         own = Cover.__new__(Cover)
-        own.motion, own.derivatives, own.parts, own.rows = self.motion, self.derivatives, self.parts, self.rows
-        own.function = lambda *state: which(self.function(*state))
+        own.motion, own.derivatives, own.rows = self.motion, self.derivatives, self.rows
+        own.parts, own.whole = self.parts, self.whole
+        own.function, own.finer = lambda *state: which(self.function(*state)), True
         origin = np.array(owner)
         found = proved_proxies(
             lambda place, piece: own._sampled(place, origin[piece]), np.array(starts), np.array(ends)
@@ -232,7 +244,7 @@ class Cover:
         rows = np.flatnonzero(loose)
         if not 0 < rows.size <= FEW:
             return best, error
-        units = np.array([_best_unit(top, values, row) for row in rows.tolist()])
+        units = np.array([best_unit(top, values, row) for row in rows.tolist()])
         own = self.cut(lambda found: sign * found[which : which + 1], rows, units)
         (ends,) = own.ends(again=False)
         kept = ~loose[top.rows]
@@ -251,7 +263,7 @@ class Cover:
         return Ends(*low, found.error, *high, found.error, proved=False)
 
 
-def _best_unit(top: "Any", values: "Any", row: int) -> float:
+def best_unit(top: "Any", values: "Any", row: int) -> float:
     """Where on a piece its best place is; its start where none is known."""
     own = np.flatnonzero(top.rows == row)
     return float(top.units[own[values[own].argmax()]]) if own.size else -1.0

@@ -361,5 +361,8 @@ def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "tuple[Any, Any]
     place = 0.5 * (low + high)
     for _ in range(6):
         _, d1, d2 = _derivatives(own, place)
-        place = np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
+        before, place = place, np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
+        # the square of such a step is below a rounding
+        if np.abs(place - before).max() <= 1e-9:
+            break
     return place, _derivatives(own, place)[1]

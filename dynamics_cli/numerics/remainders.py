@@ -128,18 +128,19 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         scale = np.maximum(scale, finite.max(axis=1))
         wanted = (RESOLVED * scale + SMALLEST)[:, None]
         with np.errstate(over="ignore"):
-            remainders = [(wide * row).min(axis=2) for row in REMAINDERS]
-        left_out = np.minimum(remainders[0], (1.0 + LEBESGUE) * wide[:, :, UNIT])
+            remainder = (wide * REMAINDERS[0]).min(axis=2)
+        left_out = np.minimum(remainder, (1.0 + LEBESGUE) * wide[:, :, UNIT])
         good = (left_out <= wanted).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
         good |= low.size > MOST
         with np.errstate(over="ignore"):
             steep = (wide[:, :, UNIT + 1 :] / (MULTIPLES[UNIT + 1 :] - 1.0)).min(axis=2)
-        parted = (values, left_out, steep, wide[:, :, UNIT], remainders[0])
+        parted = (values, left_out, steep, wide[:, :, UNIT], remainder)
         done.append((low[good], high[good], origin[good], *(one[:, good] for one in parted)))
         if good.all():
             break
         # as many parts as would do if the discs of the parts were no worse than those of the whole
-        enough = np.array([(remainder <= wanted).all(axis=0) for remainder in remainders[1:]])
+        with np.errstate(over="ignore"):
+            enough = np.array([((wide * row).min(axis=2) <= wanted).all(axis=0) for row in REMAINDERS[1:]])
         parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]
         step = (high - low)[~good] / parts
         owner = np.repeat(np.arange(parts.size), parts)

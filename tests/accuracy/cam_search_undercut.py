@@ -116,12 +116,16 @@ def _crossings(points: Any, before: Any, after: Any) -> list[tuple[int, int]]:
     """Pairs of samples whose steps cross, the last found nearest to the stretch."""
     if before.size < 2 or after.size < 2:
         return []
-    p, r = points[before[:-1]][:, None], np.diff(points[before])[:, None]
-    q, s = points[after[:-1]][None, :], np.diff(points[after])[None, :]
-    across = (r.conj() * s).imag
+    (px, py), (qx, qy) = ((points[own[:-1]].real, points[own[:-1]].imag) for own in (before, after))
+    (rx, ry), (sx, sy) = ((np.diff(points[own].real), np.diff(points[own].imag)) for own in (before, after))
+    away = (qx - px[:, None]) * sy - (qy - py[:, None]) * sx
     with np.errstate(all="ignore"):
-        t, u = ((q - p).conj() * s).imag / across, ((q - p).conj() * r).imag / across
-    hits = np.argwhere((t >= 0.0) & (t <= 1.0) & (u >= 0.0) & (u <= 1.0))
+        share = away / (rx[:, None] * sy - ry[:, None] * sx)
+    i, j = np.nonzero((share >= 0.0) & (share <= 1.0))
+    with np.errstate(all="ignore"):
+        other = ((qx[j] - px[i]) * ry[i] - (qy[j] - py[i]) * rx[i]) / (rx[i] * sy[j] - ry[i] * sx[j])
+    kept = (other >= 0.0) & (other <= 1.0)
+    hits = np.stack((i[kept], j[kept]), axis=1)
     return [(int(before[i]), int(after[j])) for i, j in sorted(hits.tolist(), key=lambda hit: hit[1] - hit[0])][:3][
         ::-1
     ]

@@ -8,7 +8,7 @@ import pytest
 from mpmath import diff, mp, mpc, mpf, pi
 from references import generate_cam_motion_references as references
 
-from dynamics_cli.cam.enclosures import about_angles, bound, derivative, discs, rounding, spreads
+from dynamics_cli.cam.enclosures import Parts, about_angles, bound, derivative, discs, rounding, spreads
 from dynamics_cli.cam.laws import law_named
 from dynamics_cli.cam.motion import Motion, Span
 from dynamics_cli.cam.polynomials import polynomial, spline
@@ -214,9 +214,9 @@ def test_rows_of_discs_are_those_one_by_one() -> None:
     ends = np.array([part.law_piece.ends for part in parts])
     t = ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * np.array([0.2, 0.7])
     radius = np.full((len(parts), 2), 1e-3)
-    together = discs(parts, which, t, radius, 3)
+    together = discs(Parts(parts), which, t, radius, 3)
     for row in range(len(parts)):
-        alone = discs([parts[row]], np.zeros(1, dtype=int), t[row : row + 1], radius[row : row + 1], 3)
+        alone = discs(Parts([parts[row]]), np.zeros(1, dtype=int), t[row : row + 1], radius[row : row + 1], 3)
         for order in range(4):
             assert together[order].centre[row].tolist() == alone[order].centre[0].tolist()
             assert together[order].radius[row].tolist() == alone[order].radius[0].tolist()

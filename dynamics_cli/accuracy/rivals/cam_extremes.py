@@ -158,13 +158,18 @@ def compared(
 
 
 def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", found: "Found") -> None:
-    """Angles in shares of themselves, or of a thousandth of a radian; a radius in shares of it and the roller."""
+    """Angles in shares of themselves, or of a thousandth of a radian; a radius in shares of it and the roller.
+
+    An arm's angle is what sums of directions leave, its start's and its swing's: of the two extremes one may all but
+    vanish, and both are measured by the larger.
+    """
     follower = geometry.follower
+    leaning = max(abs(float(case.results[address])) for address in PRESSURE)
     for address, (value, bound) in found.items():
         reference = float(case.results[address])
         if value is None or (address == CONVEX and reference < 0.0):
             continue
-        size = max(abs(reference), SMALL_ANGLE)
+        size = max(leaning if geometry.oscillating else abs(reference), SMALL_ANGLE)
         if address == CONVEX:
             size = abs(reference) + getattr(follower, "roller_radius", follower.base_radius)
         errors.note(f"{case.name}: {address}", abs(value - reference) / size, bound and bound / size)
