@@ -10,7 +10,8 @@ from references.impact_events import brach, follow, kudlich_slibar
 
 from dynamics_cli.impact.bodies import ByInertia, Lever, RigidBody, RigidTarget
 from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
-from dynamics_cli.impact.envelope import Envelope, envelope
+from dynamics_cli.impact.envelope import envelope
+from dynamics_cli.impact.envelope_records import Envelope
 from dynamics_cli.impact.laws import LAWS, Law
 
 UNIT_ROUNDOFF = 2.0**-53
