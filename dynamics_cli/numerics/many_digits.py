@@ -138,7 +138,8 @@ def measured_error(value: float, number: ManyDigits, bound: float) -> float:
     """What rounding did to `value`, from the same number in many digits; never more than `bound`, its running bound.
 
     The running bound of 60-digit arithmetic is that of doubles times 10⁻⁶⁰·2⁵³ and some units for its functions: far
-    below half a last bit of the value and 10⁻³⁰ of the bound, which are added.
+    below 10⁻³⁰ of the bound, which is added. So are two last bits of the value: for the constants of a formula that are
+    doubles in both passes, and for what a Newton step from a double's root leaves.
     """
     with localcontext(CONTEXT):
         apart = float(abs(Decimal(value) - number.exact))
