@@ -105,6 +105,17 @@ def tagged(key: str) -> "Callable[[Class], Class]":
     return mark
 
 
+def over_parts(tree: "Any", function: "Callable[[Any], Any]") -> "Any":
+    """A record, tuple or dictionary again, of what `function` makes of each of its parts; anything else as it is."""
+    if isinstance(tree, tuple):
+        return tuple(function(part) for part in tree)
+    if isinstance(tree, dict):
+        return {name: function(part) for name, part in tree.items()}
+    if hasattr(tree, "fields"):
+        return type(tree)(**{name: function(getattr(tree, name)) for name in tree.fields})
+    return tree
+
+
 @record
 class Check:
     """One machine-checked property of an answer: its residual beside the tolerance it must keep."""

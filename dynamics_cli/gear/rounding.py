@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.records import ErrorBound
+from dynamics_cli.records import ErrorBound, over_parts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ def carried(part: "Any") -> "Any":
     """The doubles of records and dictionaries as exact numbers that will carry bounds, without derivatives."""
     if type(part) is float:
         return Tracked(part, 0.0, ())
-    return _over(part, carried)
+    return over_parts(part, carried)
 
 
 def in_many_digits(part: "Any") -> "Any":
@@ -23,14 +23,14 @@ def in_many_digits(part: "Any") -> "Any":
         from dynamics_cli.numerics.many_digits import ManyDigits
 
         return ManyDigits.inputs([part])[0]
-    return _over(part, in_many_digits)
+    return over_parts(part, in_many_digits)
 
 
 def bare(part: "Any") -> "Any":
     """The plain doubles again."""
     if hasattr(part, "apply"):
         return part.value
-    return _over(part, bare)
+    return over_parts(part, bare)
 
 
 def in_digits(call: "Callable[[], Any]") -> "Any":
@@ -55,16 +55,6 @@ def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
     for one, other in zip(numbers, exact, strict=True):
         if isinstance(one, Tracked):
             one.error = measured(one.value, other, one.error)
-
-
-def _over(part: "Any", function: "Any") -> "Any":
-    if isinstance(part, dict):
-        return {name: function(item) for name, item in part.items()}
-    if isinstance(part, tuple):
-        return tuple(function(item) for item in part)
-    if hasattr(part, "fields"):
-        return type(part)(**{name: function(getattr(part, name)) for name in part.fields})
-    return part
 
 
 def like(number: float, beside: "Any") -> "Any":

@@ -7,6 +7,7 @@ digits an impact costs. Constants in such formulas are whole numbers, which go w
 from math import atan2, cos, fsum, hypot, sin, sqrt
 
 from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.records import over_parts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -53,8 +54,6 @@ def widened(tree: "Any", number: "Callable[[float], Any] | None" = None) -> "Any
     from decimal import Decimal
 
     number = number or Decimal
-    if isinstance(tree, (tuple, list)):
-        return tuple(widened(part, number) for part in tree)
-    if hasattr(tree, "fields"):
-        return type(tree)(*(widened(getattr(tree, name), number) for name in tree.fields))
-    return number(tree) if isinstance(tree, (int, float)) and not isinstance(tree, bool) else tree
+    if isinstance(tree, (int, float)) and not isinstance(tree, bool):
+        return number(tree)
+    return over_parts(tuple(tree) if isinstance(tree, list) else tree, lambda part: widened(part, number))

@@ -9,7 +9,7 @@ from dynamics_cli.inertia.shapes import Shape
 from dynamics_cli.inertia.spread import plain
 from dynamics_cli.inertia.tensor import require_tensor
 from dynamics_cli.quantities import InertiaTensor, InputFile, Mass, PartPosition, Text
-from dynamics_cli.records import record
+from dynamics_cli.records import over_parts, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -250,8 +250,4 @@ def each_number(tree: "Any", change: "Callable[[Any], Any]", kind: type = float)
     """A tree of records and tuples with every number of a kind changed."""
     if type(tree) is kind:
         return change(tree)
-    if isinstance(tree, tuple):
-        return tuple(each_number(item, change, kind) for item in tree)
-    if hasattr(tree, "fields"):
-        return type(tree)(**{name: each_number(getattr(tree, name), change, kind) for name in tree.fields})
-    return tree
+    return over_parts(tree, lambda part: each_number(part, change, kind))
