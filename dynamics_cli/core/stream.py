@@ -34,6 +34,8 @@ LOOKED_AT = 50
 UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 # Blocks that another process answers at once.
 BLOCKS_A_PIECE = 4
+# Rows answered one by one may take long: so many are written, or sent to another process, at once.
+ROWS_A_PIECE = 64
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -62,7 +64,8 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
                     return ExitStatus.DONE
                 every = itertools.chain([lines], blocks)
                 rows = cleared(records(every) if isinstance(stream.source, CsvInput) else every)
-                for block in spread(stream.block, _joined(rows, settings.jobs), settings.jobs):
+                pieces = _pieces(rows, settings.jobs, singly=stream.singly)
+                for block in spread(stream.block, pieces, settings.jobs):
                     stream.take(block)
                     sink.write(block.text)
                     if not settings.output:
@@ -81,8 +84,15 @@ def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
     return []
 
 
-def _joined(blocks: "Iterator[list[bytes | None]]", jobs: int) -> "Iterator[list[bytes | None]]":
-    """All blocks; for several processes a few at a time, as sending each costs something."""
+def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) -> "Iterator[list[bytes | None]]":
+    """What is answered and written at once: few rows where each is a call of its own, else a block.
+
+    For several processes a few blocks, as sending each costs something.
+    """
+    if singly:
+        for block in blocks:
+            yield from (block[start : start + ROWS_A_PIECE] for start in range(0, len(block), ROWS_A_PIECE))
+        return
     if jobs == 1:
         yield from blocks
         return
@@ -224,6 +234,11 @@ class _Stream:
         # None: not yet looked at; False: these rows are answered one by one.
         suited = (case.task.arrays and not case.layout.spread) or case.measure[0]
         self._by_arrays: bool | None = None if suited else False
+
+    @property
+    def singly(self) -> bool:
+        """Whether it is known that these rows are answered one by one."""
+        return self._by_arrays is False
 
     def take(self, block: _Block) -> None:
         """Count a block that has been answered, here or in another process."""

@@ -5,12 +5,15 @@ import signal
 import subprocess
 import sys
 import time
+from multiprocessing import active_children
 from pathlib import Path
 
 import pytest
 from harness import run
 
 from dynamics_cli.core.jobs import spread
+from dynamics_cli.core.stream import _pieces
+from dynamics_cli.errors import FaultError, ManyErrors, UsageError
 
 SPEED = ("skid", "speed")
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="several processes need a system that forks")
@@ -51,6 +54,17 @@ def test_sweeps_are_the_same_bytes(friction: str) -> None:
     assert alone == together
 
 
+def test_rows_that_are_slow_alone_are_spread_and_written_a_few_at_a_time() -> None:
+    blocks = [[b"%d" % row for row in range(150)], [None], [b"last"]]
+    pieces = list(_pieces(iter(blocks), 2, singly=True))
+    assert [len(piece) for piece in pieces] == [64, 64, 22, 1, 1]
+    assert [line for piece in pieces for line in piece] == [line for block in blocks for line in block]
+    rows = "distance[ft],friction\n" + "".join(f"{20 + i % 89},0.{3 + i % 6} ± 0.05\n" for i in range(150))
+    alone = run(*SPEED, "--rows", "-", stdin=rows)
+    assert run(*SPEED, "--rows", "-", "--jobs", "2", stdin=rows) == alone
+    assert alone.out.count("\n") == 151
+
+
 def test_one_case_needs_no_processes() -> None:
     outcome = run(*SPEED, "--distance", "60 ft", "--friction", "0.7", "--jobs", "2", "--json")
     assert (outcome.status, outcome.error["parameter"]) == (2, "jobs")
@@ -79,9 +93,38 @@ def test_order_is_kept_and_work_is_never_far_ahead() -> None:
         assert len(asked) <= place + 8
 
 
-def test_an_error_in_a_process_comes_back() -> None:
+def test_an_error_in_a_process_comes_back_in_its_turn() -> None:
+    results = spread(lambda piece: 1 // piece, [1, 2, 0, 4], 2)
+    assert [next(results), next(results)] == [1, 0]
     with pytest.raises(ZeroDivisionError):
-        list(spread(lambda piece: 1 // piece, [1, 2, 0, 4], 2))
+        next(results)
+
+
+def test_an_error_that_cannot_be_sent_says_what_it_was() -> None:
+    def work(piece: int) -> int:
+        raise ManyErrors([UsageError(f"piece {piece} is wrong")])
+
+    with pytest.raises(FaultError, match="ManyErrors: piece 1 is wrong"):
+        list(spread(work, [1, 2], 2))
+
+
+def test_a_process_ended_from_outside_is_told() -> None:
+    def work(piece: int) -> int:
+        if piece == 1:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return piece
+
+    with pytest.raises(FaultError, match="ended from outside"):
+        list(spread(work, range(20), 2))
+
+
+def test_whoever_stops_early_never_waits_for_a_result_half_sent() -> None:
+    """Results larger than a pipe holds: the processes are ended while they are writing them."""
+    for _ in range(20):
+        results = spread(lambda piece: bytes(4_000_000), range(10), 2)
+        next(results)
+        results.close()
+    assert not active_children()
 
 
 def _start(many: Path, *more: str) -> "subprocess.Popen[bytes]":
