@@ -3,7 +3,6 @@
 import itertools
 import math
 import random
-import time
 from fractions import Fraction
 
 import pytest
@@ -124,13 +123,6 @@ def test_huge_numbers_of_the_target_stay_exact() -> None:
     assert answer.best[0].stages == "12:24"
     assert Fraction(answer.best[0].error) == 2 / hair - 1
     assert answer.best[0].error_value == float(2 / hair - 1)
-
-
-def test_three_stages_are_quick() -> None:
-    """Generous; `tests/benchmarks/gear_ratio.py` measures."""
-    start = time.perf_counter()
-    ratio(target=(3652422, 273217), stages=3, teeth=(12, 120))
-    assert time.perf_counter() - start < 1.0
 
 
 @pytest.mark.parametrize(
