@@ -59,11 +59,26 @@ def _share_unit(items: "list[str]") -> "list[str]":
     """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
     if not items:
         return items
-    last = items[-1].strip()
-    unit = last[number_end(last, 0) :].strip()
+    unit = _unit_after(items[-1].strip())
     if not unit:
         return items
-    return [item if item[number_end(item, 0) :].strip() else f"{item} {unit}" for item in map(str.strip, items)]
+    return [item if _has_unit(item) else f"{item} {unit}" for item in map(str.strip, items)]
+
+
+def _unit_after(text: str) -> str:
+    if is_uncertain(text):
+        from dynamics_cli.core.uncertain.vectors import trailing_unit
+
+        return trailing_unit(text)
+    return text[number_end(text, 0) :].strip()
+
+
+def _has_unit(text: str) -> bool:
+    if is_uncertain(text):
+        from dynamics_cli.core.uncertain.vectors import has_unit
+
+        return has_unit(text)
+    return bool(text[number_end(text, 0) :].strip())
 
 
 def _text_of(kind: Kind, raw: "Any") -> str:
@@ -118,16 +133,21 @@ def _default_unit(kind: Kind, raw: "Any", reader: "Reader") -> str:
     return reader.default_unit(kind) if bare else ""
 
 
-def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+def _scalar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Value:
+    return _number(kind, raw, address, reader, _default_unit(kind, raw, reader))
+
+
+def _number(kind: Kind, raw: "Any", address: str, reader: "Reader", default_unit: str) -> Value:
+    """A number or, where these are taken, a distribution."""
     if isinstance(raw, list | dict) and reader.uncertain is not None and _is_distribution(raw):
-        return _uncertain(kind, raw, address, reader)
+        return _uncertain(kind, raw, address, reader, default_unit)
     text = _text_of(kind, raw)
     try:
-        reading = read_scalar(text, kind, _default_unit(kind, raw, reader))
+        reading = read_scalar(text, kind, default_unit)
     except UsageError as error:
         if error.code != "uncertain" or reader.uncertain is None:
             raise
-        return _uncertain(kind, text, address, reader)
+        return _uncertain(kind, text, address, reader, default_unit)
     reader.notes.extend(f"{address}: {note}" for note in reading.notes)
     return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
 
@@ -139,10 +159,10 @@ def _is_distribution(raw: "Any") -> bool:
     return any(raw.get(key) is not None for key in ("distribution", "std", "interval"))
 
 
-def _uncertain(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
+def _uncertain(kind: Kind, raw: "Any", address: str, reader: "Reader", default_unit: str) -> Value:
     from dynamics_cli.core.uncertain.text import read_uncertain
 
-    bound, notes = read_uncertain(kind, raw, address, _default_unit(kind, raw, reader))
+    bound, notes = read_uncertain(kind, raw, address, default_unit)
     reader.notes.extend(f"{address}: {note}" for note in notes)
     assert reader.uncertain is not None
     reader.uncertain[address] = bound.distribution
@@ -243,38 +263,57 @@ def _exact(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
     return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
 
 
-def _components(kind: Kind, raw: "Any", address: str, reader: "Reader") -> "tuple[tuple[float, ...], list[Any], str]":
-    """SI components, components as written, and their unit."""
+def _items(kind: Kind, raw: "Any") -> "list[Any]":
+    """The components of a vector, as raw input each."""
     if isinstance(raw, dict) and isinstance(raw.get("value"), list):
+        if any(raw.get(key) is not None for key in ("distributions", "std", "interval")):
+            from dynamics_cli.core.uncertain.vectors import component_items
+
+            return component_items(raw, kind.size)
         unit = str(raw.get("unit") or "")
-        items = [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
-    elif isinstance(raw, list):
-        items = [_text_of(kind, item) for item in raw]
-    else:
-        items = _share_unit(split_list(_text_of(kind, raw).strip().removeprefix("(").removesuffix(")")))
+        return [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
+    if isinstance(raw, list):
+        return raw
+    text = _text_of(kind, raw).strip()
+    return _share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
+
+
+def _vector(kind: Kind, raw: "Any", address: str, reader: "Reader") -> VectorValue:
+    items = _items(kind, raw)
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
-    readings = [read_scalar(item, kind, _default_unit(kind, raw, reader)) for item in items]
-    units = {reading.unit for reading in readings}
-    if len(units) == 1:
-        return tuple(r.si + 0.0 for r in readings), [r.value for r in readings], units.pop()
-    return tuple(r.si + 0.0 for r in readings), [r.si for r in readings], kind.unit
+    default_unit = _default_unit(kind, raw, reader)
+    parts = [_number(kind, item, f"{address}[{i}]", reader, default_unit) for i, item in enumerate(items)]
+    units = {part.unit for part in parts}
+    si = tuple(part.si for part in parts)
+    shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
+    if all(type(part) is Value for part in parts):
+        return VectorValue(address, kind, si, shown, unit)
+    from dynamics_cli.core.uncertain.vectors import UncertainVector
+
+    if address in reader.origins:
+        document, result, covariance = reader.origins.pop(address)
+        reader.origins |= {f"{address}[{i}]": (document, f"{result}[{i}]", covariance) for i in range(kind.size)}
+    return UncertainVector(address, kind, si, shown, unit, parts)
 
 
-def _vector(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
-    return VectorValue(address, kind, *_components(kind, raw, address, reader))
-
-
-def _planar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> Bound:
-    if not isinstance(raw, str) or "@" not in raw:
+def _planar(kind: Kind, raw: "Any", address: str, reader: "Reader") -> VectorValue:
+    if isinstance(raw, dict) and "magnitude" in raw and "direction" in raw:
+        size, direction = raw["magnitude"], raw["direction"]
+    elif isinstance(raw, str) and "@" in raw:
+        size, _, direction = (part.strip() for part in raw.partition("@"))
+    else:
         return _vector(kind, raw, address, reader)
     import math
 
     from dynamics_cli.quantities import Angle
 
-    size, _, direction = raw.partition("@")
-    magnitude = read_scalar(size.strip(), kind)
-    angle = read_scalar(direction.strip(), Angle)  # type: ignore[arg-type]
+    magnitude = _number(kind, size, f"{address}.magnitude", reader, "")
+    angle = _number(Angle, direction, f"{address}.direction", reader, "")  # type: ignore[arg-type]
+    if type(magnitude) is not Value or type(angle) is not Value:
+        from dynamics_cli.core.uncertain.vectors import PolarVector
+
+        return PolarVector(address, kind, magnitude, angle)
     components = (magnitude.si * math.cos(angle.si), magnitude.si * math.sin(angle.si))
     return VectorValue(address, kind, components, list(components), kind.unit)
 

@@ -82,6 +82,10 @@ def flatten(node: "Any", address: str = "") -> "list[tuple[str, Any, str]]":
             from dynamics_cli.core.uncertain.render import distribution_text
 
             value = distribution_text(node)
+        elif "distributions" in node or "magnitude" in node:
+            from dynamics_cli.core.uncertain.render import component_texts
+
+            return [(address, *component_texts(node))]
         return [(address, value, node.get("unit", ""))]
     if isinstance(node, dict):
         return [

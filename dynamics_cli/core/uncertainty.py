@@ -9,7 +9,7 @@ import numpy as np
 
 from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.uncertain.direction import integrate
-from dynamics_cli.core.uncertain.goal import Goal, Outcome, direction_of
+from dynamics_cli.core.uncertain.goal import DEFAULT_POINTS, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertain.scanned import exceedance
 from dynamics_cli.core.uncertain.shares import Shares, variance_shares
 from dynamics_cli.core.uncertain.simple import Plain, Sample, linear, second_order, unscented
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 DEFAULT_ACCURACY = 1e-4
-# Model evaluations for one result, unless asked: about a second of a formula's time.
-DEFAULT_POINTS = 3_000_000
 # Points of a distribution function that is to be looked at.
 CURVE_POINTS = 121
 # More inputs than this have too many corners to visit.
@@ -88,6 +86,10 @@ class Propagation:
         self.shares_error = 0.0
         self.points = 0
 
+    def varying(self) -> "set[str]":
+        """The results that vary; a vector is one, whichever of its components do."""
+        return {name.partition("[")[0] for name, spread in self.spreads.items() if spread.varies}
+
     @property
     def estimate(self) -> float:
         """The largest error estimate, in standard deviations of the result it belongs to."""
@@ -132,7 +134,7 @@ def propagate(
         return made
     probe = _probe(space, seed)
     _distribute(space, made, goal, method, samples, probe, limits or {}, slopes or {})
-    if shares:
+    if shares and space.results:
         _add_shares(space, made, seed)
         _add_corners(space, made, probe)
     made.points = space.points

@@ -144,10 +144,10 @@ class Case:
         from dynamics_cli.core.uncertain.document import spread_of
 
         made = spread_of(self.task, model, bound, record, self.reader, self.settings)
+        vary = made.varying()
         for place, part in enumerate(self.layout.parts):
-            spread = made.spreads.get(part.of_result) if isinstance(part, SpreadPart) else None
-            if spread is not None and spread.varies and isinstance(part, SpreadPart):
-                values[place] = part.shown_value(spread.number(part.which))
+            if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:
+                values[place] = part.shown_value(made.spreads[part.of_result].number(part.which))
         return values
 
     def words(self, words: "list[str]") -> "Raw":

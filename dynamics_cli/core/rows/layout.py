@@ -117,7 +117,8 @@ class SpreadPart(Part):
 
     def __init__(self, part: Part, which: str) -> None:
         super().__init__(part.keys, part.steps, "number", part.shown)
-        self.of_result = ".".join(part.keys)
+        indices = [step for step in part.steps if isinstance(step, int)]
+        self.of_result = ".".join(part.keys) + "".join(f"[{index}]" for index in indices)
         self.which = which
         self.address = f"{part.address}.{which}"
 
@@ -133,11 +134,16 @@ class SpreadPart(Part):
         return self.shown.width(si) if self.which == "std" else self.shown.value(si)
 
     def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Put it beside the result's value, as a document has it."""
-        if self.which in ("low", "high"):
+        """Put it beside the result's value, as a document has it: of a vector, in lists like its value."""
+        indices = [step for step in self.steps if isinstance(step, int)]
+        if not indices and self.which in ("low", "high"):
             entry.setdefault("interval", []).append(value)
-        else:
+        elif not indices:
             entry[self.which] = value
+        elif self.which in ("low", "high"):
+            nested(entry.setdefault("interval", [[], []])[self.which == "high"], indices).append(value)
+        else:
+            nested(entry.setdefault(self.which, []), indices).append(value)
 
 
 SPREAD = ("mean", "median", "std", "low", "high")
@@ -202,7 +208,7 @@ class Layout:
             for index in indices:
                 part = Part(keys, (*steps, *index), "number", shown)
                 yield part
-                if self.spread and not index and ";" not in part.unit:
+                if self.spread and ";" not in part.unit and (not index or leaf.kind.unit):
                     yield from (SpreadPart(part, which) for which in SPREAD)
 
     def _many(self, node: Many, keys: "tuple[str, ...]", steps: "tuple[Any, ...]") -> "Iterator[Part]":
@@ -264,12 +270,17 @@ def _place(inner: "dict[str, Any]", part: Part, value: "Any") -> None:
     if part.how == "measured":
         inner.setdefault(key, []).append(entry)
         return
-    nest = inner.setdefault(key, {**entry, "value": []} if entry is not None else {"value": []})["value"]
+    whole = inner.setdefault(key, {**entry, "value": []} if entry is not None else {"value": []})
+    nested(whole["value"], index).append(value)
+
+
+def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
+    """The list that a component's place is in, made where it is not there; components come in order."""
     for step in index[:-1]:
         if len(nest) == step:
             nest.append([])
         nest = nest[step]
-    nest.append(value)
+    return nest
 
 
 def check_numbers(record: "Any", spec: Record, address: str) -> None:

@@ -43,7 +43,8 @@ def carried(origins: "Origins", known: "Sequence[str]") -> "dict[tuple[str, str]
 
 def _stated(covariance: "Any", one: str, other: str) -> float:
     try:
-        names = covariance["results"]
-        return float(covariance["correlation"][names.index(one)][names.index(other)])
-    except (KeyError, IndexError, TypeError, ValueError):
+        names, same = covariance["results"], covariance.get("same", {})
+        one, other = same.get(one, one), same.get(other, other)
+        return 1.0 if one == other else float(covariance["correlation"][names.index(one)][names.index(other)])
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
         return 0.0

@@ -1,9 +1,10 @@
 """Quantiles, moments and probabilities of one result by integration along its gradient, with an estimate of the error.
 
 Rules across the direction, in order: tensor Gauss–Hermite (at most two axes) or Smolyak grids; when these do not settle
-(kinks, bounded inputs), shifted lattices; when the model turns, jumps or is partly inadmissible, scanned lines. Errors
-are in standard deviations of the result. The factors of the estimates were fitted on thousands of random problems so
-that the true error stays below them; plain differences of levels or replicates do not achieve that.
+(kinks, bounded inputs), shifted lattices; when the model turns, jumps or is partly inadmissible, scanned lines; where
+that would be dear, for many results or calls one by one, a sample that all results share (`pooled`). Errors are in
+standard deviations of the result. The factors of the estimates were fitted on thousands of random problems so that the
+true error stays below them; plain differences of levels or replicates do not achieve that.
 """
 
 import numpy as np
@@ -13,9 +14,17 @@ from dynamics_cli.core.uncertain.grids import grids
 from dynamics_cli.core.uncertain.lattices import lattices
 from dynamics_cli.core.uncertain.lines import Lines
 from dynamics_cli.core.uncertain.nested import nested, suits
-from dynamics_cli.core.uncertain.scanned import alone, scanned
+from dynamics_cli.core.uncertain.pooled import pooled
+from dynamics_cli.core.uncertain.scanned import alone, scanned, scanned_grids
 from dynamics_cli.core.uncertain.space import Space, complement
 from dynamics_cli.numerics.lattice import MOST_DIMENSIONS
+
+# Of more results than this, those that turn, jump or have kinks share one sample.
+FEW_RESULTS = 4
+# Grids of scanned lines are for so many inputs at the most.
+FEW_INPUTS = 3
+# In standard deviations: what is known so well needs no other method.
+GOOD = 5e-3
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,24 +40,35 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
     if space.size == 1:
         return alone(space, result, direction, goal)
     across = complement(direction)
-    if asked == "auto" and suits(space, goal):
-        made = _nested(space, result, direction, across, goal)
-        if made is not None and made.estimate <= goal.accuracy:
+    own = goal.own(space)
+    if asked == "auto" and suits(space, own):
+        made = _nested(space, result, direction, across, own)
+        if made is not None and made.estimate <= own.accuracy:
             return made
     best: Outcome | None = None
     if asked != "lattice" and not space.stepped:
-        best = grids(space, result, direction, across, goal)
-        if best is not None and (best.estimate <= goal.accuracy or asked == "quadrature"):
+        best = grids(space, result, direction, across, own)
+        if best is not None and (best.estimate <= own.accuracy or asked == "quadrature"):
             return best
-    if space.size - 1 <= MOST_DIMENSIONS:
-        if not space.stepped:
-            other = lattices(space, result, direction, across, goal)
-            if other is not None and (best is None or other.estimate < best.estimate):
-                best = other
-        if best is None:
-            best = scanned(space, result, direction, across, goal)
+    several = len(space.results) > FEW_RESULTS
+    if space.size <= MOST_DIMENSIONS and not space.stepped and not (several and space.slow):
+        best = _better(best, lattices(space, result, direction, across, own))
+    if several and (best is None or best.estimate > GOOD):
+        best = _better(best, pooled(space, result, direction, across, goal))
+    if best is None and space.size <= FEW_INPUTS and not space.stepped:
+        best = scanned_grids(space, result, direction, across, own)
+    if best is None and space.size <= MOST_DIMENSIONS:
+        best = scanned(space, result, direction, across, own)
+    if best is None or (best.estimate > GOOD and not several):
+        best = _better(best, pooled(space, result, direction, across, goal))
     assert best is not None
     return best
+
+
+def _better(one: Outcome | None, other: Outcome | None) -> Outcome | None:
+    if one is None or other is None:
+        return one or other
+    return other if other.estimate < one.estimate else one
 
 
 def _nested(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:

@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 
-from dynamics_cli.core.answer import result_leaves
+from dynamics_cli.core.answer import result_numbers
 from dynamics_cli.core.call import METHODS
 from dynamics_cli.core.limits import limit_entry, read_limits
 from dynamics_cli.core.render import number
+from dynamics_cli.core.rows.layout import nested
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain.carried import carried
 from dynamics_cli.core.uncertain.model import TaskModel
@@ -33,8 +34,9 @@ if TYPE_CHECKING:
 # A formula called case by case is some hundred times slower than one on arrays.
 SLOW_POINTS = 20_000
 SLOW_ACCURACY = 1e-3
-# An estimate of the error above this share of the deviation is worth a warning.
-WORTH_SAYING = 5e-3
+# An estimate of the error above this share of the deviation is worth a warning, which names so many results.
+WORTH_SAYING = 0.02
+MOST_NAMED = 3
 _PERCENT = 100.0
 
 
@@ -48,14 +50,14 @@ def add_uncertainty(
     display: "Display",
 ) -> "Picture | None":
     """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
-    kinds = {name: kind for name, kind, _ in result_leaves(answered.record, task.specification.result)}
+    kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
     for key, _, _, reading in limits:
         wanted.setdefault(key, []).append(reading.si)
     more = {"limits": wanted, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
     made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more)
-    shown = {name: display.of(name, kind) for name, kind in kinds.items()}
+    shown = {name: display.of(name.partition("[")[0], kind) for name, kind in kinds.items()}
     _add_results(document["results"], made, shown)
     document["numerics"]["uncertainty"] = _method_entry(made)
     if drivers := _sensitivity(made, shown):
@@ -131,7 +133,7 @@ def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | 
     if not answered.leaves:
         return None
     made = {}
-    for name, _, value in result_leaves(answered.record, task.specification.result):
+    for name, _, value in result_numbers(answered.record, task.specification.result):
         slopes = getattr(value, "slopes", None)
         if slopes is not None:
             made[name] = {leaf: slope for (leaf, _), slope in zip(answered.leaves, slopes, strict=True)}
@@ -139,19 +141,30 @@ def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | 
 
 
 def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
+    """Put beside every result that varies its distribution; of a vector, lists like its value."""
+    vary = made.varying()
     for name, spread in made.spreads.items():
-        if spread.interval[0] == spread.interval[1]:
-            continue
+        stem, *steps = name.replace("]", "").split("[")
+        indices = [int(step) for step in steps]
         node: Any = results
-        for key in name.split("."):
+        for key in stem.split("."):
             node = node.get(key) if isinstance(node, dict) else None
-        if not isinstance(node, dict) or "value" not in node:
+        if stem not in vary or not isinstance(node, dict) or "value" not in node:
             continue
         unit = shown[name]
-        node["mean"] = _finite(unit.value(spread.mean)) if math.isfinite(spread.mean) else None
-        node["median"] = unit.value(spread.median)
-        node["std"] = unit.width(spread.std) if math.isfinite(spread.std) else None
-        node["interval"] = [unit.value(spread.interval[0]), unit.value(spread.interval[1])]
+        low, high = (unit.value(end) for end in spread.interval)
+        figures = {
+            "mean": _finite(unit.value(spread.mean)) if math.isfinite(spread.mean) else None,
+            "median": unit.value(spread.median),
+            "std": unit.width(spread.std) if math.isfinite(spread.std) else None,
+        }
+        if not indices:
+            node |= {**figures, "interval": [low, high], "coverage": made.coverage}
+            continue
+        for key, figure in figures.items():
+            nested(node.setdefault(key, []), indices).append(figure)
+        for end, figure in zip(node.setdefault("interval", [[], []]), (low, high), strict=True):
+            nested(end, indices).append(figure)
         node["coverage"] = made.coverage
 
 
@@ -190,7 +203,7 @@ def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, 
     """For every result the inputs ranked by share of the variance, the range each makes alone, and the corners."""
     out = {}
     for name, spread in made.spreads.items():
-        if not spread.first or not spread.interval[0] < spread.interval[1]:
+        if not spread.first or not spread.varies:
             continue
         unit = shown[name]
         rows = []
@@ -220,16 +233,23 @@ def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, A
     assert made.correlation is not None
     names = list(made.spreads)
     kept: list[int] = []
+    same: dict[str, str] = {}
     for i, name in enumerate(names):
         spread = made.spreads[name]
-        if spread.std > 0.0 and not any(_same(spread, made.spreads[names[j]]) for j in kept):
-            kept.append(i)
+        if spread.std > 0.0:
+            twin = next((names[j] for j in kept if _same(spread, made.spreads[names[j]])), "")
+            if twin:
+                same[name] = twin
+            else:
+                kept.append(i)
+    copies = {"same": same} if same else {}
     if len(kept) < 2:
-        return {"results": [names[i] for i in kept]}
+        return {"results": [names[i] for i in kept], **copies}
     correlation = made.correlation[np.ix_(kept, kept)]
     widths = np.array([shown[names[i]].width(made.spreads[names[i]].std) for i in kept])
     return {
         "results": [names[i] for i in kept],
+        **copies,
         "units": [shown[names[i]].text for i in kept],
         "correlation": [[float(f"{x:.6f}") + 0.0 for x in row] for row in correlation],
         "covariance": [[float(f"{x:.6g}") + 0.0 for x in row] for row in correlation * np.outer(widths, widths)],
@@ -277,16 +297,20 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": f"{_chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
             }
         )
-    rough = [s for s in made.spreads.values() if s.interval[0] < s.interval[1] and not s.estimate <= WORTH_SAYING]
-    out += [
-        {
-            "code": "uncertainty-estimate",
-            "severity": "caution",
-            "message": f"the interval of {s.name} is itself known only to {s.estimate:.1g} standard deviations",
-            "mend": "raise --samples",
-        }
-        for s in rough
-    ]
+    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= WORTH_SAYING]
+    if rough:
+        names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
+        listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+        are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
+        worst = max(s.estimate for s in rough)
+        out.append(
+            {
+                "code": "uncertainty-estimate",
+                "severity": "caution",
+                "message": f"the {are.format(listed)} known only to {worst:.1g} standard deviations",
+                "mend": "raise --samples",
+            }
+        )
     if made.inputs and not any(s.varies for s in made.spreads.values()):
         out.append(
             {

@@ -22,6 +22,10 @@ SHIFTS = 8
 # are few and not quite normal, and a kink common to all of them biases all alike.
 REPLICATE_FACTOR = 2.8 * 2.365
 FLOOR = 1e-13
+# Model evaluations, unless asked: about a second of a formula's time.
+DEFAULT_POINTS = 3_000_000
+# More results than this have no smaller part of the points each: most of them need few.
+MOST_PARTS = 8
 
 
 class Goal:
@@ -36,6 +40,11 @@ class Goal:
         self.points = points
         self.seed = seed
         self.curve = curve
+
+    def own(self, space: Space) -> "Goal":
+        """The goal of the next of the results, with its part of the points."""
+        points = space.points + self.points // min(max(len(space.results), 1), MOST_PARTS)
+        return Goal(self.p, self.scores, self.accuracy, points, self.seed, curve=self.curve)
 
     @property
     def tolerance(self) -> float:

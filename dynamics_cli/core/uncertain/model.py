@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.core.answer import arguments, result_leaves
+from dynamics_cli.core.answer import arguments, result_numbers
 from dynamics_cli.core.shown import plain
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
 from dynamics_cli.numerics.samples import Drawing
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 # Rounds in which a formula may refuse some rows for one reason after another.
 MOST_REFUSALS = 20
+# Of the largest component of a vector: some dozens of last bits.
+ROUNDING = 1e-14
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
     "pi": lambda x: np.pi, "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
@@ -42,14 +44,25 @@ class Sampled(np.ndarray):
 
 
 def _noise(record: "Any", spec: "Record") -> "dict[str, float]":
-    """What a solver states that its results may be off by: a variation within it is none."""
-    values = {name: abs(float(plain(value))) for name, _, value in result_leaves(record, spec)}
-    bounds = getattr(getattr(record, "numerics", None), "bounds", ())
-    return {
-        bound.result: bound.bound * (values[bound.result] if bound.relative else 1.0)
-        for bound in bounds
-        if bound.result in values
-    }
+    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none."""
+    bounds = {bound.result: bound for bound in getattr(getattr(record, "numerics", None), "bounds", ())}
+    noise: dict[str, float] = {}
+    sizes: dict[str, float] = {}
+    for name, _, value in result_numbers(record, spec):
+        stem, indexed, _ = name.partition("[")
+        bound = bounds.get(stem)
+        size = abs(float(plain(value)))
+        if getattr(value, "error", None) is not None:
+            noise[name] = value.error
+        elif bound is not None:
+            noise[name] = bound.bound * (size if bound.relative else 1.0)
+        if indexed:
+            sizes[stem] = max(size, sizes.get(stem, 0.0))
+            noise.setdefault(name, 0.0)
+    # A component that is naught may hold what rounding left of its neighbours.
+    for name in noise:
+        noise[name] = max(noise[name], ROUNDING * sizes.get(name.partition("[")[0], 0.0))
+    return noise
 
 
 class TaskModel:
@@ -60,7 +73,7 @@ class TaskModel:
         self.bound = bound
         self.function = model.call()
         self.spec = task.specification.result
-        self.names = [name for name, _, _ in result_leaves(nominal, self.spec)]
+        self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec)
         self.arrays = task.arrays
@@ -97,7 +110,7 @@ class TaskModel:
             values[name] = (array if kept is None else array[kept]).view(Sampled)
         args, kwargs = arguments(self.task, self.bound, values)
         record = self.function(*args, **kwargs)
-        found = {name: np.asarray(value, dtype=float) for name, _, value in result_leaves(record, self.spec)}
+        found = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
         return {name: found.get(name, np.nan) for name in self.names}
 
     def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
@@ -141,7 +154,7 @@ class TaskModel:
             except (DynamicsError, ArithmeticError):
                 bad[row] = True
                 continue
-            for name, _, value in result_leaves(record, self.spec):
+            for name, _, value in result_numbers(record, self.spec):
                 if name in made:
                     made[name][row] = value
         return made, bad if bad.any() else None

@@ -48,9 +48,24 @@ def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
     for address, node in _spreads(results):
         low, high = (number(end, digits) for end in node["interval"])
         chance = f"{100.0 * node['coverage']:.6g} %"
+        chance += " each" if isinstance(node["value"], list) else ""
         deviation = f", σ {number(node['std'], 3)}" if node["std"] is not None else ""
         made[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
     return made
+
+
+def component_texts(node: "dict[str, Any]") -> "tuple[str, str]":
+    """An uncertain vector as it would be written: the text and its unit."""
+    if "magnitude" in node:
+        parts = (node["magnitude"], node["direction"])
+        texts = [distribution_text(part) if "distribution" in part else number(part["value"], 17) for part in parts]
+        return " @ ".join(f"{text} {part.get('unit', '')}" for text, part in zip(texts, parts, strict=True)), ""
+    texts = []
+    for value, part in zip(node["value"], node["distributions"], strict=True):
+        unit = part.get("unit", "") if part else ""
+        own = f" {unit}" if unit != node.get("unit", "") else ""
+        texts.append(f"{distribution_text(part)}{own}" if part else number(value, 17))
+    return f"[{', '.join(texts)}]", node.get("unit", "")
 
 
 def _lean(node: "dict[str, Any]") -> str:
@@ -69,7 +84,8 @@ def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
     shown: list[Any] = []
     for name, entry in document.get("sensitivity", {}).items():
         rows = entry["inputs"]
-        if entry in shown:
+        # What drives the components of a vector is in the document.
+        if entry in shown or name.endswith("]"):
             continue
         shown.append(entry)
         unit = entry.get("unit", "")
@@ -94,6 +110,17 @@ def spread_columns(results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
     made = []
     for address, node in _spreads(results):
         unit = node.get("unit", "")
-        made += [(f"{address}.mean", node["mean"], unit), (f"{address}.std", node["std"], unit)]
-        made += [(f"{address}.low", node["interval"][0], unit), (f"{address}.high", node["interval"][1], unit)]
+        low, high = node["interval"]
+        figures = {"mean": node["mean"], "std": node["std"], "low": low, "high": high}
+        for name, figure in figures.items():
+            made += [(f"{address}{place}.{name}", value, unit) for place, value in _cells(figure)]
     return made
+
+
+def _cells(value: "Any") -> "Iterator[tuple[str, Any]]":
+    """Every number of nested lists, with its indices as text."""
+    if isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from ((f"[{index}]{place}", number_) for place, number_ in _cells(item))
+    else:
+        yield "", value

@@ -56,11 +56,11 @@ def _atoms(space: Space, result: int, lines: Lines, goal: Goal) -> Outcome:
     made = Outcome("the model at every listed value", good[np.clip(place, 0, good.size - 1)], lines)
     made.estimate, made.admissible = FLOOR, good.size / values.size
     made.mean, made.std = float(good.mean()), float(good.std())
-    made.scan = _Listed(good)  # type: ignore[assignment]
+    made.scan = Listed(good)  # type: ignore[assignment]
     return made
 
 
-class _Listed:
+class Listed:
     """Stands in for a scan where the distribution is a list."""
 
     def __init__(self, values: "Array") -> None:
@@ -75,10 +75,6 @@ class _Listed:
 
 def scanned(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """Growing lattices of scanned lines: for models that turn, jump, stay flat or are partly inadmissible."""
-    if space.size <= 3 and not space.stepped:
-        made = _scanned_grids(space, result, direction, across, goal)
-        if made is not None:
-            return made
     count = 16
     while True:
         uniform = lattice(space.size, count, SHIFTS, goal.seed)
@@ -93,7 +89,7 @@ def scanned(space: Space, result: int, direction: "Array", across: "Array", goal
         count = grown
 
 
-def _scanned_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+def scanned_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
     """Tensor grids of scanned lines: good where probabilities are smooth across the lines; None where they are not."""
     last: Outcome | None = None
     before = np.inf

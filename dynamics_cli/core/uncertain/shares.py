@@ -66,23 +66,26 @@ def variance_shares(space: Space, variances: "Array", seed: int) -> Shares:
     if space.factor is not None or space.heavy:
         return _covariances(space, seed)
     if space.size <= 3 and not space.stepped:
-        made = _tensors(space)
+        made = _tensors(space, variances > 0.0)
         if made is not None:
             return made
     elif space.smooth and chaos_terms(space.size, 3) <= _MOST_TERMS:
         made = _chaos(space, variances)
         if made is not None:
             return made
-    return _jansen(space, seed)
+    return _jansen(space, variances > 0.0, seed)
 
 
-def _tensors(space: Space) -> Shares | None:
-    """Two grids, whose difference is the error; None when kinks keep them apart."""
+def _tensors(space: Space, vary: "Array") -> Shares | None:
+    """Two grids, whose difference is the error; None when kinks keep them apart.
+
+    A result that does not `vary` has no shares: what rounding makes of it is noise.
+    """
     fine, coarse = (GRIDS if space.smooth else FINE_GRIDS)[space.size]
     made, other = _tensor(space, fine), _tensor(space, coarse)
     if made is None or other is None:
         return None
-    made.error = float(np.abs(made.total - other.total).max())
+    made.error = float(np.abs(made.total - other.total)[vary].max(initial=0.0))
     return made if made.error <= _LARGEST_ERROR else None
 
 
@@ -156,7 +159,7 @@ def _chaos(space: Space, variances: "Array") -> Shares | None:
     return Shares(f"Hermite polynomials of degree 3 from {weights.size} points", first, total, error, values, weights)
 
 
-def _jansen(space: Space, seed: int) -> Shares:
+def _jansen(space: Space, vary: "Array", seed: int) -> Shares:
     """Two independent lattices A and B, and A with one coordinate of B, for every input (Jansen 1999)."""
     n = space.size
     count = 1024 if n <= 8 else 256
@@ -181,7 +184,7 @@ def _jansen(space: Space, seed: int) -> Shares:
         first[:, i] = 1.0 - np.nanmean(other, axis=1) / scale
         total[:, i] = np.nanmean(own, axis=1) / scale
         replicates = np.nanmean(own.reshape(results, SHIFTS, -1), axis=2) / scale[:, None]
-        scatter = max(scatter, float(replicates.std(axis=1, ddof=1).max()))
+        scatter = max(scatter, float(replicates.std(axis=1, ddof=1)[vary].max(initial=0.0)))
     error = 2.0 * 2.365 * scatter / float(np.sqrt(SHIFTS))
     weights = np.full(fa.shape[1], 1.0 / fa.shape[1])
     return Shares(f"Jansen's estimator, {SHIFTS} lattices of {count} points", first, total, error, fa, weights)

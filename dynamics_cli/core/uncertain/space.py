@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dynamics_cli.core.uncertain.distributions import Distribution
+    from dynamics_cli.core.uncertain.pooled import Pool
 
     Array = NDArray[Any]
     Correlation = Mapping[tuple[str, str], float]
@@ -52,6 +53,8 @@ class Space:
         # A model that is asked case by case is dear, and its results are often asked for at the same points.
         self.slow = not getattr(model, "arrays", True)
         self._known: dict[bytes, Array] | None = {} if self.slow else None
+        # The sample that results share, once one of them needs it.
+        self.pool: Pool | None = None
 
     @property
     def size(self) -> int:
