@@ -8,12 +8,13 @@ and, labelled apart, the range over the corners of all the inputs' intervals.
 import numpy as np
 
 from dynamics_cli.core.call import METHODS
-from dynamics_cli.core.uncertain.direction import integrate
+from dynamics_cli.core.uncertain.direction import FAIR, FEW_RESULTS, integrate
 from dynamics_cli.core.uncertain.goal import DEFAULT_POINTS, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertain.scanned import exceedance
 from dynamics_cli.core.uncertain.shares import Shares, variance_shares
 from dynamics_cli.core.uncertain.simple import Plain, Sample, linear, second_order, unscented
 from dynamics_cli.core.uncertain.space import Space
+from dynamics_cli.core.uncertain.stand_in import StandIn, suits
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.numerics import normal
 from dynamics_cli.numerics.lattice import DEFAULT_SEED, MOST_DIMENSIONS, lattice
@@ -82,6 +83,8 @@ class Propagation:
         self.spreads: dict[str, Spread] = {}
         self.correlated: dict[tuple[str, str], float] = {}
         self.correlation: Array | None = None
+        # Whether what stands in for a slow model does so for every result that varies.
+        self.stands = True
         self.shares_method = ""
         self.shares_error = 0.0
         self.points = 0
@@ -133,9 +136,13 @@ def propagate(
         _certain(space, made)
         return made
     probe = _probe(space, seed)
-    _distribute(space, made, goal, method, samples, probe, limits or {}, slopes or {})
+    stand_in = None
+    if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
+        stand_in = StandIn(space, seed)
+    _distribute(space, made, goal, method, samples, probe, limits or {}, slopes or {}, stand_in)
     if shares and space.results:
-        _add_shares(space, made, seed)
+        stands = stand_in is not None and space.factor is None and made.stands
+        _add_shares(stand_in.space if stand_in is not None and stands else space, made, seed)
         _add_corners(space, made, probe)
     made.points = space.points
     return made
@@ -166,6 +173,7 @@ def _distribute(
     probe: "Array",
     limits: "Mapping[str, Sequence[float]]",
     slopes: "Mapping[str, Mapping[str, float]]",
+    stand_in: StandIn | None,
 ) -> None:
     sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
     for row, name in enumerate(space.results):
@@ -178,7 +186,25 @@ def _distribute(
         elif sample is not None:
             made.spreads[name] = _sampled(name, row, sample, goal, wanted)
         else:
-            made.spreads[name] = _integrated(space, name, row, goal, method, probe, wanted, slopes.get(name))
+            best = _stood_in(stand_in, name, row, goal, probe) if stand_in is not None and not wanted else None
+            # Where the polynomials are near enough, other points of the model itself would tell no more.
+            near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
+            if best is None or not (near or best.estimate <= FAIR):
+                made.stands = False
+                other = _integrated(space, name, row, goal, method, probe, wanted, slopes.get(name))
+                best = other if best is None or other.estimate < best.estimate else best
+            made.spreads[name] = best
+
+
+def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
+    """A result of the polynomials that stand in for a slow model; None where these are not near enough."""
+    if not stand_in.errors[row] < float(np.nanstd(probe[row])):
+        return None
+    quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
+    spread = _integrated(stand_in.space, name, row, quick, "auto", probe, (), None)
+    spread.estimate += float(stand_in.errors[row]) / spread.std if spread.std > 0.0 else np.inf
+    spread.method += f", on polynomials of degree {stand_in.degree} fitted to {stand_in.count} calls"
+    return spread
 
 
 def _copy(spread: Spread, name: str) -> Spread:

@@ -23,8 +23,10 @@ from dynamics_cli.numerics.lattice import MOST_DIMENSIONS
 FEW_RESULTS = 4
 # Grids of scanned lines are for so many inputs at the most.
 FEW_INPUTS = 3
-# In standard deviations: what is known so well needs no other method.
+# In standard deviations: what is known so well needs no other method; and no dear one.
 GOOD = 5e-3
+FAIR = 0.02
+UNSETTLED = 3.0
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,19 +52,28 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         best = grids(space, result, direction, across, own)
         if best is not None and (best.estimate <= own.accuracy or asked == "quadrature"):
             return best
+        if best is not None and best.estimate > GOOD:
+            # Levels that do not settle, at a kink, may be off by more than they are apart.
+            best.estimate *= UNSETTLED
     several = len(space.results) > FEW_RESULTS
-    if space.size <= MOST_DIMENSIONS and not space.stepped and not (several and space.slow):
+    dear = several and space.slow
+    narrow = space.size <= MOST_DIMENSIONS
+    if narrow and not space.stepped and not dear:
         best = _better(best, lattices(space, result, direction, across, own))
-    if several and (best is None or best.estimate > GOOD):
+    if several and _poor(best, GOOD):
         best = _better(best, pooled(space, result, direction, across, goal))
-    if best is None and space.size <= FEW_INPUTS and not space.stepped:
-        best = scanned_grids(space, result, direction, across, own)
-    if best is None and space.size <= MOST_DIMENSIONS:
-        best = scanned(space, result, direction, across, own)
-    if best is None or (best.estimate > GOOD and not several):
+    if _poor(best, GOOD) and space.size <= FEW_INPUTS and not space.stepped and not dear:
+        best = _better(best, scanned_grids(space, result, direction, across, own))
+    if _poor(best, FAIR) and narrow and not dear:
+        best = _better(best, scanned(space, result, direction, across, own))
+    if _poor(best, GOOD) and not several:
         best = _better(best, pooled(space, result, direction, across, goal))
     assert best is not None
     return best
+
+
+def _poor(best: Outcome | None, limit: float) -> bool:
+    return best is None or best.estimate > limit
 
 
 def _better(one: Outcome | None, other: Outcome | None) -> Outcome | None:

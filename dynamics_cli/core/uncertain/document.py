@@ -11,6 +11,7 @@ from dynamics_cli.core.render import number
 from dynamics_cli.core.rows.layout import nested
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain.carried import carried
+from dynamics_cli.core.uncertain.direction import FAIR
 from dynamics_cli.core.uncertain.model import TaskModel
 from dynamics_cli.core.uncertain.text import read_correlations
 from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, Propagation, Spread, propagate
@@ -34,8 +35,7 @@ if TYPE_CHECKING:
 # A formula called case by case is some hundred times slower than one on arrays.
 SLOW_POINTS = 20_000
 SLOW_ACCURACY = 1e-3
-# An estimate of the error above this share of the deviation is worth a warning, which names so many results.
-WORTH_SAYING = 0.02
+# A warning of results that are known less well than fairly names so many.
 MOST_NAMED = 3
 _PERCENT = 100.0
 
@@ -297,7 +297,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": f"{_chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
             }
         )
-    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= WORTH_SAYING]
+    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR]
     if rough:
         names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
         listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

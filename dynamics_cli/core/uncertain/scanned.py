@@ -84,7 +84,9 @@ def scanned(space: Space, result: int, direction: "Array", across: "Array", goal
             Scan(lines, uniform[-1] - 0.5), goal, SHIFTS, f"{SHIFTS} shifted lattices of {count} scanned lines"
         )
         grown = larger(count, best.estimate / goal.accuracy)
-        if best.estimate <= goal.accuracy or grown == count or space.points + 60 * SHIFTS * grown > goal.points:
+        while grown > count and space.points + 60 * SHIFTS * grown > goal.points:
+            grown //= 2
+        if best.estimate <= goal.accuracy or grown == count:
             return best
         count = grown
 
