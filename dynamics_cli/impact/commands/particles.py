@@ -51,6 +51,8 @@ OBLIQUE = Task(
         '--contact-radius "14.3 mm" --contact-modulus "2.9 GPa" --json',
         'dynamics impact oblique --first-mass "0.6 kg" --first-speed "10 m/s" --first-heading "-30 deg" --second-fixed '
         '--normal "-90 deg" --restitution 0.75',
+        'dynamics impact oblique --first-mass "1500 ± 20 kg" --first-velocity "50 ± 3 km/h @ 10 ± 2 deg" '
+        '--second-mass "1200 kg" --second-velocity "-20 ± 2, 5 km/h" --normal "0 deg" --restitution 0.1..0.2',
     ),
     plot=PICTURES + "oblique",
 )
