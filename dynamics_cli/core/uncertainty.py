@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 DEFAULT_ACCURACY = 1e-4
 # Points of a distribution function that is to be looked at.
 CURVE_POINTS = 121
+# Polynomials that leave out more of some result's variance do not say what drives it.
+MOST_MISSED = 0.1
 # More inputs than this have too many corners to visit.
 MOST_CORNERS = 10
 
@@ -83,8 +85,6 @@ class Propagation:
         self.spreads: dict[str, Spread] = {}
         self.correlated: dict[tuple[str, str], float] = {}
         self.correlation: Array | None = None
-        # Whether what stands in for a slow model does so for every result that varies.
-        self.stands = True
         self.shares_method = ""
         self.shares_error = 0.0
         self.points = 0
@@ -138,11 +138,10 @@ def propagate(
     probe = _probe(space, seed)
     stand_in = None
     if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
-        stand_in = StandIn(space, seed)
+        stand_in = StandIn(space, seed, goal.accuracy)
     _distribute(space, made, goal, method, samples, probe, limits or {}, slopes or {}, stand_in)
     if shares and space.results:
-        stands = stand_in is not None and space.factor is None and made.stands
-        _add_shares(stand_in.space if stand_in is not None and stands else space, made, seed)
+        _add_shares(space, made, seed, stand_in)
         _add_corners(space, made, probe)
     made.points = space.points
     return made
@@ -190,7 +189,6 @@ def _distribute(
             # Where the polynomials are near enough, other points of the model itself would tell no more.
             near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
             if best is None or not (near or best.estimate <= FAIR):
-                made.stands = False
                 other = _integrated(space, name, row, goal, method, probe, wanted, slopes.get(name))
                 best = other if best is None or other.estimate < best.estimate else best
             made.spreads[name] = best
@@ -290,15 +288,20 @@ def _beside(spread: Spread, plain: Plain, outcome: Outcome) -> Spread:
     return made
 
 
-def _add_shares(space: Space, made: Propagation, seed: int) -> None:
+def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | None) -> None:
     """Shares of the variance of every result, and the results' correlation."""
-    variances = np.array([made.spreads[name].std ** 2 for name in space.results])
-    found: Shares = variance_shares(space, np.nan_to_num(variances, posinf=0.0), seed)
+    variances = np.nan_to_num([made.spreads[name].std ** 2 for name in space.results], posinf=0.0)
+    missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
+    if stand_in is not None and space.factor is None and missed < MOST_MISSED:
+        space = stand_in.space
+    else:
+        missed = 0.0
+    found: Shares = variance_shares(space, variances, seed)
     for row, name in enumerate(space.results):
         if made.spreads[name].interval[0] < made.spreads[name].interval[1]:
             made.spreads[name].first = found.first[row].tolist()
             made.spreads[name].total = found.total[row].tolist()
-    made.shares_method, made.shares_error = found.method, found.error
+    made.shares_method, made.shares_error = found.method, found.error + missed
     if sum(spread.std > 0.0 for spread in made.spreads.values()) > 1:
         made.correlation = found.covariance()
 

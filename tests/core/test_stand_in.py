@@ -58,7 +58,7 @@ def test_few_calls_serve_all_results_and_the_stated_error_holds(seed: int) -> No
     for name in EXACT:
         assert worst(made, name) <= made.spreads[name].estimate, name
         if name != "bend":
-            assert "fitted to 256 calls" in made.spreads[name].method, name
+            assert "on polynomials of degree 6 fitted to 256 calls" in made.spreads[name].method, name
             assert made.spreads[name].estimate < (0.05 if name == "distance" else 5e-3), name
     assert "one sample for all results" in made.spreads["bend"].method
     assert model.asked < 20_000

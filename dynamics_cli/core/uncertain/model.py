@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 # Rounds in which a formula may refuse some rows for one reason after another.
 MOST_REFUSALS = 20
-# Of the largest component of a vector: some dozens of last bits.
+# Some dozens of last bits.
 ROUNDING = 1e-14
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
@@ -43,25 +43,29 @@ class Sampled(np.ndarray):
         return _FUNCTIONS[name](*arguments)
 
 
-def _noise(record: "Any", spec: "Record") -> "dict[str, float]":
-    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none."""
-    bounds = {bound.result: bound for bound in getattr(getattr(record, "numerics", None), "bounds", ())}
-    noise: dict[str, float] = {}
+def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
+    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none.
+
+    What is naught at the means, exactly or as a component of a vector, is beside them what rounding leaves of the
+    numbers it came from: those with its unit, or the other components.
+    """
+    bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
+    numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
     sizes: dict[str, float] = {}
-    for name, _, value in result_numbers(record, spec):
-        stem, indexed, _ = name.partition("[")
-        bound = bounds.get(stem)
-        size = abs(float(plain(value)))
+    for name, size in (
+        *((kind.unit, abs(si)) for _, kind, si in bound.leaves() if kind.unit),
+        *((kind.unit, size) for _, kind, _, size in numbers if kind.unit),
+        *((name.partition("[")[0], size) for name, _, _, size in numbers if "[" in name),
+    ):
+        sizes[name] = max(size, sizes.get(name, 0.0))
+    noise = {}
+    for name, kind, value, size in numbers:
+        stem = name.partition("[")[0]
+        noise[name] = ROUNDING * max(sizes.get(stem, 0.0), 0.0 if size else sizes.get(kind.unit, 0.0))
         if getattr(value, "error", None) is not None:
-            noise[name] = value.error
-        elif bound is not None:
-            noise[name] = bound.bound * (size if bound.relative else 1.0)
-        if indexed:
-            sizes[stem] = max(size, sizes.get(stem, 0.0))
-            noise.setdefault(name, 0.0)
-    # A component that is naught may hold what rounding left of its neighbours.
-    for name in noise:
-        noise[name] = max(noise[name], ROUNDING * sizes.get(name.partition("[")[0], 0.0))
+            noise[name] = max(noise[name], value.error)
+        elif stem in bounds:
+            noise[name] = max(noise[name], bounds[stem].bound * (size if bounds[stem].relative else 1.0))
     return noise
 
 
@@ -75,7 +79,7 @@ class TaskModel:
         self.spec = task.specification.result
         self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
-        self.noise = _noise(nominal, self.spec)
+        self.noise = _noise(nominal, self.spec, bound)
         self.arrays = task.arrays
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":

@@ -32,8 +32,8 @@ class Pool:
 
     def __init__(self, space: Space, goal: Goal) -> None:
         results = len(space.results)
-        # Where every point is a call of its own, half of what one result may cost serves them all.
-        most = goal.points // 2 if space.slow else goal.points
+        # Where every point is a call of its own, a quarter of them serves all results.
+        most = goal.points // 4 if space.slow else goal.points
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         room = min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * max(most, DEFAULT_POINTS) // DEFAULT_POINTS
         self.shifts = SHIFTS if space.slow else max(min(most // self.count, room), SHIFTS)

@@ -79,12 +79,14 @@ def variance_shares(space: Space, variances: "Array", seed: int) -> Shares:
 def _tensors(space: Space, vary: "Array") -> Shares | None:
     """Two grids, whose difference is the error; None when kinks keep them apart.
 
-    A result that does not `vary` has no shares: what rounding makes of it is noise.
+    A result that does not `vary` has no shares: what rounding makes of it is noise. An only input has all of them.
     """
     fine, coarse = (GRIDS if space.smooth else FINE_GRIDS)[space.size]
     made, other = _tensor(space, fine), _tensor(space, coarse)
     if made is None or other is None:
         return None
+    if space.size == 1:
+        return made
     made.error = float(np.abs(made.total - other.total)[vary].max(initial=0.0))
     return made if made.error <= _LARGEST_ERROR else None
 
@@ -162,7 +164,7 @@ def _chaos(space: Space, variances: "Array") -> Shares | None:
 def _jansen(space: Space, vary: "Array", seed: int) -> Shares:
     """Two independent lattices A and B, and A with one coordinate of B, for every input (Jansen 1999)."""
     n = space.size
-    count = 1024 if n <= 8 else 256
+    count = 64 if space.slow else 1024 if n <= 8 else 256
     if 2 * n <= MOST_DIMENSIONS:
         uniform = lattice(2 * n, count, SHIFTS, seed)
     else:
@@ -201,7 +203,7 @@ def _covariances(space: Space, seed: int) -> Shares:
     parts = slopes * (slopes @ correlation)
     whole = parts.sum(axis=1, keepdims=True)
     shares = np.where(whole > 0.0, parts / np.where(whole > 0.0, whole, 1.0), 0.0)
-    z = quantile(lattice(n, 512, SHIFTS, seed)) if n <= MOST_DIMENSIONS else np.zeros((n, 1))
+    z = quantile(lattice(n, 64 if space.slow else 512, SHIFTS, seed)) if n <= MOST_DIMENSIONS else np.zeros((n, 1))
     sample = space.evaluate(z)
     weights = np.full(sample.shape[1], 1.0 / sample.shape[1])
     return Shares("covariance with the result, first order", shares, shares, np.nan, sample, weights)

@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-MOST_DEGREE = 6
+# Tried first, and where that is not near enough.
+DEGREES = (3, 6)
 MOST_TERMS = 250
-# Points beside those of the fit, and how much farther out they lie.
-TRIALS = 64
+# Points beside those of the fit, how much farther out they lie, and how much worse it may be between them.
+TRIALS = 32
 FARTHER = 1.25
-# Sixty-four trials do not find the worst place there is.
-SAFETY = 2.0
+SAFETY = 3.0
 
 
 def suits(space: Space) -> bool:
@@ -43,29 +43,40 @@ def suits(space: Space) -> bool:
 
 
 class StandIn:
-    """The polynomials: `space` has them as the model of independent standard normals; `errors` by result."""
+    """The polynomials: `space` has them as the model of independent standard normals.
 
-    def __init__(self, space: Space, seed: int) -> None:
+    `errors` are those of each result (infinite where some case is refused), `missed` the share of its variance that the
+    polynomials leave out.
+    """
+
+    def __init__(self, space: Space, seed: int, accuracy: float) -> None:
         self._names = space.names
         self._results = space.results
-        degrees = range(2, MOST_DEGREE + 1)
-        self.degree = max(degree for degree in degrees if chaos_terms(space.size, degree) <= MOST_TERMS)
-        axes = [
-            choice for d in range(self.degree + 1) for choice in combinations_with_replacement(range(space.size), d)
-        ]
-        self._exponents = np.array([np.bincount(choice, minlength=space.size) for choice in axes])
-        self.count = 1 << (2 * len(axes) - 1).bit_length()
-        fitted = quantile(lattice(space.size, self.count, 1, seed))
-        tried = FARTHER * quantile(lattice(space.size, TRIALS, 1, seed + 1))
-        values = space.evaluate(np.concatenate([fitted, tried], axis=1))
-        whole = np.array(np.isfinite(values).all(axis=1))
-        self._whole = whole[:, None]
-        known = np.where(self._whole, values, 0.0)
-        made, _, _, _ = np.linalg.lstsq(self._terms(fitted).T, known[:, : self.count].T, rcond=None)
-        self._coefficients = made.T
-        off = np.abs(self._coefficients @ self._terms(tried) - known[:, self.count :]).max(axis=1)
-        self.errors = np.where(whole, SAFETY * off, np.inf)
+        n = space.size
+        most = max(degree for degree in range(2, DEGREES[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
+        tried = FARTHER * quantile(lattice(n, TRIALS, 1, seed + 1))
+        there = space.evaluate(tried)
+        points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
+        for degree in sorted({min(degree, most) for degree in DEGREES}):
+            self.degree = degree
+            self._exponents = _products(n, degree)
+            self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
+            points, values = _grown(space, points, values, self.count, seed)
+            self._fit(points, values, tried, there)
+            if (self.errors <= accuracy * values.std(axis=1)).all():
+                break
         self.space = Space(self, {name: Normal(0.0, 1.0) for name in self._names}, {})
+
+    def _fit(self, points: "Array", values: "Array", tried: "Array", there: "Array") -> None:
+        whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
+        self._whole = whole[:, None]
+        known, wanted = np.where(self._whole, values, 0.0), np.where(self._whole, there, 0.0)
+        made, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
+        self._coefficients = made.T
+        off = self._coefficients @ self._terms(tried) - wanted
+        variance = wanted.var(axis=1)
+        self.errors = np.where(whole, SAFETY * np.abs(off).max(axis=1), np.inf)
+        self.missed = np.where(whole, off.var(axis=1) / np.where(variance > 0.0, variance, 1.0), np.inf)
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
         """Results by address, at normal scores by input."""
@@ -80,3 +91,21 @@ class StandIn:
         for axis in range(len(z)):
             made *= tables[self._exponents[:, axis], axis]
         return made
+
+
+def _products(n: int, degree: int) -> "Array":
+    """The exponents (terms, n) of all products of total degree ≤ `degree`."""
+    axes = [axes for total in range(degree + 1) for axes in combinations_with_replacement(range(n), total)]
+    return np.array([np.bincount(choice, minlength=n) for choice in axes])
+
+
+def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int) -> "tuple[Array, Array]":
+    """A lattice and the model's values at it; every so many of a larger lattice's points are those of a smaller one."""
+    made = quantile(lattice(space.size, count, 1, seed))
+    found = np.empty((len(values), count))
+    known = np.zeros(count, dtype=bool)
+    if points.shape[1]:
+        known[:: count // points.shape[1]] = True
+        found[:, known] = values
+    found[:, ~known] = space.evaluate(made[:, ~known])
+    return made, found
