@@ -292,7 +292,7 @@ def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | 
     """Shares of the variance of every result, and the results' correlation."""
     variances = np.nan_to_num([made.spreads[name].std ** 2 for name in space.results], posinf=0.0)
     missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
-    if stand_in is not None and space.factor is None and missed < MOST_MISSED:
+    if stand_in is not None and missed < MOST_MISSED:
         space = stand_in.space
     else:
         missed = 0.0

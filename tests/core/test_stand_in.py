@@ -77,6 +77,30 @@ def test_without_kinks_hundreds_of_calls_do() -> None:
     assert made.spreads["power"].mean == pytest.approx(math.exp(0.015), rel=1e-6)
 
 
+def test_inputs_of_any_continuous_kind_and_correlated() -> None:
+    """Polynomials of the inputs themselves do not mind how these are distributed."""
+
+    class Straight(Slow):
+        def __call__(self, inputs: dict) -> tuple[dict, None]:
+            results, _ = super().__call__(inputs)
+            a, b = inputs["a"], inputs["b"]
+            return {name: results[name] for name in ("power", "sum", "distance")} | {"two": a + b, "one": a * 3.0}, None
+
+    model = Straight()
+    kinds = {"a": Uniform(-1.0, 1.0), "b": Uniform(-1.0, 1.0), "c": Normal(0.0, 0.1)}
+    made = propagate(model, kinds, samples=20_000, accuracy=1e-3)
+    assert model.asked < 500
+    # the sum of two uniforms is triangular: below its 2.5 % quantile lies (2 + q)²/8
+    assert made.spreads["two"].interval[0] == pytest.approx(math.sqrt(0.2) - 2.0, rel=1e-4)
+    correlated = propagate(
+        Straight(), dict.fromkeys("abc", Normal(0.0, 1.0)), {("a", "b"): 0.5}, samples=20_000, accuracy=1e-3
+    )
+    spread = correlated.spreads["two"]
+    assert "polynomials" in spread.method
+    assert spread.std == pytest.approx(math.sqrt(3.0), rel=1e-6)
+    assert spread.first == pytest.approx([0.5, 0.5, 0.0], abs=1e-6)
+
+
 def test_a_limit_is_asked_of_the_model_itself() -> None:
     model = Slow()
     made = propagate(

@@ -1,4 +1,4 @@
-"""A slow model stood in for by Hermite polynomials of its inputs' normal scores, fitted once for all its results.
+"""A slow model stood in for by polynomials of its inputs, fitted once for all its results.
 
 Every result would ask a model that is called case by case some hundreds of times, each along a direction of its own.
 The polynomials are fitted by least squares at a lattice's points and tried at others farther out; what they are off by
@@ -9,7 +9,6 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
-from dynamics_cli.core.uncertain.distributions import Normal
 from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.numerics.hermite import polynomials
 from dynamics_cli.numerics.lattice import MOST_DIMENSIONS, lattice
@@ -34,7 +33,7 @@ SAFETY = 3.0
 
 
 def suits(space: Space) -> bool:
-    """Whether the inputs have smooth transformations to normal scores, and are neither one nor very many."""
+    """Whether the inputs are continuous, of finite variance, and neither one nor very many."""
     return (
         2 <= space.size <= MOST_DIMENSIONS
         and chaos_terms(space.size, 2) <= MOST_TERMS
@@ -43,14 +42,16 @@ def suits(space: Space) -> bool:
 
 
 class StandIn:
-    """The polynomials: `space` has them as the model of independent standard normals.
+    """The polynomials: `space` has them as the model of the same inputs.
 
     `errors` are those of each result (infinite where some case is refused), `missed` the share of its variance that the
     polynomials leave out.
     """
 
     def __init__(self, space: Space, seed: int, accuracy: float) -> None:
-        self._names = space.names
+        self._scales = {
+            name: (made.mean, made.std) for name, made in zip(space.names, space.distributions, strict=True)
+        }
         self._results = space.results
         n = space.size
         most = max(degree for degree in range(2, DEGREES[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
@@ -62,10 +63,15 @@ class StandIn:
             self._exponents = _products(n, degree)
             self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
             points, values = _grown(space, points, values, self.count, seed)
-            self._fit(points, values, tried, there)
+            self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
             if (self.errors <= accuracy * values.std(axis=1)).all():
                 break
-        self.space = Space(self, {name: Normal(0.0, 1.0) for name in self._names}, {})
+        self.space = Space(self, dict(zip(space.names, space.distributions, strict=True)), {})
+        self.space.factor = space.factor
+
+    def _standard(self, inputs: "dict[str, Any]") -> "Array":
+        """The inputs about their means, in their deviations."""
+        return np.array([(inputs[name] - mean) / std for name, (mean, std) in self._scales.items()])
 
     def _fit(self, points: "Array", values: "Array", tried: "Array", there: "Array") -> None:
         whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
@@ -74,21 +80,21 @@ class StandIn:
         made, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
         self._coefficients = made.T
         off = self._coefficients @ self._terms(tried) - wanted
+        near = self._coefficients @ self._terms(points) - known
         variance = wanted.var(axis=1)
-        self.errors = np.where(whole, SAFETY * np.abs(off).max(axis=1), np.inf)
+        self.errors = np.where(whole, SAFETY * np.abs(np.concatenate([off, near], axis=1)).max(axis=1), np.inf)
         self.missed = np.where(whole, off.var(axis=1) / np.where(variance > 0.0, variance, 1.0), np.inf)
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
-        """Results by address, at normal scores by input."""
-        z = np.array([inputs[name] for name in self._names])
-        found = self._coefficients @ self._terms(z)
+        """Results by address."""
+        found = self._coefficients @ self._terms(self._standard(inputs))
         return dict(zip(self._results, np.where(self._whole, found, np.nan), strict=True)), None
 
-    def _terms(self, z: "Array") -> "Array":
+    def _terms(self, u: "Array") -> "Array":
         """Every product of Hermite polynomials (terms, points)."""
-        tables = polynomials(z, self.degree)
-        made = np.ones((len(self._exponents), z.shape[1]))
-        for axis in range(len(z)):
+        tables = polynomials(u, self.degree)
+        made = np.ones((len(self._exponents), u.shape[1]))
+        for axis in range(len(u)):
             made *= tables[self._exponents[:, axis], axis]
         return made
 
