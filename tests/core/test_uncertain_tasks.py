@@ -46,3 +46,14 @@ def test_a_result_that_varies_only_by_what_its_solver_may_err_does_not_vary() ->
     results = run(*call, "--centre-distance", "68.1 ± 0.01 mm", "--points", "100", "--json").document["results"]
     assert "interval" not in results["transmission_error"]
     assert results["first_in_second"]["interval"][0] < results["first_in_second"]["interval"][1]
+
+
+def test_rounding_beside_a_naught_or_a_constant_is_no_variation() -> None:
+    """Teeth that fit without backlash do so at every module, and the shift that points a tooth is no length."""
+    gears = ("--first-teeth", "12", "--second-teeth", "24", "--points", "20", "--json")
+    results = run("gear", "mesh", *gears, "--module", "3 ± 0.01 mm").document["results"]
+    assert "interval" not in results["backlash"]
+    assert results["centre_distance"]["std"] == pytest.approx(18 * 0.01, rel=1e-3)
+    spur = run("gear", "spur", "--teeth", "12", "--module", "3 ± 0.01 mm", "--json").document["results"]
+    assert "interval" not in spur["pointed_shift"]
+    assert spur["reference_diameter"]["std"] == pytest.approx(12 * 0.01, rel=1e-6)

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 # Rounds in which a formula may refuse some rows for one reason after another.
 MOST_REFUSALS = 20
-# Some dozens of last bits.
-ROUNDING = 1e-14
+# What rounding leaves of other numbers: some dozens of last bits. And a steadiness that no measured input has.
+ROUNDING, STEADY = 1e-14, 1e-12
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
     "pi": lambda x: np.pi, "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
@@ -46,8 +46,8 @@ class Sampled(np.ndarray):
 def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
     """What the results may be off by, as their arithmetic or a solver states: a variation within it is none.
 
-    What is naught at the means, exactly or as a component of a vector, is beside them what rounding leaves of the
-    numbers it came from: those with its unit, or the other components.
+    What may be naught at the means, by its own error or as a component of a vector, is beside them what rounding leaves
+    of the numbers it came from: those with its unit, or the other components.
     """
     bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
     numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
@@ -61,11 +61,11 @@ def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]"
     noise = {}
     for name, kind, value, size in numbers:
         stem = name.partition("[")[0]
-        noise[name] = ROUNDING * max(sizes.get(stem, 0.0), 0.0 if size else sizes.get(kind.unit, 0.0))
-        if getattr(value, "error", None) is not None:
-            noise[name] = max(noise[name], value.error)
-        elif stem in bounds:
-            noise[name] = max(noise[name], bounds[stem].bound * (size if bounds[stem].relative else 1.0))
+        own = float(getattr(value, "error", None) or 0.0)
+        if stem in bounds:
+            own = max(own, bounds[stem].bound * (size if bounds[stem].relative else 1.0))
+        others = max(sizes.get(stem, 0.0), sizes.get(kind.unit, 0.0) if size <= own else 0.0)
+        noise[name] = max(own, STEADY * size, ROUNDING * others)
     return noise
 
 
