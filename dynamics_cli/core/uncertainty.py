@@ -119,7 +119,8 @@ def propagate(
     `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
     model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
     exceedance is asked; `slopes` the derivatives of each result at the inputs' means, where they are known; `curve`
-    asks for the distribution function of every result at points across its range.
+    asks for the distribution function, at points across its range, of every result with a limit, or else of the first
+    that varies.
     """
     if method not in METHODS:
         raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
@@ -175,7 +176,10 @@ def _distribute(
     stand_in: StandIn | None,
 ) -> None:
     sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
+    curve = goal.curve
     for row, name in enumerate(space.results):
+        # A curve is looked at of the limited results, or of the first that varies.
+        goal.curve = curve and (name in limits if limits else not made.varying())
         twin = next((space.results[i] for i in range(row) if np.array_equal(probe[i], probe[row], equal_nan=True)), "")
         wanted = list(limits.get(name, ()))
         if twin and not wanted and not limits.get(twin):

@@ -52,7 +52,7 @@ OBLIQUE = Task(
         'dynamics impact oblique --first-mass "0.6 kg" --first-speed "10 m/s" --first-heading "-30 deg" --second-fixed '
         '--normal "-90 deg" --restitution 0.75',
         'dynamics impact oblique --first-mass "1500 ± 20 kg" --first-velocity "50 ± 3 km/h @ 10 ± 2 deg" '
-        '--second-mass "1200 kg" --second-velocity "-20 ± 2, 5 km/h" --normal "0 deg" --restitution 0.1..0.2',
+        '--second-mass "1200 kg" --second-velocity "-20 ± 2, 5 km/h" --normal "0 deg" --restitution "0.15 ± 0.02"',
     ),
     plot=PICTURES + "oblique",
 )
