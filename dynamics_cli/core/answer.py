@@ -93,38 +93,34 @@ def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
     return Answer(record, model, why, leaves)
 
 
-def result_leaves(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":
+def result_leaves(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
     """Every real number of a result record that is not within a table: address, kind, value."""
-    for field in spec.fields:
-        value = getattr(record, field.name)
-        own = f"{address}.{field.key}" if address else field.key
-        if value is None:
-            continue
-        if isinstance(field.node, Record):
-            yield from result_leaves(value, field.node, own)
-        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in ("scalar", "slope"):
-            yield own, field.node.kind, value
+    return (leaf for leaf in _leaves(record, spec, "") if leaf[1].form in ("scalar", "slope"))
 
 
-def result_components(record: "Any", spec: Record, address: str = "") -> "Iterator[tuple[str, Kind, Any]]":
+def result_components(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
     """Every component (`velocity[0]`) of a vector or tensor that has a unit and is not within a table.
 
     Directions and axes are left out: a small change may turn them end for end.
     """
+    for own, kind, value in _leaves(record, spec, ""):
+        if kind.unit and kind.form in ("vector", "planar"):
+            yield from ((f"{own}[{i}]", kind, value[i]) for i in range(kind.size))
+        elif kind.unit and kind.form == "tensor":
+            cells = product(range(kind.size), repeat=2)
+            yield from ((f"{own}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
+
+
+def _leaves(record: "Any", spec: Record, address: str) -> "Iterator[tuple[str, Kind, Any]]":
     for field in spec.fields:
         value = getattr(record, field.name)
         own = f"{address}.{field.key}" if address else field.key
         if value is None:
             continue
         if isinstance(field.node, Record):
-            yield from result_components(value, field.node, own)
-        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.unit:
-            kind = field.node.kind
-            if kind.form in ("vector", "planar"):
-                yield from ((f"{own}[{i}]", kind, value[i]) for i in range(kind.size))
-            elif kind.form == "tensor":
-                cells = product(range(kind.size), repeat=2)
-                yield from ((f"{own}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
+            yield from _leaves(value, field.node, own)
+        elif isinstance(field.node, Leaf) and field.node.choice is None:
+            yield own, field.node.kind, value
 
 
 def result_numbers(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":

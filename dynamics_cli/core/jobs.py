@@ -80,6 +80,7 @@ class _Team:
             member.bury()
 
     def results(self, pieces: "Iterable[Any]") -> "Iterator[Any]":
+        """What the work makes of every piece, in order."""
         given = count = 0
         for piece in pieces:
             self._waiting.append((count, piece))
@@ -127,6 +128,7 @@ class _Member:
         end.close()
 
     def hand(self, place: int, piece: "Any") -> None:
+        """Give it a piece."""
         self.place = place
         try:
             self.pipe.send(piece)
@@ -134,6 +136,7 @@ class _Member:
             raise _ended() from None
 
     def fetch(self) -> "tuple[int, tuple[bool, Any]]":
+        """The place of its piece, whether all went well, and the result or the error."""
         place, self.place = self.place, None
         assert place is not None
         try:
@@ -142,10 +145,12 @@ class _Member:
             raise _ended() from None
 
     def kill(self) -> None:
+        """End it, whatever it is doing."""
         self._process.kill()
         self.pipe.close()
 
     def bury(self) -> None:
+        """Wait until it is gone."""
         self._process.join()
 
 

@@ -302,7 +302,7 @@ def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | 
         missed = 0.0
     found: Shares = variance_shares(space, variances, seed)
     for row, name in enumerate(space.results):
-        if made.spreads[name].interval[0] < made.spreads[name].interval[1]:
+        if made.spreads[name].varies:
             made.spreads[name].first = found.first[row].tolist()
             made.spreads[name].total = found.total[row].tolist()
     made.shares_method, made.shares_error = found.method, found.error + missed

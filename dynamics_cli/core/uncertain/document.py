@@ -176,7 +176,7 @@ def _method_entry(made: Propagation) -> "dict[str, Any]":
     """How it was done: method and error estimate of every result, in its standard deviations; the shares' method."""
     results = {}
     for name, spread in made.spreads.items():
-        if spread.interval[0] < spread.interval[1]:
+        if spread.varies:
             entry: dict[str, Any] = {"method": spread.method, "estimate": _two_digits(spread.estimate)}
             if spread.admissible < 1.0 - 1e-12:
                 entry["admissible"] = spread.admissible
@@ -319,7 +319,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
             }
         )
-    if any(s.interval[0] < s.interval[1] and not math.isfinite(s.std) for s in made.spreads.values()):
+    if any(s.varies and not math.isfinite(s.std) for s in made.spreads.values()):
         out.append(
             {
                 "code": "no-deviation",
