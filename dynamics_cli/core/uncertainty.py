@@ -8,8 +8,8 @@ and, labelled apart, the range over the corners of all the inputs' intervals.
 import numpy as np
 
 from dynamics_cli.core.call import METHODS
-from dynamics_cli.core.uncertain.direction import FAIR, FEW_RESULTS, integrate
-from dynamics_cli.core.uncertain.goal import DEFAULT_POINTS, Goal, Outcome, direction_of
+from dynamics_cli.core.uncertain.direction import FEW_RESULTS, integrate
+from dynamics_cli.core.uncertain.goal import DEFAULT_POINTS, FAIR, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertain.scanned import exceedance
 from dynamics_cli.core.uncertain.shares import Shares, variance_shares
 from dynamics_cli.core.uncertain.simple import Plain, Sample, linear, second_order, unscented

@@ -9,7 +9,7 @@ true error stays below them; plain differences of levels or replicates do not ac
 
 import numpy as np
 
-from dynamics_cli.core.uncertain.goal import Goal, Outcome
+from dynamics_cli.core.uncertain.goal import FAIR, GOOD, Goal, Outcome
 from dynamics_cli.core.uncertain.grids import grids
 from dynamics_cli.core.uncertain.lattices import lattices
 from dynamics_cli.core.uncertain.lines import Lines
@@ -23,10 +23,6 @@ from dynamics_cli.numerics.lattice import MOST_DIMENSIONS
 FEW_RESULTS = 4
 # Grids of scanned lines are for so many inputs at the most.
 FEW_INPUTS = 3
-# In standard deviations: what is known so well needs no other method; and no dear one.
-GOOD = 5e-3
-FAIR = 0.02
-UNSETTLED = 3.0
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,9 +48,6 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         best = grids(space, result, direction, across, own)
         if best is not None and (best.estimate <= own.accuracy or asked == "quadrature"):
             return best
-        if best is not None and best.estimate > GOOD:
-            # Levels that do not settle, at a kink, may be off by more than they are apart.
-            best.estimate *= UNSETTLED
     several = len(space.results) > FEW_RESULTS
     dear = several and space.slow
     narrow = space.size <= MOST_DIMENSIONS

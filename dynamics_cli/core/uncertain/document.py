@@ -11,7 +11,7 @@ from dynamics_cli.core.render import number
 from dynamics_cli.core.rows.layout import nested
 from dynamics_cli.core.shown import plain
 from dynamics_cli.core.uncertain.carried import carried
-from dynamics_cli.core.uncertain.direction import FAIR
+from dynamics_cli.core.uncertain.goal import FAIR
 from dynamics_cli.core.uncertain.model import TaskModel
 from dynamics_cli.core.uncertain.text import read_correlations
 from dynamics_cli.core.uncertainty import DEFAULT_ACCURACY, Propagation, Spread, propagate

@@ -22,6 +22,9 @@ SHIFTS = 8
 # are few and not quite normal, and a kink common to all of them biases all alike.
 REPLICATE_FACTOR = 2.8 * 2.365
 FLOOR = 1e-13
+# In standard deviations: what is known so well needs no other method; and no dear one, nor a warning.
+GOOD = 5e-3
+FAIR = 0.02
 # Model evaluations, unless asked: about a second of a formula's time.
 DEFAULT_POINTS = 3_000_000
 # More results than this have no smaller part of the points each: most of them need few.

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.core.uncertain.goal import FLOOR, Goal, Outcome, width_of
+from dynamics_cli.core.uncertain.goal import FLOOR, GOOD, Goal, Outcome, width_of
 from dynamics_cli.core.uncertain.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
 from dynamics_cli.core.uncertain.space import Space
 from dynamics_cli.numerics import smolyak
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
 # A level that moves less than this share of the level before is converging.
 CONVERGING = 0.2
+# Levels that do not settle, at a kink, may be off by so many times more than they are apart.
+UNSETTLED = 3.0
 MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
 # So many lines are not tried when the level before does not promise that they will do.
@@ -113,4 +115,6 @@ def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
         apart = max(abs(before.mean - made.mean), abs(before.std - made.std)) / made.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)
+    if outcome.estimate > GOOD:
+        outcome.estimate *= UNSETTLED
     return outcome

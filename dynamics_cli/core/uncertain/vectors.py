@@ -69,7 +69,8 @@ def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":
     ends = raw.get("interval") or []
     for key, listed in (*stated.items(), *(("interval", end) for end in ends)):
         if not isinstance(listed, list) or len(listed) != len(items) or len(items) != size:
-            raise UsageError(f"read {len(items)} components, wanted {size}, and as many of {key}", code="components")
+            message = f"{key} has not as many components as value, which has {len(items)}; wanted {size} of each"
+            raise UsageError(message, code="components")
     if ends and len(ends) != 2:
         raise UsageError("an interval has two ends, each with all components", code="components")
     for place, item in enumerate(items):
