@@ -2,37 +2,28 @@
 
 import sys
 
-from dynamics_cli import __version__
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import DynamicsError, ExitStatus, FaultError, UsageError
+from dynamics_cli.registry import FAMILIES
+from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.core.task import Family, Task
+    from dynamics_cli.core.answering.task import Family, Task
 
-# Each family's module, and its line in the list of commands, so that help need import none of them.
-FAMILIES: "dict[str, tuple[str, str]]" = {
-    "convert": ("dynamics_cli.convert.commands", "Convert a quantity to other units, exactly."),
-    "units": ("dynamics_cli.convert.commands", "List, show and search units; the book's conversion table."),
-    "coords": ("dynamics_cli.convert.commands", "Cartesian, cylindrical and spherical coordinates."),
-    "skid": ("dynamics_cli.skid.commands", "Speeds and distances from skids, yaw marks, vaults and braking."),
-    "impact": ("dynamics_cli.impact.commands", "Impacts, from two balls to a two-car crash with friction."),
-    "inertia": ("dynamics_cli.inertia.commands", "Mass properties of shapes, assemblies, sections and meshes."),
-    "cam": ("dynamics_cli.cam.commands", "Cam motions, profiles, sizes, forces and files for machines."),
-    "gear": ("dynamics_cli.gear.commands", "Gear geometry, measurement, pairs, trains and ratios."),
-    "accuracy": ("dynamics_cli.accuracy.commands", "Speed against error of every method, measured here and now."),
-}
+# Whole words alone, so that `convert -40degC degF` keeps its number.
+SHORT = {"-h": "--help", "-o": "--output", "-q": "--quiet", "-j": "--json"}
 # Forces every call through typer, so that tests can compare the two routes.
 ROUTE_VARIABLE = "DYNAMICS_ROUTE"
-# Shows the traceback of a fault of ours.
+# Shows the traceback of an internal error.
 DEBUG_VARIABLE = "DYNAMICS_DEBUG"
 
 
 def family(name: str) -> "Family":
     """The family of that name, imported now."""
-    module = __import__(FAMILIES[name][0], fromlist=["FAMILIES"])
+    module = __import__(FAMILIES[name].module, fromlist=["FAMILIES"])
     return module.FAMILIES[name]  # type: ignore[no-any-return]
 
 
@@ -49,24 +40,32 @@ def find_task(words: "list[str]") -> "tuple[Task, int] | None":
 
 def program(argv: "list[str]", terminal: Terminal) -> int:
     """Carry out one call; errors are raised."""
+    from dynamics_cli.core.inputs.sources.preferences import with_preferences
+
+    terminal.environ = with_preferences(terminal.environ)
+    argv = [SHORT.get(word, word) for word in argv]
+    if argv[:1] == ["help"] and argv[1:] != ["options"]:
+        argv = [*argv[1:], "--help"]
     if argv == ["--version"]:
         terminal.write(f"dynamics {__version__}\n")
         return ExitStatus.DONE
     if terminal.environ.get(ROUTE_VARIABLE) != "tree":
         found = find_task(argv)
         if found is not None:
-            from dynamics_cli.core.direct import read_plainly
+            from dynamics_cli.core.command.direct import read_plainly
 
             task, taken = found
             call = read_plainly(task, argv[taken:])
             if call is not None:
-                from dynamics_cli.core.execute import execute
+                from dynamics_cli.core.command.execute import execute
 
                 return execute(task, call, terminal)
-    from dynamics_cli.core.tree import run_tree
+    from dynamics_cli.core.command.tree import run_tree
+    from dynamics_cli.examples_command import EXAMPLES
     from dynamics_cli.report import REPORT
 
-    return run_tree(argv, FAMILIES, family, (REPORT,), terminal)
+    lines = {name: (entry.group, entry.summary) for name, entry in FAMILIES.items()}
+    return run_tree(argv, lines, family, (REPORT, EXAMPLES), terminal)
 
 
 def run_argv(argv: "list[str]", terminal: Terminal) -> int:
@@ -90,12 +89,12 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
         except Exception as error:
             if terminal.environ.get(DEBUG_VARIABLE):
                 raise
-            message = f"a fault of ours: {type(error).__name__}: {error}"
-            raise FaultError(message, hint=f"please report it; {DEBUG_VARIABLE}=1 shows where") from error
+            message = f"internal error (please report it): {type(error).__name__}: {error}"
+            raise FaultError(message, hint=f"{DEBUG_VARIABLE}=1 shows where") from error
     except DynamicsError as error:
-        from dynamics_cli.core.failing import error_text, wants_json
+        from dynamics_cli.core.output.failure import error_text, wants_json
 
-        terminal.tell(error_text(error, json=wants_json(argv, terminal.environ)))
+        terminal.tell(error_text(error, json=wants_json(argv, terminal.environ), typed=argv))
         status = error.status
     except KeyboardInterrupt:
         status = ExitStatus.INTERRUPTED
@@ -131,22 +130,25 @@ def script() -> None:
 
 def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
     """The result document of one command, for Python callers."""
-    from dynamics_cli.core.call import UNIVERSAL_OPTIONS, Settings
-    from dynamics_cli.core.execute import document_of
-    from dynamics_cli.core.gather import Gathered
-    from dynamics_cli.core.reading import Reader
+    from dynamics_cli.core.answering.gather import Gathered, over_file
+    from dynamics_cli.core.command.execute import document_of
+    from dynamics_cli.core.command.python_arguments import options_of, plain_parameters
+    from dynamics_cli.core.inputs.reader import Reader
+    from dynamics_cli.core.inputs.settings import Settings
 
     words = command.split()
     found = find_task(words)
     if found is None or found[1] != len(words):
         raise UsageError(f"there is no command {command!r}", code="unknown-command")
     terminal = Terminal()
-    raw = {name.rstrip("_"): value for name, value in parameters.items()}
-    asked: dict[str, Any] = {name: raw.pop(name) for name in UNIVERSAL_OPTIONS if name in raw}
-    for name, value in asked.items():
-        if UNIVERSAL_OPTIONS[name][0] == "many" and isinstance(value, str):
-            asked[name] = [value]
-    return document_of(found[0], Gathered(raw, Reader(terminal.environ)), Settings(asked, terminal.environ))
+    raw = plain_parameters(parameters)
+    settings = Settings(options_of(raw), terminal.environ)
+    gathered = (
+        over_file(found[0], raw, settings.input, terminal)
+        if settings.input
+        else Gathered(raw, Reader(terminal.environ))
+    )
+    return document_of(found[0], gathered, settings)
 
 
 def answer_rows(command: str, rows: bytes, words: "tuple[str, ...]") -> bytes:

@@ -134,10 +134,14 @@ class Outline:
 
 @record
 class Drawing:
-    """Outlines that belong together, under a title."""
+    """Outlines that belong together, under a title; `construction` holds lines that are no edge of the part.
+
+    Centre lines and pitch circles are construction lines: files draw them dash-dotted on layers of their own.
+    """
 
     outlines: "tuple[Outline, ...]"
     title: str = ""
+    construction: "tuple[Outline, ...]" = ()
 
     is_drawing = True
 

@@ -12,6 +12,9 @@ if TYPE_CHECKING:
     from typing import Any, Literal
 
     Numbers = Sequence[float]
+    Style = Literal[
+        "solid", "dashed", "dotted", "thin", "points", "steps", "filled", "fill", "outline", "centre", "dots", "thick"
+    ]
 
 
 @record
@@ -32,24 +35,33 @@ class Axis:
 
 @record
 class Curve:
-    """A line through points; a non-finite y breaks it. `filled` closes it and fills it faintly."""
+    """A line through points; a non-finite y breaks it. `filled` closes it and fills it faintly.
+
+    Of shapes, `outline` is the line alone and `fill` the area alone; `centre` is the dash-dotted line of axes and pitch
+    circles, `dots` a fine dotted one, `thick` a line that stands out.
+    """
 
     x: "Numbers"
     y: "Numbers"
     label: str = ""
-    style: "Literal['solid', 'dashed', 'dotted', 'thin', 'points', 'steps', 'filled']" = "solid"
+    style: "Style" = "solid"
     role: int = -1
     """Curves of one role share a colour across panels; -1 takes the next colour."""
 
 
 @record
 class Mark:
-    """A point with words beside it, `aside` points of print from it; to its left where that is negative."""
+    """A point with words beside it, `aside` points of print from it; to its left where that is negative.
+
+    Without a `dot` the words stand alone: centred where `aside` has no first part, and in the colour of a `role`.
+    """
 
     x: float
     y: float
     label: str = ""
     aside: tuple[float, float] = (5.0, 5.0)
+    dot: bool = True
+    role: int = -1
 
 
 @record
@@ -62,6 +74,7 @@ class Arrow:
     dy: float
     label: str = ""
     role: int = 0
+    dashed: bool = False
 
 
 @record
@@ -84,21 +97,81 @@ class Bars:
 
 
 @record
+class Ranges:
+    """Intervals from `low` to `high` with their values `at`, one for each name, and named `limits` across them."""
+
+    names: tuple[str, ...]
+    low: "Numbers"
+    high: "Numbers"
+    at: "Numbers"
+    limits: "tuple[tuple[float, str], ...]" = ()
+
+
+@record
+class Label:
+    """Words without a point; `(x, y)` is their middle, or their left end with `left`.
+
+    A text of `worded` has its values in the units of the picture; `a_w` is written with a subscript.
+    """
+
+    x: float
+    y: float
+    text: str
+    role: int = 6
+    left: bool = False
+
+
+@record
+class Dimension:
+    """A dimension line with an arrow at each end, its text above the middle."""
+
+    x: "tuple[float, float]"
+    y: "tuple[float, float]"
+    text: str
+
+
+@record
+class Rows:
+    """A table in place of axes: name, symbol and value in each row; values may be texts of `worded`."""
+
+    rows: "tuple[tuple[str, str, str], ...]"
+
+
+@record
 class Panel:
-    """One pair of axes and what is drawn on it; `equal` gives both axes one scale, as shapes need."""
+    """One pair of axes and what is drawn on it; `equal` gives both axes one scale, as shapes need.
+
+    `bare` shows no axes, for a scene that brings its own scales; `wide` takes the whole width of a picture in columns.
+    """
 
     x: Axis
     y: Axis
-    items: "tuple[Curve | Mark | Arrow | Band | Bars, ...]"
+    items: "tuple[Curve | Mark | Arrow | Band | Bars | Ranges | Label | Dimension | Rows, ...]"
     title: str = ""
     equal: bool = False
+    bare: bool = False
+    wide: bool = False
 
 
 @record
 class Picture:
-    """Panels one below another, or in `columns`, under one title; so many on a `page` of a PDF (0: all)."""
+    """Panels one below another, or in `columns`, under one title; so many on a `page` of a PDF (0: all).
+
+    It is as wide as its columns ask for, or `width` inches. A `scene` is for the first page of a report. The last
+    `distributions` panels show how an uncertain result is spread. The subtitle says
+    for which inputs, or how to read it.
+
+    With `views` the three panels are top, front and side view of one body, whose axes have their ends; they are drawn
+    on one scale, with `notes` beside them: a symbol, its number in SI, its kind (None: words alone).
+    """
 
     panels: tuple[Panel, ...]
     title: str = ""
     columns: int = 1
     page: int = 0
+    width: float = 0.0
+    scene: bool = False
+    distributions: int = 0
+    subtitle: str = ""
+    views: bool = False
+    notes: "tuple[tuple[str, float, Any], ...]" = ()

@@ -90,7 +90,7 @@ class Choice(str):
         name = text.strip().lower().replace("_", "-").replace(" ", "-")
         name = cls.aliases.get(name, name)
         if name not in cls.names:
-            raise ValueError(f"{text!r} is none of {', '.join(cls.names)}")
+            raise ValueError(f"{text!r} is not one of {', '.join(cls.names)}")
         return super().__new__(cls, name)
 
 
@@ -128,7 +128,7 @@ class Check:
 
 @record
 class Advice:
-    """Something a user should know about an answer, with the number that would mend it.
+    """Something a user should know about an answer, with the number that would remedy it.
 
     `result` names a result that does not exist for this reason: it is shown as null, not left out.
     """
@@ -136,7 +136,7 @@ class Advice:
     code: str
     message: str
     severity: "Literal['note', 'caution', 'serious']" = "caution"
-    mend: str | None = None
+    remedy: str | None = None
     result: str | None = None
 
 
@@ -169,10 +169,14 @@ class Numerics:
 
 @record
 class Measured:
-    """A result that carries its own unit; compound units give a tuple of numbers and `ft;in`."""
+    """A result that carries its own unit; compound units give a tuple of numbers and `ft;in`.
+
+    With `inherited` the unit is that of an input, which gives way to coherent units where these are asked for.
+    """
 
     value: float | tuple[float, ...]
     unit: str
+    inherited: bool = False
 
 
 @record
@@ -183,3 +187,19 @@ class ExactQuantity:
     denominator: int
     unit: str
     text: str = ""
+
+
+def docstring(thing: "type | Callable[..., Any]") -> str:
+    """What is documented of a class or a function, from its source where the interpreter has dropped it (-OO)."""
+    # This module's own tells whether the interpreter did so.
+    if thing.__doc__ or __doc__:
+        return thing.__doc__ or ""
+    import ast
+    import inspect
+    from textwrap import dedent
+
+    try:
+        (statement,) = ast.parse(dedent(inspect.getsource(thing))).body
+    except OSError:
+        return ""  # there is no source beside the compiled files
+    return ast.get_docstring(statement, clean=False) or ""  # type: ignore[arg-type]

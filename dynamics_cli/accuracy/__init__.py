@@ -1,1 +1,1 @@
-"""Speed against error: every calculation beside its rivals, measured against references that ship with the program."""
+"""Error and speed of every calculation beside its alternatives, against references that ship with the program."""

@@ -6,14 +6,14 @@ class (in a group it need not), and {"word": "edge"} is a word, given as it is.
 
 import json
 from functools import cache
-from pathlib import Path
+from importlib.resources import files
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
     from typing import Any
 
-DATA = Path(__file__).resolve().parent / "data"
+DATA = files(__package__) / "data"
 
 
 class Case:

@@ -1,48 +1,50 @@
 """Every question there is: each task with references, and the comparisons of methods."""
 
+import sys
 from functools import cache
+from pathlib import Path
 
-from dynamics_cli.accuracy.cases import DATA, load
+from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.questions import Comparison, Question, groups_of, own_questions
-from dynamics_cli.core.task import load as imported
+from dynamics_cli.core.answering.task import load as imported
+from dynamics_cli.registry import FAMILIES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.core.task import Family
+    from dynamics_cli.accuracy.questions import Method
+    from dynamics_cli.core.answering.task import Family
 
-IMPACT = ("impact_particles.json", "impact_rigid.json", "impact_spatial.json")
-# Each family's module, its files of references, and its rivals: methods beside the chosen one, by the cases' task.
-FAMILIES: "dict[str, tuple[str, tuple[str, ...], str]]" = {
-    "convert": ("dynamics_cli.convert.commands", (), "dynamics_cli.accuracy.rivals.convert"),
-    "coords": ("dynamics_cli.convert.commands", (), "dynamics_cli.accuracy.rivals.coords"),
-    "skid": ("dynamics_cli.skid.commands", ("skid.json",), "dynamics_cli.accuracy.rivals.skid"),
-    "inertia": ("dynamics_cli.inertia.commands", (), "dynamics_cli.accuracy.rivals.inertia"),
-    "cam": ("dynamics_cli.cam.commands", (), "dynamics_cli.accuracy.rivals.cam"),
-    "gear": ("dynamics_cli.gear.commands", (), "dynamics_cli.accuracy.rivals.gear"),
-    "impact": ("dynamics_cli.impact.commands", IMPACT, "dynamics_cli.accuracy.rivals.impact"),
-    "uncertainty": ("", (), "dynamics_cli.accuracy.rivals.uncertainty"),
-}
+# Questions of the core, which no family asks.
+CORE = {"uncertainty": "dynamics_cli.accuracy.alternatives.uncertainty.propagation"}
+
+
+# Further methods, which only a checkout has beside the package.
+PEERS = Path(__file__).parents[2] / "tests" / "accuracy" / "peers"
+
+
+def _names() -> "list[str]":
+    return [*(name for name, entry in FAMILIES.items() if entry.questions or entry.references), *CORE]
 
 
 @cache
 def _family(name: str) -> "Family":
-    return imported(f"{FAMILIES[name][0]}:FAMILIES")[name]  # type: ignore[no-any-return]
+    return imported(f"{FAMILIES[name].module}:FAMILIES")[name]  # type: ignore[no-any-return]
 
 
 @cache
 def groups(name: str) -> "dict[str, type]":
     """The record classes of a family's inputs."""
-    made: dict[str, type] = {}
-    if FAMILIES[name][0]:
+    classes: dict[str, type] = {}
+    if name not in CORE:
         for task in _family(name).tasks.values():
-            made |= groups_of(task)
-    return made
+            classes |= groups_of(task)
+    return classes
 
 
 def questions(family: str, task: str) -> "list[Question | Comparison]":
-    """The questions of a family and task, or all; rivals stand in the question of the chosen method."""
+    """The questions of a family and task, or all; alternatives stand in the question of the program's own method."""
     found: list[Question | Comparison] = []
-    for name in FAMILIES:
+    for name in _names():
         if family in ("", name):
             found += [question for question in _questions(name) if task in ("", question.task)]
     return found
@@ -50,18 +52,31 @@ def questions(family: str, task: str) -> "list[Question | Comparison]":
 
 @cache
 def _questions(name: str) -> "list[Question | Comparison]":
-    _, files, module = FAMILIES[name]
+    files, module = ((), CORE[name]) if name in CORE else (FAMILIES[name].references, FAMILIES[name].questions)
+    named: list[Question | Comparison] = list(imported(f"{module}:QUESTIONS")) if module else []
     own = {
         (question.file, question.cases): question
         for file in files
-        if (DATA / file).exists()
         for question in own_questions(_family(name), file, {case.task for case in load(file)})
+        if question.name not in {one.name for one in named if isinstance(one, Comparison)}
     }
-    made: list[Question | Comparison] = list(own.values())
-    for rival in imported(f"{module}:QUESTIONS"):
-        chosen = own.get((rival.file, rival.cases)) if isinstance(rival, Question) else None
-        if chosen is None:
-            made.append(rival)
+    others: list[Question | Comparison] = []
+    for question in named:
+        derived = own.get((question.file, question.cases)) if isinstance(question, Question) else None
+        if derived is None or not isinstance(question, Question):
+            others.append(question)
+        elif any(method.chosen for method in question.methods):
+            derived.methods = question.methods
         else:
-            chosen.methods = (*chosen.methods, *rival.methods)
-    return made
+            derived.methods = (*derived.methods, *question.methods)
+    return [*own.values(), *others]
+
+
+@cache
+def peers() -> "dict[str, tuple[Method, ...]] | None":
+    """Further methods by question: libraries of others and alternatives that lost. None without a checkout."""
+    if not PEERS.is_dir():
+        return None
+    if str(PEERS.parent) not in sys.path:
+        sys.path.append(str(PEERS.parent))
+    return imported("peers:METHODS")  # type: ignore[no-any-return]

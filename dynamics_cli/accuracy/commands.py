@@ -1,6 +1,6 @@
 """The command `dynamics accuracy`."""
 
-from dynamics_cli.core.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Family, Model, Task
 
 TASK = Task(
     "",
@@ -15,7 +15,7 @@ TASK = Task(
         "dynamics accuracy coords --untimed",
         "dynamics accuracy skid yaw --hard --untimed",
         "dynamics accuracy gear ratio --full --untimed",
-        "dynamics accuracy convert --peers --untimed",
+        "dynamics accuracy gear pair --peers --untimed",
         "dynamics accuracy cam size --hard --cases",
     ),
     table="cases methods",

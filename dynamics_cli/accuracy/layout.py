@@ -1,8 +1,8 @@
-"""The report for people: a block for every question, the program's own method first, as wide as the terminal."""
+"""The report for people: what the program's own methods achieve, then the alternatives question by question."""
 
 from dynamics_cli.accuracy import listing
 from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE
-from dynamics_cli.core.render import quantity
+from dynamics_cli.core.documents import quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,15 +12,20 @@ if TYPE_CHECKING:
     Entry = dict[str, Any]
 
 # Where standard output is no terminal the width is always the same, so that the bytes are.
-WIDTH = 118
+WIDTH = 80
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
 # Worse than this, a result's true value is shown beside it.
 FEW_DIGITS = 1e-10
+VANISHING = (
+    "errors are shares of each result: a large one is that of a result that all but vanishes, as a difference that "
+    "cancels does; its stated bound says so"
+)
+MEASURES = "¹: errors in the measure that the question's block below names"
 # What columns, by their first words, and marks mean; said of those that are there.
 LEGEND = {
-    "ratio": "ratio: time over that of the program's own method (▸) in the same cases; it also gives results that have "
-    "no reference, and checks its answer",
+    "ratio": "ratio: time of the formula alone over that of the program's own method (▸) in the same cases; ours also "
+    "gives results that have no reference, and checks its answer",
     "gives": "gives: the share of our own method's results that this one gives",
     "arrays": "arrays: time for each case of one call on arrays",
     "worst": "worst, median: errors, as shares of the reference unless said otherwise",
@@ -50,12 +55,36 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     if "cases" in results:
         return listing.lines(results["cases"], _wrapped, width)
     columns = _fitting(_columns(rows, digits), rows, width)
-    made = ["", *_legend(columns, rows, width), *_about(results, width)]
+    made = [*_own(rows, width), "", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     for block in _blocks(rows):
         made += ["", *_block(block, columns, room, width)]
     return made
+
+
+def _own(rows: "list[Entry]", width: int) -> "list[str]":
+    """What the program's own methods achieve: their errors, whether their bounds held, and their times."""
+    own = [row for row in rows if row["method"].endswith(CHOSEN)]
+    unit = next((f" {row['time']['unit']}" for row in own if "time" in row), "")
+    heads = ("worst", "median", "bound", *((f"time{unit}",) if unit else ()))
+    figures = [
+        (error(row["worst"]["value"], 3), error(row["median"]["value"], 3), _bound(row),
+         *((short(row["time"]["value"], 3) if "time" in row else "",) if unit else ()))
+        for row in own
+    ]  # fmt: skip
+    sizes = [max(map(len, column)) for column in zip(heads, *figures, strict=True)]
+    names = [row["question"] + ("" if row["measure"] == "relative" else ", ¹") for row in own]
+    title = "the program's own methods"
+    room = min(max(map(len, (title, *names))), width - 2 - sum(2 + size for size in sizes))
+    lines = ["", f"  {title:<{room}}" + "".join(f"  {head:>{size}}" for head, size in zip(heads, sizes, strict=True))]
+    for name, row in zip(names, figures, strict=True):
+        texts = "".join(f"  {text:>{size}}" for text, size in zip(row, sizes, strict=True))
+        lines.append(f"  {_clipped(name, room):<{room}}{texts}".rstrip())
+    notes = [VANISHING] if any(row["worst"]["value"] > FEW_DIGITS for row in own) else []
+    notes += [MEASURES] if any(name.endswith("¹") for name in names) else []
+    text = "; ".join(notes)
+    return lines + ["", *(f"  {line}" for line in _wrapped(text, width - 2))] if notes else lines
 
 
 def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int) -> "list[str]":
@@ -75,6 +104,12 @@ def _about(results: "Entry", width: int) -> "list[str]":
     if "looseness" in results:
         loose = results["looseness"]["value"]
         made.append(f"stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
+    if "call_time" in results:
+        call = results["call_time"]
+        made.append(
+            f"a whole call of the program takes {short(call['value'], 3)} {call['unit']}, with start, reading and "
+            "writing: of that a quicker formula saves its own time only, and most of them lose digits"
+        )
     if "machine" in results:
         one = results["machine"]
         made.append(f"measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
@@ -94,15 +129,15 @@ def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
     return [
-        Column("ratio", figure("slower")),
-        Column(f"time{unit('time')}", figure("time", whole), 2),
-        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("worst", figure("worst", error)),
         Column("median", figure("median", error), 5),
         Column("in ulp", figure("worst_ulp"), 1),
         Column("median", figure("median_ulp"), 6),
         Column("ours", figure("own_worst", error), 3),
         Column("bound", _bound),
+        Column(f"time{unit('time')}", figure("time", whole), 2),
+        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
+        Column("ratio", figure("slower")),
         Column("pieces", figure("entities", whole)),
         Column("gives", _gives, 4),
         Column("cases", _cases),

@@ -2,50 +2,35 @@
 
 import json
 from functools import cache
-from pathlib import Path
+from importlib.resources import files
 
 from dynamics_cli.pictures import Axis, Bars, Panel, Picture
-from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-MANIFEST = Path(__file__).resolve().parent / "manifest.json"
+MANIFEST = files(__package__) / "manifest.json"
 HARD = "hard"
 
 
 @record
 class ReferenceCase:
-    """A reference case.
+    """A reference case."""
 
-    Parameters
-    ----------
-    command : Text
-        The command whose task it is a case of.
-    name : Text
-        Its name, which no other case of the task has.
-    difficulty : Text
-        ordinary, or hard: chosen, or found by search, for being difficult.
-    why : Text
-        Why it is hard.
-    source : Text
-        Where it comes from: drawn at random, chosen by hand, made up for a limit, or found by a search for the largest
-        error, for the error nearest to its bound, or for the loosest bound.
-    file : Text
-        The file of references that it stands in.
-    task : Text
-        The file's own word for what is calculated.
-    """
-
-    command: Text
-    name: Text
-    difficulty: Text
-    why: Text | None
-    source: Text
-    file: Text
-    task: Text
+    command: Annotated[Text, "The command whose task it is a case of."]
+    name: Annotated[Text, "Its name, which no other case of the task has."]
+    difficulty: Annotated[Text, "ordinary, or hard: chosen, or found by search, for being difficult."]
+    why: Annotated[Text | None, "Why it is hard."]
+    source: Annotated[
+        Text,
+        "Where it comes from: drawn at random, chosen by hand, made up for a limit, or found by a search for the "
+        "largest error, for the error nearest to its bound, or for the loosest bound.",
+    ]
+    file: Annotated[Text, "The file of references that it stands in."]
+    task: Annotated[Text, "The file's own word for what is calculated."]
 
 
 @cache

@@ -1,6 +1,6 @@
 """The machine that times were measured on, and other people's libraries that are installed on it."""
 
-from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import record
 
 # Peers are imported under these names; what their authors call the package, where that is another name.
@@ -9,43 +9,24 @@ PACKAGES = {"py_gearworks": "py-gearworks"}
 
 @record
 class Machine:
-    """What times depend on.
+    """What times depend on."""
 
-    Parameters
-    ----------
-    processor : Text
-        The processor, as it calls itself.
-    system : Text
-        Operating system and architecture.
-    python : Text
-        The interpreter and its version.
-    numpy : Text
-        The version of numpy.
-    """
-
-    processor: Text
-    system: Text
-    python: Text
-    numpy: Text
+    processor: Annotated[Text, "The processor, as it calls itself."]
+    system: Annotated[Text, "Operating system and architecture."]
+    python: Annotated[Text, "The interpreter and its version."]
+    numpy: Annotated[Text, "The version of numpy."]
 
 
 @record
 class Peer:
-    """Another library that answers some of the questions asked.
+    """Another library that answers some of the questions asked."""
 
-    Parameters
-    ----------
-    name : Text
-        The library, as it is imported.
-    version : Text
-        Its version where it is installed, "" where it is not, and why not where it is there but cannot be imported.
-    installed : bool
-        Whether it took part.
-    """
-
-    name: Text
-    version: Text
-    installed: bool
+    name: Annotated[Text, "The library, as it is imported."]
+    version: Annotated[
+        Text,
+        'Its version where it is installed, "" where it is not, and why not where it is there but cannot be imported.',
+    ]
+    installed: Annotated[bool, "Whether it took part."]
 
 
 def this_machine() -> Machine:
@@ -57,6 +38,22 @@ def this_machine() -> Machine:
     system = f"{platform.system()} {platform.machine()}".strip()
     python = f"{platform.python_implementation()} {platform.python_version()}"
     return Machine(_processor() or platform.processor() or platform.machine(), system, python, np.__version__)
+
+
+def whole_call() -> float:
+    """The time of one whole call of the program, as a shell starts it: the median of three."""
+    import subprocess
+    import sys
+    from statistics import median
+    from time import perf_counter
+
+    times = []
+    for _ in range(3):
+        start = perf_counter()
+        call = [sys.executable, "-m", "dynamics_cli", "skid", "speed", "--distance", "20 m", "--friction", "0.7"]
+        subprocess.run(call, check=False, capture_output=True)
+        times.append(perf_counter() - start)
+    return median(times)
 
 
 def _processor() -> str:

@@ -108,7 +108,7 @@ def errors_of(
             made.refused += 1
             continue
         if tracked:
-            from dynamics_cli.core.tightening import tighten
+            from dynamics_cli.core.answering.tightening import tighten
 
             tighten(answer, list(leaves(case.inputs)), call)
         results, stated = results_of(answer), stated_by(answer)

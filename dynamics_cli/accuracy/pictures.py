@@ -89,7 +89,7 @@ def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
     questions = by_question(made)
     ranked: dict[str, list[list[Row]]] = {}
     for rows in questions:
-        if len(rows) > 2 and rows[0].entities is None:
+        if len(rows) > 1 and rows[0].entities is None:
             ranked.setdefault(rows[0].family, []).append(rows)
     for own in ranked.values():
         own.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
@@ -102,7 +102,7 @@ def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
 
 
 def overview(several: "list[list[Row]]") -> Panel:
-    """Every method of every question of relative errors as a point: rivals by family, the program's own in black."""
+    """Every method of every question of relative errors as a point, by family, the program's own in black."""
     points: dict[str, tuple[list[float], list[float]]] = {}
     own: list[float] = []
     for rows in several:
@@ -117,7 +117,7 @@ def overview(several: "list[list[Row]]") -> Panel:
             across.append(_error(row, rows))
             up.append((row.time or 0.0) / base)
     curves = [
-        Curve(across, up, f"{family}: rivals", "points", place)
+        Curve(across, up, f"{family}: alternatives", "points", place)
         for place, (family, (across, up)) in enumerate(points.items())
     ]
     curves.append(Curve(own, [1.0] * len(own), "our own methods", "points", OWN))

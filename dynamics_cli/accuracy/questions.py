@@ -1,14 +1,15 @@
 """Numerical questions, the methods that answer them, and where their references are."""
 
-from dynamics_cli.core.specification import Many, OneOf, Record, Tagged
-from dynamics_cli.core.task import load
+from dynamics_cli.core.answering.task import load
+from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Any
 
-    from dynamics_cli.core.task import Family, Task
+    from dynamics_cli.core.answering.task import Family, Task
+    from dynamics_cli.core.inputs.specification import Field
 
 
 class Method:
@@ -16,7 +17,7 @@ class Method:
 
     `function` names a callable of the case's inputs by keyword that gives a record or a dictionary of results;
     `tracked` says that it carries rounding bounds, `arrays` that it takes arrays for floats, `needs` which library it
-    comes from.
+    comes from, `fields` are the parameters of its task.
     """
 
     def __init__(
@@ -28,6 +29,7 @@ class Method:
         tracked: bool = False,
         arrays: bool = False,
         needs: str = "",
+        fields: "Sequence[Field]" = (),
     ) -> None:
         self.name = name
         self.function = function
@@ -35,10 +37,26 @@ class Method:
         self.tracked = tracked
         self.arrays = arrays
         self.needs = needs
+        self.fields = fields
 
     def call(self) -> "Callable[..., Any]":
-        """The callable."""
-        return load(self.function)  # type: ignore[no-any-return]
+        """The callable of a case's inputs by keyword, as words or choices, whatever the task's parameters ask for."""
+        function: Callable[..., Any] = load(self.function)
+        code = getattr(function, "__code__", None)
+        places = code.co_varnames[: code.co_posonlyargcount] if code else ()
+        leaves = {field.name: field.node for field in self.fields if isinstance(field.node, Leaf)}
+        choices = {name: leaf.choice for name, leaf in leaves.items() if leaf.choice is not None}
+        if not places and not choices:
+            return function
+
+        def called(**given: "Any") -> "Any":
+            for name, choice in choices.items():
+                if isinstance(given.get(name), str):
+                    given[name] = choice(given[name])
+            first = [given.pop(name) for name in places]
+            return function(*first, **given)
+
+        return called
 
 
 class Question:
@@ -56,15 +74,16 @@ class Question:
 class Comparison:
     """A question whose rows are made by a function of its own: it takes (name, hard, full, timed) and gives rows.
 
-    Where it names `peers`, it also takes a tuple of those that are asked for and installed.
+    Where peers answer it, it also takes `more`: pairs of a name and a callable. `needs` are libraries that always take
+    part.
     """
 
-    def __init__(self, family: str, task: str, name: str, function: str, *, peers: "tuple[str, ...]" = ()) -> None:
+    def __init__(self, family: str, task: str, name: str, function: str, *, needs: "tuple[str, ...]" = ()) -> None:
         self.family = family
         self.task = task
         self.name = name
         self.function = function
-        self.peers = peers
+        self.needs = needs
 
 
 def groups_of(task: "Task") -> "dict[str, type]":
@@ -94,12 +113,20 @@ def _groups(key: str, node: "Any", made: "dict[str, type]") -> None:
 
 def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Question]":
     """A question for every model of a family's tasks that has cases in a file: its cases bear the function's name."""
-    made = []
+    questions = []
     for task in family.tasks.values():
         for model in task.models:
             name = model.function.rpartition(":")[2]
-            if name in cases:
-                own = Method(model.method, model.function, chosen=True, tracked=task.tracked, arrays=task.arrays)
-                title = task.path if len(task.models) == 1 else f"{task.path}, {model.name}"
-                made.append(Question(family.name, task.name, title, file, name, own))
-    return made
+            if name not in cases:
+                continue
+            own = Method(
+                model.method,
+                model.function,
+                chosen=True,
+                tracked=task.tracked,
+                arrays=task.arrays,
+                fields=task.specification.fields,
+            )
+            title = task.path if len(task.models) == 1 else f"{task.path}, {model.name}"
+            questions.append(Question(family.name, task.name, title, file, name, own))
+    return questions

@@ -5,16 +5,16 @@ from statistics import median
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.listing import ReferenceCase, listed
-from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine
+from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine, whole_call
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
 from dynamics_cli.accuracy.questions import Comparison
 from dynamics_cli.accuracy.rows import CHOSEN, Row, beats, finished, row
-from dynamics_cli.core.rows.progress import Progress
-from dynamics_cli.core.task import load as imported
+from dynamics_cli.core.answering.task import load as imported
+from dynamics_cli.core.batch.rows.progress import Progress
 from dynamics_cli.core.terminal import Terminal
-from dynamics_cli.core.words import nearest_words
+from dynamics_cli.core.units.near_names import nearest_words
 from dynamics_cli.errors import UsageError
-from dynamics_cli.quantities import Count, Ratio, Text
+from dynamics_cli.quantities import Annotated, Count, Ratio, Text, Time
 from dynamics_cli.records import Advice, Check, record
 
 TYPE_CHECKING = False
@@ -29,47 +29,55 @@ if TYPE_CHECKING:
 
 @record
 class Accuracy:
-    """The report.
+    """The report."""
 
-    Parameters
-    ----------
-    methods : tuple of Row
-        A row for every method of every question.
-    questions : Count
-        Questions asked.
-    looseness : Ratio
-        The program's stated bounds over its true errors: the median over its methods of their medians.
-    machine : Machine
-        What times were measured on.
-    peers : tuple of Peer
-        Libraries of others that answer some of these questions, where they were asked for.
-    cases : tuple of ReferenceCase
-        The reference cases, where they were asked for in place of the measurement.
-    """
-
-    methods: tuple[Row, ...]
-    questions: Count
-    looseness: Ratio | None
-    machine: Machine | None
-    peers: tuple[Peer, ...] | None
+    methods: Annotated[tuple[Row, ...], "A row for every method of every question."]
+    questions: Annotated[Count, "Questions asked."]
+    looseness: Annotated[
+        Ratio | None, "The program's stated bounds over its true errors: the median over its methods of their medians."
+    ]
+    machine: Annotated[Machine | None, "What times were measured on."]
+    peers: Annotated[
+        tuple[Peer, ...] | None, "Libraries of others that answer some of these questions, where they were asked for."
+    ]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
-    cases: tuple[ReferenceCase, ...] | None = None
+    cases: Annotated[
+        tuple[ReferenceCase, ...] | None, "The reference cases, where they were asked for in place of the measurement."
+    ] = None
+    call_time: Annotated[
+        Time | None, "Time of a whole call of the program in a process of its own, from start to answer."
+    ] = None
+
+
+NO_CHECKOUT = (
+    Advice(
+        "no-checkout", "further methods and libraries of others are measured from a checkout only", "note",
+        "run it in a clone of the repository, installed with the test extra",
+    ),
+)  # fmt: skip
 
 
 class Asked:
     """What of the report is wanted, and which libraries of others are there."""
 
-    def __init__(self, *, hard: bool, full: bool, timed: bool, found: "Mapping[str, Peer]") -> None:
+    def __init__(
+        self, *, hard: bool, full: bool, timed: bool, libraries: "Mapping[str, Peer]", more: "Mapping[str, Any]"
+    ) -> None:
         self.hard = hard
         self.full = full
         self.timed = timed
-        self.found = found
+        self.libraries = libraries
+        self.more = more
         self.pace = Pace(full=full)
 
-    def takes(self, name: str) -> bool:
-        """Whether a library was asked for and is installed."""
-        return name in self.found and self.found[name].installed
+    def takes(self, method: "Method") -> bool:
+        """Whether a method needs no library, or one that was asked for and is installed."""
+        return not method.needs or (method.needs in self.libraries and self.libraries[method.needs].installed)
+
+    def peers_of(self, question: str) -> "list[Method]":
+        """The further methods of a question that were asked for and can run."""
+        return [method for method in self.more.get(question, ()) if self.takes(method)]
 
 
 class Done:
@@ -81,37 +89,30 @@ class Done:
 
 
 def accuracy(
-    family: Text = "",
-    task: Text = "",
+    family: Annotated[Text, "Only this family: `dynamics accuracy gear`."] = "",
+    task: Annotated[Text, "Only this task of it: `dynamics accuracy gear pair`."] = "",
     /,
     *,
-    hard: bool = False,
-    full: bool = False,
-    untimed: bool = False,
-    peers: bool = False,
-    cases: bool = False,
+    hard: Annotated[
+        bool, "Only the hard cases: those that were chosen, or found by search, for being difficult."
+    ] = False,
+    full: Annotated[
+        bool,
+        "Three times as many repeats on five times as many cases, and larger problems: minutes rather than seconds.",
+    ] = False,
+    untimed: Annotated[bool, "Errors only: the same bytes on every machine and in every run."] = False,
+    peers: Annotated[
+        bool,
+        "Further alternatives and libraries of others (uncertainties, GTC, trimesh, …) too, from a checkout of the "
+        "repository with the test extra.",
+    ] = False,
+    cases: Annotated[
+        bool, "Measure nothing; list the reference cases instead, each with why it is hard and where it comes from."
+    ] = False,
 ) -> Accuracy:
-    """Measure speed against error of the program's methods and of their rivals, on this machine.
+    """Measure speed against error of the program's methods and of the alternatives, on this machine.
 
     Errors are against references of 40 digits, given the doubles read; times are medians of repeats.
-
-    Parameters
-    ----------
-    family : Text
-        Only this family: `dynamics accuracy gear`.
-    task : Text
-        Only this task of it: `dynamics accuracy gear pair`.
-    hard : bool
-        Only the hard cases: those that were chosen, or found by search, for being difficult.
-    full : bool
-        Three times as many repeats on five times as many cases, and larger problems: minutes rather than seconds.
-    untimed : bool
-        Errors only: the same bytes on every machine and in every run.
-    peers : bool
-        Libraries of others too, as far as they are installed (uncertainties, GTC, mcerp, trimesh, and others: the
-        answer lists them).
-    cases : bool
-        Measure nothing; list the reference cases instead, each with why it is hard and where it comes from.
 
     Returns
     -------
@@ -138,8 +139,9 @@ def accuracy(
         raise UsageError(message, parameter="task" if tasks else "family", hint=_hint(task if tasks else family, known))
     if cases:
         return Accuracy((), 0, None, None, None, cases=listed(family, task, hard=hard))
-    found = {name: peer(name) for name in _names(asked)} if peers else {}
-    wanted = Asked(hard=hard, full=full, timed=not untimed, found=found)
+    more = (catalogue.peers() or {}) if peers else {}
+    libraries = {name: peer(name) for name in _names(asked, more)} if peers else {}
+    wanted = Asked(hard=hard, full=full, timed=not untimed, libraries=libraries, more=more)
     rows: list[Row] = []
     done = Done(len(asked))
     with Progress(done, Terminal(), "questions") as progress:
@@ -153,9 +155,12 @@ def accuracy(
         len({one.question for one in rows}),
         median(loose) if loose else None,
         None if untimed else this_machine(),
-        tuple(found.values()) or None,
+        tuple(libraries.values()) or None,
         _checks(rows),
-        tuple(_missing(one) for one in found.values() if not one.installed) + _beaten(rows),
+        (NO_CHECKOUT if peers and catalogue.peers() is None else ())
+        + tuple(_missing(one) for one in libraries.values() if not one.installed)
+        + _beaten(rows),
+        call_time=None if untimed else whole_call(),
     )
 
 
@@ -165,12 +170,13 @@ def _hint(word: str, known: "Sequence[str]") -> str:
     return f"did you mean {' or '.join(near)}?" if near else f"there are for {', '.join(known)}"
 
 
-def _names(asked: "Sequence[Question | Comparison]") -> "list[str]":
+def _names(asked: "Sequence[Question | Comparison]", more: "Mapping[str, Any]") -> "list[str]":
     """The libraries of others that could answer these questions, in the order of the questions."""
     names: dict[str, None] = {}
     for question in asked:
-        own = question.peers if isinstance(question, Comparison) else [one.needs for one in question.methods]
-        names.update(dict.fromkeys(name for name in own if name))
+        own = question.needs if isinstance(question, Comparison) else [one.needs for one in question.methods]
+        further = [method.needs for method in more.get(question.name, ())]
+        names.update(dict.fromkeys(name for name in (*own, *further) if name))
     return list(names)
 
 
@@ -180,10 +186,10 @@ def _missing(one: Peer) -> Advice:
 
 
 def _beaten(rows: "Sequence[Row]") -> "tuple[Advice, ...]":
-    """Where a rival is more exact than the method that the program uses, it is said."""
+    """A note for every alternative that is more exact than the method that the program uses."""
     return tuple(
         Advice(
-            "rival-more-exact",
+            "alternative-more-exact",
             f"{one.question}: {one.method} is off by {one.worst:.1e} at most, the program's own method by "
             f"{one.own_worst:.1e} over the same results",
             "note",
@@ -210,8 +216,8 @@ def _rows(question: "Question | Comparison", wanted: Asked) -> "list[Row]":
     if not isinstance(question, Comparison):
         return _answered(question, wanted)
     options: dict[str, Any] = {"hard": wanted.hard, "full": wanted.full, "timed": wanted.timed}
-    if question.peers:
-        options["peers"] = tuple(name for name in question.peers if wanted.takes(name))
+    if further := wanted.peers_of(question.name):
+        options["more"] = [(method.name, method.call()) for method in further]
     return imported(question.function)(question.name, **options)  # type: ignore[no-any-return]
 
 
@@ -219,7 +225,7 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     cases = [case for case in load(question.file) if case.task == question.cases and (case.hard or not wanted.hard)]
     if not cases:
         return []
-    methods = [method for method in question.methods if not method.needs or wanted.takes(method.needs)]
+    methods = [method for method in question.methods if wanted.takes(method)] + wanted.peers_of(question.name)
     groups = catalogue.groups(question.family)
     found = [
         errors_of(method.call(), cases, groups, tracked=method.tracked, foreign=bool(method.needs))

@@ -2,7 +2,7 @@
 
 from statistics import median
 
-from dynamics_cli.quantities import Count, EvaluationTime, Ratio, Text
+from dynamics_cli.quantities import Annotated, Count, EvaluationTime, Ratio, Text
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -22,88 +22,48 @@ LAST_BITS = 1e-15
 
 @record
 class Row:
-    """One method of one question.
+    """One method of one question."""
 
-    Parameters
-    ----------
-    family : Text
-        The family whose calculation it is.
-    task : Text
-        The task of it, where the question is of one.
-    question : Text
-        What is calculated.
-    method : Text
-        By which method; the one that the program uses is marked.
-    cases : Count
-        Cases answered.
-    refused : Count
-        Cases that the method has no answer to, where the reference has one.
-    time : EvaluationTime
-        Time of one evaluation: the median of repeats.
-    slower : Ratio
-        Time over the time of the chosen method.
-    worst : Ratio
-        Largest error, in the row's measure.
-    median : Ratio
-        Median error, in the row's measure.
-    worst_ulp : Ratio
-        Largest error in units in the last place of the reference.
-    median_ulp : Ratio
-        Median error in units in the last place.
-    own_worst : Ratio
-        The chosen method's largest error over the very results that this method gave.
-    measure : Text
-        What errors are measured in: shares of the reference (absolute where that is zero; below the normal doubles,
-        shares of the smallest one), or what the question says.
-    bound : Text
-        Whether the bound that the program states was never below the true error.
-    stated : Count
-        Results with a stated bound.
-    broken : Count
-        Those whose bound was below the true error.
-    looseness : Ratio
-        The stated bound over the true error, in the median; an error below half a last bit counts as that.
-    worst_case : Text
-        The case and the result with the largest error.
-    array_time : EvaluationTime
-        Time for each case of a call on arrays, where the method takes arrays.
-    entities : Count
-        Pieces needed, where a question asks for as few as keep a tolerance.
-    front : bool
-        Whether no other method of the question is as quick and as exact.
-    worst_reference : Text
-        The true value of the worst result, in SI units: where it all but vanishes, a share of it says little.
-    share : Ratio
-        How many of the chosen method's results it gives, over the cases that it answers.
-    loosest : Ratio
-        The stated bound over the true error where that is largest, counted as in the median.
-    """
-
-    family: Text
-    task: Text
-    question: Text
-    method: Text
-    cases: Count
-    refused: Count
-    time: EvaluationTime | None
-    slower: Ratio | None
-    worst: Ratio
-    median: Ratio
-    worst_ulp: Ratio | None
-    median_ulp: Ratio | None
-    own_worst: Ratio | None
-    measure: Text
-    bound: Text
-    stated: Count
-    broken: Count
-    looseness: Ratio | None
-    worst_case: Text
-    array_time: EvaluationTime | None
-    entities: Count | None = None
-    front: bool = False
-    worst_reference: Text = ""
-    share: Ratio | None = None
-    loosest: Ratio | None = None
+    family: Annotated[Text, "The family whose calculation it is."]
+    task: Annotated[Text, "The task of it, where the question is of one."]
+    question: Annotated[Text, "What is calculated."]
+    method: Annotated[Text, "By which method; the one that the program uses is marked."]
+    cases: Annotated[Count, "Cases answered."]
+    refused: Annotated[Count, "Cases that the method has no answer to, where the reference has one."]
+    time: Annotated[EvaluationTime | None, "Time of one evaluation: the median of repeats."]
+    slower: Annotated[Ratio | None, "Time over the time of the chosen method."]
+    worst: Annotated[Ratio, "Largest error, in the row's measure."]
+    median: Annotated[Ratio, "Median error, in the row's measure."]
+    worst_ulp: Annotated[Ratio | None, "Largest error in units in the last place of the reference."]
+    median_ulp: Annotated[Ratio | None, "Median error in units in the last place."]
+    own_worst: Annotated[Ratio | None, "The chosen method's largest error over the very results that this method gave."]
+    measure: Annotated[
+        Text,
+        "What errors are measured in: shares of the reference (absolute where that is zero; below the normal "
+        "doubles, shares of the smallest one), or what the question says.",
+    ]
+    bound: Annotated[Text, "Whether the bound that the program states was never below the true error."]
+    stated: Annotated[Count, "Results with a stated bound."]
+    broken: Annotated[Count, "Those whose bound was below the true error."]
+    looseness: Annotated[
+        Ratio | None,
+        "The stated bound over the true error, in the median; an error below half a last bit counts as that.",
+    ]
+    worst_case: Annotated[Text, "The case and the result with the largest error."]
+    array_time: Annotated[
+        EvaluationTime | None, "Time for each case of a call on arrays, where the method takes arrays."
+    ]
+    entities: Annotated[Count | None, "Pieces needed, where a question asks for as few as keep a tolerance."] = None
+    front: Annotated[bool, "Whether no other method of the question is as quick and as exact."] = False
+    worst_reference: Annotated[
+        Text, "The true value of the worst result, in SI units: where it all but vanishes, a share of it says little."
+    ] = ""
+    share: Annotated[
+        Ratio | None, "How many of the chosen method's results it gives, over the cases that it answers."
+    ] = None
+    loosest: Annotated[
+        Ratio | None, "The stated bound over the true error where that is largest, counted as in the median."
+    ] = None
 
     @property
     def is_proved(self) -> bool:
@@ -177,7 +137,7 @@ def compared_worst(one: Row, rows: "Sequence[Row]") -> float:
 
 
 def beats(one: Row) -> bool:
-    """Whether a rival that answers every case is clearly more exact than the chosen method over the same results.
+    """Whether an alternative that answers every case is clearly more exact than our own method over the same results.
 
     An error of one and more says that no digit is right, however large it is.
     """

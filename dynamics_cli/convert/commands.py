@@ -1,6 +1,6 @@
 """The commands `convert`, `units` and `coords`."""
 
-from dynamics_cli.core.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Family, Model, Task
 
 TABLE = (
     "Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1; the defining constants of SI and of the US units"
@@ -8,9 +8,20 @@ TABLE = (
 LISTS = "dynamics_cli.convert.unit_lists"
 
 
-def _list(name: str, summary: str, function: str, table: str, source: str, *examples: str) -> Task:
+def _list(name: str, summary: str, function: str, table: str, source: str, *examples: str, headline: str = "") -> Task:
     model = Model("exact unit table", f"{LISTS}:{function}", source=source, method="look-up")
-    return Task(name, summary, model, examples=examples, table=table, arrays=False, tracked=False, digits=17)
+    return Task(
+        name,
+        summary,
+        model,
+        examples=examples,
+        table=table,
+        arrays=False,
+        tracked=False,
+        digits=17,
+        headline=(*headline.split(), table),
+        listing=True,
+    )
 
 
 FAMILIES = {
@@ -27,15 +38,22 @@ FAMILIES = {
                 formula=(
                     "{results.value|y} = {inputs.value|x}·{factor|k} + {offset|b} (exactly {exact_value|y})",
                     "{results.value|y} = {inputs.value|x}·{factor|k} (exactly {exact_value|y})",
+                    "{results.value|y} = f({inputs.value|x}) (exactly {exact_value|y})",
                 ),
                 assumptions=("lb is read as a mass or a force by what is wanted", "a conversion rounds once"),
                 method="exact rational arithmetic",
             ),
+            headline=("value:-", "values:-"),
+            columns=True,
             examples=(
+                "dynamics convert 60 mph ft/s km/h",
+                "dynamics convert \"6'2 1/2\\\"\" cm",
                 "dynamics convert 60 mph ft/s",
-                'dynamics convert "60 mph" ft/s km/h',
+                'dynamics convert "60 mph to m/s"',
                 'dynamics convert "1.8796 m" "ft;in"',
+                "dynamics convert 30 mpg L/100km",
                 "dynamics convert 150 lbf kg --weight",
+                'dynamics convert --rows messy.csv --column "speed=m/s" --column "mass=kg"',
             ),
             arrays=False,
             tracked=False,
@@ -60,7 +78,8 @@ FAMILIES = {
         _list(
             "table", "Print a published conversion table beside the exact factors.", "book_table", "rows",
             "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, table 1.7.1",
-            "dynamics units table josephs-huston --format csv",
+            "dynamics units table josephs-huston --table rows --format csv",
+            headline="misprints inexact",
         ),
     ),
     "coords": Family(
@@ -75,6 +94,10 @@ FAMILIES = {
                 source="Josephs & Huston, Dynamics of Mechanical Systems, section 1.6",
                 formula="x = r·cosθ = ρ·sinφ·cosθ, y = r·sinθ = ρ·sinφ·sinθ, z = ρ·cosφ",
                 assumptions=("φ is measured from the z-axis, θ in the x–y plane from x",),
+            ),
+            headline=(
+                "x", "y", "rho: distance from the origin ρ", "phi: angle from the z-axis φ",
+                "r: distance from the axis r", "theta: angle in the x–y plane θ", "z",
             ),
             examples=(
                 "dynamics coords 3 1 4 --from cartesian --into spherical",

@@ -3,10 +3,14 @@
 Units are this family's own subject, so unlike physics it works with the unit table itself.
 """
 
-from dynamics_cli.core.units import Unit, candidates, conformable, is_offset, nearest, parse_pair, parse_unit
-from dynamics_cli.core.units import convert as convert_exactly
+from math import atan
+
+from dynamics_cli.core.units.conversion import convert as convert_exactly
+from dynamics_cli.core.units.conversion import is_offset, lowest, nearest
+from dynamics_cli.core.units.lookup import candidates, parse_pair, parse_unit
+from dynamics_cli.core.units.unit import NONE, NUMBER, Unit, conformable
 from dynamics_cli.errors import InadmissibleError, UsageError
-from dynamics_cli.quantities import STANDARD_GRAVITY_TEXT, Kind, Text
+from dynamics_cli.quantities import STANDARD_GRAVITY_TEXT, Annotated, Kind, Text
 from dynamics_cli.quantities import Unit as UnitName
 from dynamics_cli.records import Advice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
@@ -27,6 +31,9 @@ else:
         needs="weight",
     )
 
+# Units of a slope: rise over run.
+SLOPES = ("%", "‰", "percent", "permille", "pct")
+ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 HALF_ULP = 2.0**-53
 SMALLEST_NORMAL = 2.0**-1022
 SMALLEST_DOUBLE = 5e-324
@@ -35,56 +42,32 @@ STANDARD_GRAVITY = ExactQuantity(980665, 100000, "m/s^2")
 
 @record
 class Conversion:
-    """A quantity in other units.
+    """A quantity in other units."""
 
-    Parameters
-    ----------
-    value : Measured
-        The quantity in the one unit asked for.
-    values : tuple of Measured
-        The quantity in each unit asked for, when several are.
-    exact : bool
-        Whether every number given is the exact result.
-    exact_value : str
-        The exact result as a rational, with π where the factor has it.
-    factor : str
-        The exact factor from the unit read to the unit asked for.
-    offset : str
-        What is added after the factor, for temperatures.
-    """
-
-    value: Measured | None
-    values: tuple[Measured, ...] | None
-    exact: bool
-    exact_value: Text | tuple[Text, ...]
-    factor: Text | tuple[Text, ...]
-    offset: Text | None
+    value: Annotated[Measured | None, "The quantity in the one unit asked for."]
+    values: Annotated[tuple[Measured, ...] | None, "The quantity in each unit asked for, when several are."]
+    exact: Annotated[bool, "Whether every number given is the exact result."]
+    exact_value: Annotated[Text | tuple[Text, ...], "The exact result as a rational, with π where the factor has it."]
+    factor: Annotated[
+        Text | tuple[Text, ...] | None, "The exact factor from the unit read to the unit asked for, where there is one."
+    ]
+    offset: Annotated[Text | None, "What is added after the factor, for temperatures."]
     numerics: Numerics
     advice: tuple[Advice, ...]
 
 
 def convert(
-    value: ExactQuantity,
+    value: Annotated[ExactQuantity, "The number and its unit, as one word or two."],
     /,
-    *targets: UnitName,
-    weight: bool = False,
-    gravity: WeightGravity | None = None,
+    *targets: Annotated[UnitName, "The units wanted, SI without any; `ft;in` gives feet and inches."],
+    weight: Annotated[bool, "Take a mass for its weight, or a weight for its mass, by gravity."] = False,
+    gravity: Annotated[WeightGravity | None, "The gravity that --weight uses [m/s²]."] = None,
 ) -> Conversion:
     """Convert a quantity to one or several units, correctly rounded.
 
     Equation: value in the target = (value · factor + offset) / (target's factor), in exact rationals; π to as many
-    digits as the rounding needs.
-
-    Parameters
-    ----------
-    value : ExactQuantity
-        The number and its unit, as one word or two.
-    *targets : Unit
-        The units wanted; `ft;in` gives feet and inches.
-    weight : bool
-        Take a mass for its weight, or a weight for its mass, by gravity.
-    gravity : WeightGravity
-        The gravity that --weight uses [m/s²].
+    digits as the rounding needs. Between a unit and the reciprocal of one (mpg and L/100km) it is factor / value;
+    between a slope in % and an angle the tangent or the arctangent.
 
     Returns
     -------
@@ -96,7 +79,7 @@ def convert(
     UsageError
         When a unit is unknown or of another kind than the value.
     InadmissibleError
-        When a temperature is below absolute zero.
+        When a temperature is below absolute zero, the reciprocal of zero or the slope of a right angle is wanted.
 
     Notes
     -----
@@ -109,22 +92,23 @@ def convert(
 
     Examples
     --------
-    >>> convert(ExactQuantity(60, 1, "mph"), "ft/s").value
-    Measured(value=88.0, unit='ft/s')
+    >>> convert(ExactQuantity(60, 1, "mph"), "ft/s").value.value
+    88.0
     """
     if gravity is not None:
         _gravity(gravity)
     if not value.unit:
-        raise UsageError("value: its unit is missing", parameter="value", hint="for example 60 mph")
+        raise UsageError("value: it has no unit", parameter="value", hint="for example 60 mph")
     for target in targets:
         if target.strip()[:1].isdigit() and not target.strip().startswith("1/"):
             raise UsageError(
-                f"{target!r} is a number where a unit should be",
+                f"read {target!r}, wanted a unit to convert to",
                 parameter="targets",
                 hint="quote a value that has spaces",
             )
-    if not targets or not all(target.strip() for target in targets):
-        raise UsageError("targets: the unit to convert to is missing", parameter="targets", hint="for example ft/s")
+    if not all(target.strip() for target in targets):
+        raise UsageError("targets: the unit to convert to is empty", parameter="targets", hint="for example ft/s")
+    targets = targets or (_in_si(value.unit),)
     parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets]
     several = len(parts) > 1
     name = "values" if several else "value"
@@ -133,7 +117,7 @@ def convert(
         values=tuple(part.measured for part in parts) if several else None,
         exact=all(part.exact for part in parts),
         exact_value=tuple(part.exact_text for part in parts) if several else parts[0].exact_text,
-        factor=tuple(part.factor for part in parts) if several else parts[0].factor,
+        factor=tuple(part.factor or "none" for part in parts) if several else parts[0].factor,
         offset=None if several else parts[0].offset,
         numerics=Numerics(
             "exact rational arithmetic, rounded once",
@@ -153,8 +137,8 @@ def _bound(name: str, parts: "list[_Part]") -> ErrorBound:
 
 
 def _readings(parts: "list[_Part]") -> tuple[Advice, ...]:
-    """How units of two readings were read; two readings of one value in one call deserve more than a note."""
-    readings = {part.notes[0] for part in parts if part.notes}
+    """How units of several meanings were read; two readings of one value in one call deserve more than a note."""
+    readings = {part.reading for part in parts}
     severity: Literal["note", "caution"] = "caution" if len(readings) > 1 else "note"
     notes = dict.fromkeys(note for part in parts for note in part.notes)
     return tuple(Advice("reading", note, severity) for note in notes)
@@ -163,15 +147,17 @@ def _readings(parts: "list[_Part]") -> tuple[Advice, ...]:
 class _Part:
     """The conversion to one target."""
 
-    __slots__ = ("condition", "exact", "exact_text", "factor", "measured", "notes", "offset", "size")
+    __slots__ = ("condition", "exact", "exact_text", "factor", "measured", "notes", "offset", "reading", "size")
 
-    def __init__(self, measured: Measured, exact: bool, exact_text: str, factor: str, condition: float) -> None:
+    def __init__(self, measured: Measured, exact: bool, exact_text: str, factor: str | None, condition: float) -> None:
         self.measured = measured
         self.exact = exact
         self.exact_text = exact_text
         self.factor = factor
         self.condition = condition
         self.notes: tuple[str, ...] = ()
+        # How the unit of what is converted was read.
+        self.reading: tuple[str, ...] = ()
         self.offset: str | None = None
         self.size = measured.value if isinstance(measured.value, float) else 1.0
 
@@ -180,52 +166,103 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
     numerator, denominator = value.numerator, value.denominator
     compound: tuple[Unit, ...] = ()
     if ";" in target:
-        from dynamics_cli.core.compound import from_exact_compound, parse_compound
+        from dynamics_cli.core.units.compound import from_exact_compound, parse_compound
 
         compound = parse_compound(target)
     source, wanted = parse_pair(value.unit, compound[-1].text if compound else target)
-    notes = (*source.notes, *wanted.notes)
+    reading = source.notes
     if weight:
-        numerator, denominator, source, notes = _weigh(numerator, denominator, value.unit, wanted, gravity)
+        numerator, denominator, source, reading = _weigh(numerator, denominator, value.unit, wanted, gravity)
         wanted = parse_unit(wanted.text, source)
-        notes = (*notes, *wanted.notes)
     if not conformable(source, wanted):
-        message, hint = _mismatch(source, wanted)
-        near = _near(value.unit, wanted) or _near(target, source)
-        raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
+        part = _other_relation(numerator, denominator, source, wanted, target)
+        if part is None:
+            message, hint = _mismatch(source, wanted)
+            near = _near(value.unit, wanted) or _near(target, source)
+            raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
+        part.reading, part.notes = reading, (*reading, *wanted.notes, *part.notes)
+        return part
     if is_offset(source) or is_offset(wanted):
-        _check_temperature(numerator, denominator, source)
+        _check_zero(numerator, denominator, source)
     n, d, pi = convert_exactly(numerator, denominator, source, wanted)
     exact_text = _rational(n, d, pi)
     factor = _factor(source, wanted)
     if weight:
         factor = _rational(*convert_exactly(*_weigh(1, 1, value.unit, wanted, gravity)[:2], source, wanted))
+    rounded = nearest(n, d, pi)
+    exact = pi == 0 and rounded.as_integer_ratio() == (n, d)
     if compound:
         numbers = from_exact_compound(numerator, denominator, source, compound)
-        total = nearest(n, d, pi)
-        part = _Part(Measured(numbers, target), False, f"{exact_text} {wanted.text}", factor, 1.0)
-        part.exact = pi == 0 and total.as_integer_ratio() == (n, d)
+        part = _Part(Measured(numbers, target), exact, f"{exact_text} {wanted.text}", factor, 1.0)
     else:
-        rounded = nearest(n, d, pi)
-        exact = pi == 0 and rounded.as_integer_ratio() == (n, d)
         part = _Part(Measured(rounded, target), exact, exact_text, factor, 1.0)
         if is_offset(source) or is_offset(wanted):
             part.condition = _affine_condition(numerator, denominator, source, wanted, rounded)
     if is_offset(source) or is_offset(wanted):
         part.offset = _rational(*convert_exactly(0, 1, source, wanted))
-    part.notes = notes
+    part.reading, part.notes = reading, (*reading, *wanted.notes)
     return part
 
 
+def _other_relation(numerator: int, denominator: int, source: Unit, wanted: Unit, target: str) -> _Part | None:
+    """The conversion to a reciprocal (mpg to L/100km), or between a slope in % and an angle; None where neither is."""
+    if any(source.dimension) and source.dimension == tuple(-power for power in wanted.dimension):
+        return _reciprocal(numerator, denominator, source, wanted, target)
+    slope, angle = (source, wanted) if source.text.strip() in SLOPES else (wanted, source)
+    if slope.text.strip() not in SLOPES or angle.dimension != ANGLE:
+        return None
+    from dynamics_cli.convert.slopes import angle_of_slope, slope_of_angle
+
+    if slope is source:
+        ratio = lowest(numerator, denominator * slope.denominator)
+        rounded = angle_of_slope(*ratio, angle)
+        text = f"atan({_rational(*ratio, 0)})"
+        tangent = ratio[0] / ratio[1]
+        condition = tangent / ((1.0 + tangent * tangent) * atan(tangent)) if numerator else 1.0
+    else:
+        rounded = slope_of_angle(numerator, denominator, angle, slope.denominator)
+        text = f"tan({_rational(*convert_exactly(numerator, denominator, angle, parse_unit('rad')))})"
+        tangent = rounded / slope.denominator
+        condition = (1.0 + tangent * tangent) * atan(tangent) / tangent if numerator else 1.0
+    exact = not numerator or (angle.pi == 1 and abs(tangent) == 1.0 and rounded.is_integer())
+    text = _rational(*rounded.as_integer_ratio(), 0) if exact else text
+    part = _Part(Measured(rounded, target), exact, text, None, condition)
+    part.notes = (f"{slope.text.strip()} read as a slope, rise over run",)
+    return part
+
+
+def _reciprocal(numerator: int, denominator: int, source: Unit, wanted: Unit, target: str) -> _Part:
+    if not numerator:
+        raise InadmissibleError(f"0 {source.text} has no value in {wanted.text}, its reciprocal", code="reciprocal")
+    n, d, pi = convert_exactly(numerator, denominator, source, NUMBER)
+    n, d, pi = convert_exactly(d, n, NUMBER, Unit("", wanted.numerator, wanted.denominator, NONE, pi=wanted.pi + pi))
+    rounded = nearest(n, d, pi)
+    exact = pi == 0 and rounded.as_integer_ratio() == (n, d)
+    part = _Part(Measured(rounded, target), exact, _rational(n, d, pi), None, -1.0)
+    part.notes = (f"{wanted.text} is of the kind 1/({source.text}): the reciprocal",)
+    return part
+
+
+def _in_si(text: str) -> str:
+    """The SI unit of what a unit measures; refused where the unit alone may mean different kinds."""
+    if text.strip() in ("C", "F"):
+        hint = f"write {text.strip()} with the unit to convert to, or deg{text.strip()}"
+        raise UsageError(f"{text} may be electrical or a temperature", code="ambiguous-unit", hint=hint)
+    from dynamics_cli.core.units.names import kind_name, si_name
+
+    found = candidates(text)
+    return si_name(next((unit for unit in found if not kind_name(unit).startswith("quantity in")), found[0]))
+
+
 def _mismatch(read: Unit, wanted: Unit) -> tuple[str, str]:
-    from dynamics_cli.core.unit_words import explain_mismatch
+    from dynamics_cli.core.units.names import explain_mismatch
 
     return explain_mismatch(read, wanted)
 
 
 def _near(text: str, wanted: Unit) -> str | None:
     """A unit of the kind wanted whose name is nearly this one: mph for mhp, which is a power."""
-    from dynamics_cli.core.unit_words import names_like
+    from dynamics_cli.core.units.near_names import names_like
 
     fits = [name for name in names_like(text) if any(conformable(unit, wanted) for unit in candidates(name))]
     return f"did you mean {' or '.join(fits[:3])}?" if fits else None
@@ -263,11 +300,14 @@ def _gravity(gravity: ExactQuantity | None) -> tuple[int, int]:
     return n, d
 
 
-def _check_temperature(numerator: int, denominator: int, source: Unit) -> None:
-    kelvin, below, _ = convert_exactly(numerator, denominator, source, parse_unit("K"))
-    if kelvin < 0:
+def _check_zero(numerator: int, denominator: int, source: Unit) -> None:
+    """Refuse temperatures below absolute zero and pressures below a vacuum."""
+    absolute = Unit("", 1, 1, source.dimension)
+    total, below, _ = convert_exactly(numerator, denominator, source, absolute)
+    if total < 0:
+        limit, unit = ("absolute zero", "K") if source.dimension == parse_unit("K").dimension else ("a vacuum", "Pa")
         raise InadmissibleError(
-            f"{nearest(numerator, denominator):g} {source.text} is below absolute zero by {-kelvin / below:g} K",
+            f"{nearest(numerator, denominator):g} {source.text} is below {limit} by {-total / below:g} {unit}",
             code="below-zero",
         )
 

@@ -5,10 +5,12 @@ system, so units are dealt with here, exactly, and the rounding bounds with them
 """
 
 from dynamics_cli.convert import coords as physics
-from dynamics_cli.core.units import NUMBER, Unit, conformable, from_si, parse_unit, to_si
+from dynamics_cli.core.units.conversion import from_si, to_si
+from dynamics_cli.core.units.lookup import parse_unit
+from dynamics_cli.core.units.unit import NUMBER, Unit, conformable
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import Advice, Choice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
 UNIT_ROUNDOFF = 2.0**-53
@@ -32,59 +34,37 @@ class System(Choice):
 
 @record
 class Coordinates:
-    """A point in the system asked for; angles in degrees unless the input's were in another unit.
+    """A point in the system asked for; angles in degrees unless the input's were in another unit."""
 
-    Parameters
-    ----------
-    x : Measured
-        Cartesian x.
-    y : Measured
-        Cartesian y.
-    r : Measured
-        Distance from the z-axis.
-    rho : Measured
-        Distance from the origin.
-    phi : Measured
-        Angle from the z-axis, 0 to π.
-    theta : Measured
-        Angle in the x–y plane from x, −π to π.
-    z : Measured
-        Height along the z-axis.
-    convention : Text
-        What the angles mean.
-    """
-
-    x: Measured | None
-    y: Measured | None
-    r: Measured | None
-    rho: Measured | None
-    phi: Measured | None
-    theta: Measured | None
-    z: Measured | None
-    convention: Text
+    x: Annotated[Measured | None, "Cartesian x."]
+    y: Annotated[Measured | None, "Cartesian y."]
+    r: Annotated[Measured | None, "Distance from the z-axis."]
+    rho: Annotated[Measured | None, "Distance from the origin."]
+    phi: Annotated[Measured | None, "Angle from the z-axis, 0 to π."]
+    theta: Annotated[Measured | None, "Angle in the x–y plane from x, −π to π."]
+    z: Annotated[Measured | None, "Height along the z-axis."]
+    convention: Annotated[Text, "What the angles mean."]
     numerics: Numerics
     advice: tuple[Advice, ...]
 
 
 def coords(
-    first: ExactQuantity, second: ExactQuantity, third: ExactQuantity, /, *, from_: System, into: System
+    first: Annotated[ExactQuantity, "x, r or ρ: a length or a pure number."],
+    second: Annotated[
+        ExactQuantity,
+        "y (a length or a pure number), θ of cylindrical or φ of spherical coordinates (angles, with their unit).",
+    ],
+    third: Annotated[
+        ExactQuantity, "z (a length or a pure number) or θ of spherical coordinates (an angle, with its unit)."
+    ],
+    /,
+    *,
+    from_: Annotated[System, "The system the point is given in."],
+    into: Annotated[System, "The system wanted."],
 ) -> Coordinates:
     """Convert a point between Cartesian, cylindrical and spherical coordinates.
 
     Equation: x = r cosθ = ρ sinφ cosθ, y = r sinθ = ρ sinφ sinθ, z = ρ cosφ.
-
-    Parameters
-    ----------
-    first : ExactQuantity
-        x, r or ρ: a length or a pure number.
-    second : ExactQuantity
-        y (a length or a pure number), θ of cylindrical or φ of spherical coordinates (angles, with their unit).
-    third : ExactQuantity
-        z (a length or a pure number) or θ of spherical coordinates (an angle, with its unit).
-    from_ : System
-        The system the point is given in.
-    into : System
-        The system wanted.
 
     Returns
     -------
@@ -110,9 +90,9 @@ def coords(
     lengths = _units(components)
     numbers = [_read(name, given, lengths) for name, given in components]
     tracked = Tracked.inputs(numbers)
-    made = getattr(physics, f"{from_}_to_{into}")(*tracked)
+    converted = getattr(physics, f"{from_}_to_{into}")(*tracked)
     angle_unit = next((parse_unit(given.unit, RADIAN) for name, given in components if name in ANGLES), DEGREE)
-    shown = {name: _show(name, getattr(made, name), numbers, angle_unit, lengths) for name in NAMES[into]}
+    shown = {name: _show(name, getattr(converted, name), numbers, angle_unit, lengths) for name in NAMES[into]}
     empty = dict.fromkeys(("x", "y", "r", "rho", "phi", "theta", "z"))
     return Coordinates(
         **{**empty, **{name: entry[0] for name, entry in shown.items()}},
@@ -122,7 +102,7 @@ def coords(
             tuple(entry[1] for entry in shown.values()),
             tuple(condition for entry in shown.values() for condition in entry[2]),
         ),
-        advice=made.advice,
+        advice=converted.advice,
     )
 
 
@@ -132,7 +112,7 @@ def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
     bare = [name for name, given in found if not given.unit]
     if bare and len(bare) < len(found):
         raise UsageError(
-            f"{bare[0]} has no unit and the others have", parameter=bare[0], hint="give all a length unit, or none"
+            f"{bare[0]} has no unit, the others have one", parameter=bare[0], hint="give all a length unit, or none"
         )
     return parse_unit(found[0][1].unit, METRE) if not bare else NUMBER
 
@@ -140,10 +120,10 @@ def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
 def _read(name: str, given: ExactQuantity, lengths: Unit) -> float:
     wanted = RADIAN if name in ANGLES else METRE if lengths is not NUMBER else NUMBER
     if name in ANGLES and not given.unit:
-        raise UsageError(f"{name} is an angle: its unit is missing", parameter=name, hint="for example 30 deg")
+        raise UsageError(f"{name} is an angle and has no unit", parameter=name, hint="for example 30 deg")
     unit = parse_unit(given.unit, wanted)
     if not conformable(unit, wanted):
-        from dynamics_cli.core.unit_words import explain_mismatch
+        from dynamics_cli.core.units.names import explain_mismatch
 
         message, hint = explain_mismatch(unit, wanted)
         raise UsageError(message, parameter=name, hint=hint)
@@ -159,10 +139,10 @@ def _show(
     converts = unit.text != coherent
     value = from_si(number.value, unit) if converts else number.value
     if number.value == 0.0:
-        return Measured(value, unit.text), ErrorBound(name, number.error, relative=False), ()
+        return Measured(value, unit.text, inherited=True), ErrorBound(name, number.error, relative=False), ()
     bound = number.error / abs(number.value) + (UNIT_ROUNDOFF if converts else 0.0)
     conditions = tuple(
         Condition(name, parameter, slope * given / number.value)
         for parameter, slope, given in zip(("first", "second", "third"), number.slopes, inputs, strict=True)
     )
-    return Measured(value, unit.text), ErrorBound(name, bound), conditions
+    return Measured(value, unit.text, inherited=True), ErrorBound(name, bound), conditions

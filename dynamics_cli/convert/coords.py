@@ -8,7 +8,7 @@ determine is zero, and said to be.
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, maximum, sin, where
-from dynamics_cli.quantities import Angle
+from dynamics_cli.quantities import Angle, Annotated
 from dynamics_cli.records import Advice, record
 
 PI = 3.141592653589793
@@ -19,61 +19,31 @@ _SMALL, _LARGE, _UP, _DOWN = 2.0**-500, 2.0**500, 2.0**520, 2.0**-520
 
 @record
 class Cartesian:
-    """A point by its Cartesian coordinates.
+    """A point by its Cartesian coordinates."""
 
-    Parameters
-    ----------
-    x : float
-        Along the X-axis.
-    y : float
-        Along the Y-axis.
-    z : float
-        Along the Z-axis.
-    """
-
-    x: float
-    y: float
-    z: float
+    x: Annotated[float, "Along the X-axis."]
+    y: Annotated[float, "Along the Y-axis."]
+    z: Annotated[float, "Along the Z-axis."]
     advice: tuple[Advice, ...] = ()
 
 
 @record
 class Cylindrical:
-    """A point by its cylindrical coordinates.
+    """A point by its cylindrical coordinates."""
 
-    Parameters
-    ----------
-    r : float
-        Distance from the Z-axis.
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    z : float
-        Along the Z-axis.
-    """
-
-    r: float
-    theta: Angle
-    z: float
+    r: Annotated[float, "Distance from the Z-axis."]
+    theta: Annotated[Angle, "Angle θ in the X–Y plane, from X towards Y [rad]."]
+    z: Annotated[float, "Along the Z-axis."]
     advice: tuple[Advice, ...] = ()
 
 
 @record
 class Spherical:
-    """A point by its spherical coordinates.
+    """A point by its spherical coordinates."""
 
-    Parameters
-    ----------
-    rho : float
-        Distance ρ from the origin.
-    phi : Angle
-        Angle φ from the Z-axis [rad].
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    """
-
-    rho: float
-    phi: Angle
-    theta: Angle
+    rho: Annotated[float, "Distance ρ from the origin."]
+    phi: Annotated[Angle, "Angle φ from the Z-axis [rad]."]
+    theta: Annotated[Angle, "Angle θ in the X–Y plane, from X towards Y [rad]."]
     advice: tuple[Advice, ...] = ()
 
 

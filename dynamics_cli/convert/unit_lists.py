@@ -1,76 +1,44 @@
 """The units known: listed by kind, one shown whole, searched by name; and the book's own conversion table."""
 
-import os
-
-from dynamics_cli.core.unit_words import base_expression
-from dynamics_cli.core.units import all_units, candidates, conformable_names, kind_name, names_like, nearest
+from dynamics_cli.core.units.conversion import nearest
+from dynamics_cli.core.units.lookup import candidates
+from dynamics_cli.core.units.names import all_units, base_expression, conformable_names, kind_name
+from dynamics_cli.core.units.near_names import names_like
 from dynamics_cli.errors import UsageError
-from dynamics_cli.quantities import Count, Ratio, Text
+from dynamics_cli.quantities import Annotated, Count, Ratio, Text
 from dynamics_cli.records import Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.core.units import Unit
+    from dynamics_cli.core.units.unit import Unit
 
 
 @record
 class UnitEntry:
-    """One unit.
+    """One unit."""
 
-    Parameters
-    ----------
-    unit : Text
-        Its symbol.
-    kind : Text
-        What it measures.
-    factor : Text
-        SI units in one of it, exactly.
-    si : Text
-        The SI unit.
-    zero : Text
-        The SI value at its zero, for temperatures.
-    names : Text
-        Every spelling, prefixes apart.
-    """
-
-    unit: Text
-    kind: Text
-    factor: Text
-    si: Text
-    zero: Text | None
-    names: Text
+    unit: Annotated[Text, "Its symbol."]
+    kind: Annotated[Text, "What it measures."]
+    factor: Annotated[Text, "SI units in one of it, exactly."]
+    si: Annotated[Text, "The SI unit."]
+    zero: Annotated[Text | None, "The SI value at its zero, for temperatures."]
+    names: Annotated[Text, "Every spelling, prefixes apart."]
 
 
 @record
 class UnitList:
-    """Units found.
+    """Units found."""
 
-    Parameters
-    ----------
-    count : Count
-        How many.
-    units : tuple of UnitEntry
-        The units.
-    """
-
-    count: Count
-    units: tuple[UnitEntry, ...]
+    count: Annotated[Count, "How many."]
+    units: Annotated[tuple[UnitEntry, ...], "The units."]
 
 
 @record
 class UnitShown:
-    """One unit in full; one reading for each thing its name may mean.
+    """One unit in full; one reading for each thing its name may mean."""
 
-    Parameters
-    ----------
-    readings : tuple of UnitEntry
-        What the unit means.
-    conformable : Text
-        Units that it converts to.
-    """
-
-    readings: tuple[UnitEntry, ...]
-    conformable: Text
+    readings: Annotated[tuple[UnitEntry, ...], "What the unit means."]
+    conformable: Annotated[Text, "Units that it converts to."]
 
 
 class Table(Choice):
@@ -82,64 +50,31 @@ class Table(Choice):
 
 @record
 class TableRow:
-    """One row of the book's table.
+    """One row of the book's table."""
 
-    Parameters
-    ----------
-    quantity : Text
-        The book's name of the kind.
-    from_unit : Text
-        Unit converted from, as printed.
-    to_unit : Text
-        Unit converted to, as printed.
-    printed : Text
-        The factor as printed.
-    factor : Ratio
-        The right factor, correctly rounded.
-    exact : Text
-        The right factor exactly.
-    note : Text
-        What is wrong with the printed one, or what it rests on.
-    """
-
-    quantity: Text
-    from_unit: Text
-    to_unit: Text
-    printed: Text
-    factor: Ratio
-    exact: Text
-    note: Text
+    quantity: Annotated[Text, "The book's name of the kind."]
+    from_unit: Annotated[Text, "Unit converted from, as printed."]
+    to_unit: Annotated[Text, "Unit converted to, as printed."]
+    printed: Annotated[Text, "The factor as printed."]
+    factor: Annotated[Ratio, "The right factor, correctly rounded."]
+    exact: Annotated[Text, "The right factor exactly."]
+    note: Annotated[Text, "What is wrong with the printed one, or what it rests on."]
 
 
 @record
 class BookTable:
-    """The book's table of conversion factors beside the exact ones.
+    """The book's table of conversion factors beside the exact ones."""
 
-    Parameters
-    ----------
-    count : Count
-        Rows.
-    misprints : Count
-        Rows whose printed factor is a misprint.
-    inexact : Count
-        Rows whose last printed digit is off or was cut.
-    rows : tuple of TableRow
-        The rows.
-    """
-
-    count: Count
-    misprints: Count
-    inexact: Count
-    rows: tuple[TableRow, ...]
+    count: Annotated[Count, "Rows."]
+    misprints: Annotated[Count, "Rows whose printed factor is a misprint."]
+    inexact: Annotated[Count, "Rows whose last printed digit is off or was cut."]
+    rows: Annotated[tuple[TableRow, ...], "The rows."]
 
 
-def list_units(*, kind: Text | None = None) -> UnitList:
+def list_units(
+    *, kind: Annotated[Text | None, "The kind wanted: length, speed, torque, moment of inertia, …"] = None
+) -> UnitList:
     """List the common units, all or of one kind.
-
-    Parameters
-    ----------
-    kind : Text
-        The kind wanted: length, speed, torque, moment of inertia, …
 
     Raises
     ------
@@ -152,26 +87,21 @@ def list_units(*, kind: Text | None = None) -> UnitList:
         kinds = sorted({entry.kind for entry in entries})
         entries = [entry for entry in entries if wanted == entry.kind or wanted in entry.kind.split(" or ")]
         if not entries:
-            from dynamics_cli.core.words import nearest_words
+            from dynamics_cli.core.units.near_names import nearest_words
 
             near = nearest_words(wanted, kinds)
             hint = f"did you mean {' or '.join(near)}?" if near else f"kinds are {', '.join(kinds)}"
-            raise UsageError(f"no unit is of kind {kind!r}", parameter="kind", hint=hint)
+            raise UsageError(f"there is no kind of unit {kind!r}", parameter="kind", hint=hint)
     return UnitList(len(entries), tuple(entries))
 
 
-def show_unit(name: Text, /) -> UnitShown:
+def show_unit(name: Annotated[Text, "A unit or an expression of units: slug, lbf*ft, ft/sec2."], /) -> UnitShown:
     """Show what a unit means, exactly, and what it converts to.
-
-    Parameters
-    ----------
-    name : Text
-        A unit or an expression of units: slug, lbf*ft, ft/sec2.
 
     Raises
     ------
     UsageError
-        When nobody knows it.
+        When it is unknown.
     """
     found = candidates(name)
     spelled = {symbol: names for symbol, names, _, _ in all_units()}
@@ -181,13 +111,8 @@ def show_unit(name: Text, /) -> UnitShown:
     )
 
 
-def search_units(text: Text, /) -> UnitList:
+def search_units(text: Annotated[Text, "What to look for."], /) -> UnitList:
     """Search the common units by any part of a name, a description or a kind.
-
-    Parameters
-    ----------
-    text : Text
-        What to look for.
 
     Raises
     ------
@@ -203,17 +128,12 @@ def search_units(text: Text, /) -> UnitList:
     if not entries:
         near = names_like(text)
         hint = f"did you mean {' or '.join(near)}?" if near else "dynamics units list shows them all"
-        raise UsageError(f"no unit is called anything like {text!r}", parameter="text", hint=hint)
+        raise UsageError(f"no unit has {text!r} in its name or kind", parameter="text", hint=hint)
     return UnitList(len(entries), tuple(entries))
 
 
-def book_table(name: Table, /) -> BookTable:
+def book_table(name: Annotated[Table, "The table: josephs-huston, the book's table 1.7.1."], /) -> BookTable:
     """Print a published table of conversion factors beside the exact ones, its misprints marked.
-
-    Parameters
-    ----------
-    name : Table
-        The table: josephs-huston, the book's table 1.7.1.
 
     Notes
     -----
@@ -249,9 +169,10 @@ def _entry(unit: "Unit", names: tuple[str, ...], text: str) -> UnitEntry:
 
 
 def _book_lines() -> list[list[str]]:
-    name = os.path.join(os.path.dirname(__file__), "data", "josephs_huston_table_1_7_1.csv")
-    with open(name, encoding="utf-8") as file:
-        return [line.rstrip("\n").split(",", 6) for line in file][1:]
+    from importlib.resources import files
+
+    text = files(__package__).joinpath("data", "josephs_huston_table_1_7_1.csv").read_text(encoding="utf-8")
+    return [line.split(",", 6) for line in text.splitlines()][1:]
 
 
 def _row(cells: list[str]) -> TableRow:

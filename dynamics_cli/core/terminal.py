@@ -12,6 +12,11 @@ if TYPE_CHECKING:
     from typing import BinaryIO
 
 
+def encoded(text: str) -> bytes:
+    """Text as bytes; half characters, which no encoding has, are escaped."""
+    return text.encode(errors="backslashreplace")
+
+
 class Terminal:
     """Where a command reads and writes; bytes throughout, so that no locale can change a document."""
 
@@ -48,14 +53,17 @@ class Terminal:
 
     def write(self, text: str) -> None:
         """Write a document to standard output."""
-        self.stdout.write(text.encode(errors="backslashreplace"))
+        self.stdout.write(encoded(text))
 
     def tell(self, text: str) -> None:
-        """Write words for people to standard error."""
+        """Write words for people to standard error; if nobody can read them there, there is nowhere else."""
         if self._stderr is None and sys.stderr is None:
             return
-        self.stderr.write(text.encode(errors="backslashreplace"))
-        self.stderr.flush()
+        try:
+            self.stderr.write(encoded(text))
+            self.stderr.flush()
+        except OSError:
+            pass
 
     def flush(self) -> None:
         """Send on what has been written, by us and by libraries that print text."""

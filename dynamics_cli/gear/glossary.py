@@ -2,59 +2,34 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.terms import TERMS
-from dynamics_cli.quantities import Text
+from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import record
 
 
 @record
 class Entry:
-    """A term of gearing.
+    """A term of gearing."""
 
-    Parameters
-    ----------
-    term : Text
-        The term.
-    symbol : Text
-        Its symbol in ISO 21771, or AGMA's.
-    also : Text
-        Other names.
-    formula : Text
-        A formula in which it stands.
-    meaning : Text
-        What it is.
-    """
-
-    term: Text
-    symbol: Text
-    also: Text
-    formula: Text
-    meaning: Text
+    term: Annotated[Text, "The term."]
+    symbol: Annotated[Text, "Its symbol in ISO 21771, or AGMA's."]
+    also: Annotated[Text, "Other names."]
+    formula: Annotated[Text, "A formula in which it stands."]
+    meaning: Annotated[Text, "What it is."]
 
 
 @record
 class Glossary:
-    """Terms of gearing.
+    """Terms of gearing."""
 
-    Parameters
-    ----------
-    entries : tuple of Entry
-        The terms asked for, in alphabetical order.
-    """
-
-    entries: tuple[Entry, ...]
+    entries: Annotated[tuple[Entry, ...], "The terms asked for, in alphabetical order."]
 
 
-def glossary(*terms: Text) -> Glossary:
+def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all of them unless any is given."]) -> Glossary:
     """Explain the terms of gearing, with symbol, other names and a formula.
 
     Equation
     --------
     Each entry has its own.
-
-    Parameters
-    ----------
-    terms : tuple of Text
-        Terms, or parts of terms; all of them unless any is given.
 
     Returns
     -------
@@ -84,9 +59,9 @@ def glossary(*terms: Text) -> Glossary:
         found = _matching(" ".join(term.lower().replace("-", " ").split()))
         require(
             bool(found),
-            "{0!r} is no term of the glossary; near it: {1}",
-            term,
-            ", ".join(_near(term)),
+            "the glossary has no term {term}; similar terms: {near}",
+            term=repr(term),
+            near=", ".join(_near(term)),
             code="unknown-term",
             hint="dynamics gear glossary lists all",
         )

@@ -1,6 +1,7 @@
 """Numbers that carry rounding bounds through tasks that work on arrays: put in, taken out, tightened and stated."""
 
 from dynamics_cli.errors import DynamicsError
+from dynamics_cli.numerics.number import is_carrier
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import ErrorBound, over_parts
 
@@ -20,7 +21,7 @@ def carried(part: "Any") -> "Any":
 def in_many_digits(part: "Any") -> "Any":
     """The doubles of records and dictionaries as numbers of 60 digits."""
     if type(part) is float:
-        from dynamics_cli.numerics.many_digits import ManyDigits
+        from dynamics_cli.numerics.exact.many_digits import ManyDigits
 
         return ManyDigits.inputs([part])[0]
     return over_parts(part, in_many_digits)
@@ -28,14 +29,14 @@ def in_many_digits(part: "Any") -> "Any":
 
 def bare(part: "Any") -> "Any":
     """The plain doubles again."""
-    if hasattr(part, "apply"):
+    if is_carrier(part):
         return part.value
     return over_parts(part, bare)
 
 
 def in_digits(call: "Callable[[], Any]") -> "Any":
     """What a call gives in arithmetic of 60 digits; None where that leads to a refusal."""
-    from dynamics_cli.numerics.many_digits import run
+    from dynamics_cli.numerics.exact.many_digits import run
 
     try:
         return run(call)
@@ -45,7 +46,7 @@ def in_digits(call: "Callable[[], Any]") -> "Any":
 
 def measured(value: float, exact: "Any", bound: float) -> float:
     """The error of a value beside the same number in many digits; its bound where there is none."""
-    from dynamics_cli.numerics.many_digits import ManyDigits, measured_error
+    from dynamics_cli.numerics.exact.many_digits import ManyDigits, measured_error
 
     return measured_error(value, exact, bound) if isinstance(exact, ManyDigits) else bound
 
@@ -55,13 +56,6 @@ def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
     for one, other in zip(numbers, exact, strict=True):
         if isinstance(one, Tracked):
             one.error = measured(one.value, other, one.error)
-
-
-def like(number: float, beside: "Any") -> "Any":
-    """A double, exact as it is, as a number like the one it stands beside."""
-    if isinstance(beside, Tracked):
-        return Tracked(number, 0.0, (0.0,) * len(beside.slopes))
-    return type(beside).inputs([number])[0] if hasattr(beside, "apply") else number
 
 
 def error_of(number: "Any") -> float:

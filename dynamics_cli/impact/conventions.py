@@ -4,9 +4,11 @@ Everything here takes single numbers, arrays and tracked numbers. Every result n
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import atan2, cos, hypot, multiply_add, sin, where
+from dynamics_cli.numerics.elementary import atan2, hypot, multiply_add, where
+from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Angle,
+    Annotated,
     Mass,
     PlanarVelocity,
     Positive,
@@ -69,21 +71,11 @@ _ZERO_WORDS = {
 
 @record
 class Conventions:
-    """The conventions a result is written in.
+    """The conventions a result is written in."""
 
-    Parameters
-    ----------
-    axes : Text
-        The axes of vectors.
-    headings : Text
-        How headings and spins are counted.
-    pdof : Text
-        The zero and the sense of PDOF.
-    """
-
-    axes: Text
-    headings: Text
-    pdof: Text | None = None
+    axes: Annotated[Text, "The axes of vectors."]
+    headings: Annotated[Text, "How headings and spins are counted."]
+    pdof: Annotated[Text | None, "The zero and the sense of PDOF."] = None
 
 
 def conventions(axes: Axes = AXES, pdof_zero: PdofZero | None = PDOF_ZERO) -> Conventions:
@@ -92,87 +84,63 @@ def conventions(axes: Axes = AXES, pdof_zero: PdofZero | None = PDOF_ZERO) -> Co
     return Conventions(named, headings, None if pdof_zero is None else _ZERO_WORDS[pdof_zero])
 
 
+BodyName = Annotated[Text | None, "Name of the body for labels of answers, e.g. Ford."]
+
+
 @record
 class ByMass:
-    """A body by its mass.
+    """A body by its mass."""
 
-    Parameters
-    ----------
-    mass : Mass
-        Mass of the body [kg].
-    """
-
-    mass: Mass
+    mass: Annotated[Mass, "Mass of the body [kg]."]
 
 
 @record
 class ByWeight:
-    """A body by its weight.
+    """A body by its weight."""
 
-    Parameters
-    ----------
-    weight : Weight
-        Weight of the body, its mass times gravity [N].
-    """
-
-    weight: Weight
+    weight: Annotated[Weight, "Weight of the body, its mass times gravity [N]."]
 
 
 @record
 class Fixed:
-    """A body that does not give way: a wall, a floor, a barrier.
+    """A body that does not give way: a wall, a floor, a barrier."""
 
-    Parameters
-    ----------
-    fixed : bool
-        Yes for a body that keeps its velocity whatever strikes it.
-    """
-
-    fixed: bool
+    fixed: Annotated[bool, "Yes for a body that keeps its velocity whatever strikes it."]
 
 
 def mass_of(bulk: ByMass | ByWeight, gravity: float, name: str = "the body") -> float:
-    """Mass, given or from the weight; refuses a body without any."""
+    """Mass as given or from the weight; refuses a mass of zero."""
     if isinstance(bulk, ByWeight):
         return bulk.weight / gravity
-    require(bulk.mass > 0.0, name + " has a mass of {0:.6g} kg: nothing to strike with", bulk.mass, code="no-mass")
+    require(bulk.mass > 0.0, "the mass of {name} must be above zero", name=name, code="no-mass")
     return bulk.mass
 
 
 @record
 class ByVelocity:
-    """A velocity by its components (`3, 1 m/s`), or by size and mathematical angle (`30 mph @ 45 deg`).
+    """A velocity by its components (`3, 1 m/s`), or by size and mathematical angle (`30 mph @ 45 deg`)."""
 
-    Parameters
-    ----------
-    velocity : PlanarVelocity
-        Velocity along the axes x, y; an angle after @ is counted from x towards y, whatever the axes [m/s].
-    """
-
-    velocity: PlanarVelocity
+    velocity: Annotated[
+        PlanarVelocity,
+        "Velocity along the axes x, y; an angle after @ is counted from x towards y, whatever the axes [m/s].",
+    ]
 
 
 @record
 class BySpeed:
-    """A velocity by speed and heading.
+    """A velocity by speed and heading."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Size of the velocity [m/s].
-    heading : Angle
-        Direction of travel, counted as the axes say: clockwise from north on a compass, else from x towards y [rad].
-    """
-
-    speed: RoadSpeed
-    heading: Angle = 0.0
+    speed: Annotated[RoadSpeed, "Size of the velocity [m/s]."]
+    heading: Annotated[
+        Angle,
+        "Direction of travel, counted as the axes say: clockwise from north on a compass, else from x towards y [rad].",
+    ] = 0.0
 
 
 def direction_of(heading: float, axes: Axes = AXES) -> tuple[float, float]:
     """Unit vector of a heading."""
-    if axes == "compass":
-        return sin(heading), cos(heading)
-    return cos(heading), sin(heading)
+    cosine, sine = turned(heading)
+    return (sine, cosine) if axes == "compass" else (cosine, sine)
 
 
 def heading_of(x: float, y: float, axes: Axes = AXES) -> float:
@@ -190,30 +158,16 @@ def velocity_of(motion: ByVelocity | BySpeed, axes: Axes = AXES) -> tuple[float,
 
 @record
 class DeltaV:
-    """Change of velocity of one body, from its impulse over its mass, and where the force came from.
+    """Change of velocity of one body, from its impulse over its mass, and where the force came from."""
 
-    Parameters
-    ----------
-    vector : PlanarVelocity
-        Change of velocity along the scene's axes [m/s].
-    magnitude : RoadSpeed
-        Size of the change of velocity [m/s].
-    longitudinal : RoadVelocity
-        Its part along the nose of the body, ahead positive [m/s].
-    lateral : RoadVelocity
-        Its part across: to the left positive, in SAE axes to the right [m/s].
-    pdof : Angle
-        Principal direction of force: where the force came from, clockwise from the zero that is named [rad].
-    clock : Ratio
-        The same as the nearest hour on a clock whose 12 is straight ahead of the nose [h].
-    """
-
-    vector: PlanarVelocity
-    magnitude: RoadSpeed
-    longitudinal: RoadVelocity
-    lateral: RoadVelocity
-    pdof: Angle
-    clock: Ratio
+    vector: Annotated[PlanarVelocity, "Change of velocity along the scene's axes [m/s]."]
+    magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
+    longitudinal: Annotated[RoadVelocity, "Its part along the nose of the body, ahead positive [m/s]."]
+    lateral: Annotated[RoadVelocity, "Its part across: to the left positive, in SAE axes to the right [m/s]."]
+    pdof: Annotated[
+        Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
+    ]
+    clock: Annotated[Ratio, "The same as the nearest hour on a clock whose 12 is straight ahead of the nose [h]."]
 
 
 def delta_v(
@@ -258,28 +212,18 @@ def clock(angle: float) -> float:
 
 @record
 class Restituted:
-    """A contact by its coefficient of restitution.
+    """A contact by its coefficient of restitution."""
 
-    Parameters
-    ----------
-    restitution : Restitution
-        Coefficient of restitution, separation speed over closing speed [-].
-    """
-
-    restitution: Restitution
+    restitution: Annotated[Restitution, "Coefficient of restitution, separation speed over closing speed [-]."]
 
 
 @record
 class Energetic:
-    """A contact that may give energy: an explosive, a spring let go, a bumper under pressure.
+    """A contact that may give energy: an explosive, a spring let go, a bumper under pressure."""
 
-    Parameters
-    ----------
-    energetic_contact : Positive
-        Separation speed over closing speed; above 1 the contact adds energy [-].
-    """
-
-    energetic_contact: Positive
+    energetic_contact: Annotated[
+        Positive, "Separation speed over closing speed; above 1 the contact adds energy, e.g. 1.2 [-]."
+    ]
 
     @property
     def restitution(self) -> float:

@@ -1,24 +1,16 @@
-"""What every impact says about its own answer: checks of two sides, and numbers that leave the range."""
+"""Checks of an answer of an impact, and refusal of numbers that leave the range of a double."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Ratio
 from dynamics_cli.records import Check
 
 # Between these, products and quotients of several numbers keep all their digits.
 SMALLEST, LARGEST = 1e-40, 1e40
-# An angle may be as small as it likes.
-ANGLES = ("heading", "nose", "angle", "swing", "normal")
-# A residual check that fails is a fault of the program, so it leaves room for sums of many roundings.
+# Angles and ratios of speeds may be as small as they like.
+ANY_SMALLNESS = ("heading", "nose", "angle", "swing", "normal", "restitution")
+# A residual check that fails is an internal error, so it allows for sums of many roundings.
 TOLERANCE = 1e-12
-
-
-def plain(x: float) -> float:
-    """The number inside a tracked number; anything else as it is."""
-    return getattr(x, "value", x)
-
-
-def single(*values: object) -> bool:
-    """Whether these are single numbers: advice and checks are told of one case, never of an array of them."""
-    return not any(getattr(value, "ndim", 0) for value in values)
 
 
 def balance(name: str, left: float, right: float, scale: float, least: float = TOLERANCE) -> tuple[Check, ...]:
@@ -54,7 +46,8 @@ def require_finite(value: float, what: str) -> None:
     """Refuse an answer beyond the largest double."""
     require(
         (value - value) == 0.0,
-        what + " leaves the range of a double",
+        "{what} leaves the range of a double",
+        what=what,
         code="range",
         hint="check the size of the inputs",
     )
@@ -72,16 +65,19 @@ def _require_size(name: str, value: object) -> None:
     fields = getattr(value, "fields", None)
     if fields is not None:
         for field in fields:
-            _require_size(f"{name}.{field}", getattr(value, field))
+            part = getattr(value, field)
+            # the fields of an alternative are given beside those of its body
+            _require_size(name if hasattr(part, "fields") else f"{name}.{field}", part)
     elif isinstance(value, tuple):
         for index, part in enumerate(value):
             _require_size(f"{name}[{index}]", part)
-    elif not name.endswith(ANGLES):
+    elif not name.endswith(ANY_SMALLNESS):
         size: float = abs(value)  # type: ignore[arg-type]
         require(
             (size == 0.0) | ((size > SMALLEST) & (size < LARGEST)),
-            name + " is {0:.3g} in SI units: the calculation holds sizes from 1e-40 to 1e40",
-            value,
+            "{name} is {value:3} in SI units: the calculation holds sizes from 1e-40 to 1e40",
+            name=name,
+            value=(value, Ratio),
             code="range",
             hint="check the size of the number and its unit",
         )

@@ -1,17 +1,18 @@
-"""What there is to look at in impacts of rigid bodies: the scene, velocities, Routh's impulse diagram, hodographs."""
+"""Pictures of impacts of rigid bodies: the scene, velocities, Routh's impulse diagram, hodographs."""
 
 import math
 
-from dynamics_cli.impact.bodies import solid
 from dynamics_cli.impact.conventions import AXES, direction_of
-from dynamics_cli.impact.hodograph import STRIDE, series, value
-from dynamics_cli.impact.hodograph import reach as reach_of
-from dynamics_cli.impact.path import travel
-from dynamics_cli.impact.planar import meeting_of
-from dynamics_cli.impact.space import frame_about, mobility, unit
-from dynamics_cli.impact.spatial import approach
-from dynamics_cli.impact.spatial import solid as solid_in_space
-from dynamics_cli.impact.straight import Slip, X, Y, rates_along, settled
+from dynamics_cli.impact.planar.bodies import solid
+from dynamics_cli.impact.planar.impact import meeting_of
+from dynamics_cli.impact.planar.path import travel
+from dynamics_cli.impact.scene_pictures import LENGTH, NEUTRAL, outline, velocities
+from dynamics_cli.impact.spatial.bodies import frame_about, mobility, unit
+from dynamics_cli.impact.spatial.hodograph import STRIDE, series, value
+from dynamics_cli.impact.spatial.hodograph import reach as reach_of
+from dynamics_cli.impact.spatial.impact import approach
+from dynamics_cli.impact.spatial.impact import solid as solid_in_space
+from dynamics_cli.impact.spatial.straight_slip import Slip, X, Y, rates_along, settled
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Friction, Impulse, Length, RoadSpeed, Speed
 
@@ -21,12 +22,13 @@ if TYPE_CHECKING:
 
     Pair = tuple[float, float]
 
-EAST, NORTH = Axis("velocity along x", RoadSpeed), Axis("velocity along y", RoadSpeed)
+# A lighter body is drawn by its mass centre, not as a vehicle.
+LIGHTEST_VEHICLE = 300.0
 POINTS = 24
 
 
 def planar(
-    made: "Any",
+    result: "Any",
     *,
     first: "Any",
     second: "Any",
@@ -39,63 +41,69 @@ def planar(
     gravity: float = 9.80665,
     **_: "Any",
 ) -> Picture:
-    """The bodies and the impulse, velocities before and after, and the path of the impulse."""
+    """The bodies and the impulse, velocities before and after on one scale, and the path of the impulse."""
     one = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
     m = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, 1.0)
     at = (0.0, 0.0) if contact_point is None else contact_point
+    names = _names(first, second)
     panels = (
-        _bodies((one, two), at, towards, made.impulse),
-        _velocities([one.velocity, two.velocity], "before"),
-        _velocities([made.first.velocity, made.second.velocity], "after"),
-        _routh(m, made, made.law),
+        _bodies((one, two), at, towards, result.impulse, names),
+        velocities(names, [one.velocity, two.velocity], [result.first.velocity, result.second.velocity]),
+        _routh(m, result, result.law),
     )
     return Picture(panels, "planar impact", columns=2)
 
 
-def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair") -> Panel:
-    """Mass centres with their levers to the contact, the tangent there, and the impulse on each body."""
+def _names(first: "Any", second: "Any") -> "tuple[str, str]":
+    """What the bodies are called."""
+    return getattr(first, "name", None) or "first", getattr(second, "name", None) or "second"
+
+
+def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair", names: "tuple[str, str]") -> Panel:
+    """Vehicles as outlines, other bodies by their mass centres with levers; the tangent, and the impulse on each."""
     levers = [body.lever for body in bodies if body.mass is not None]
     size = max([math.hypot(*lever) for lever in levers] or [1.0]) or 1.0
     items: list[Any] = []
-    for role, (body, name) in enumerate(zip(bodies, ("first", "second"), strict=True)):
+    note = ""
+    for role, (body, name) in enumerate(zip(bodies, names, strict=True)):
         if body.mass is None:
             continue
         centre = at[0] - body.lever[0], at[1] - body.lever[1]
-        items += [Curve([centre[0], at[0]], [centre[1], at[1]], role=role), Mark(*centre, name)]
-        nose = 0.4 * size * body.nose[0], 0.4 * size * body.nose[1]
-        items.append(Curve([centre[0], centre[0] + nose[0]], [centre[1], centre[1] + nose[1]], style="thin", role=role))
+        if body.mass >= LIGHTEST_VEHICLE and size <= LENGTH:
+            items += outline(centre, body.nose, role)
+            note = f"; {NEUTRAL}"
+        else:
+            nose = 0.4 * size * body.nose[0], 0.4 * size * body.nose[1]
+            ends = [centre[0], centre[0] + nose[0]], [centre[1], centre[1] + nose[1]]
+            items.append(Curve(*ends, style="thin", role=role))
+        items += [
+            Curve([centre[0], at[0]], [centre[1], at[1]], style="dotted", role=role),
+            Mark(*centre, name, role=role),
+        ]
     tangent = -towards[1] * size, towards[0] * size
     ends = [at[0] - tangent[0], at[0] + tangent[0]], [at[1] - tangent[1], at[1] + tangent[1]]
-    items.append(Curve(*ends, "tangent", style="dashed", role=6))
+    items.append(Curve(*ends, style="dashed", role=6))
+    items.append(Mark(ends[0][1], ends[1][1], "tangent", (4.0, 0.0), dot=False))
     scale = 0.5 * size / (math.hypot(*impulse) or 1.0)
     for role, way in ((0, -1.0), (1, 1.0)):
         dx, dy = way * scale * impulse[0], way * scale * impulse[1]
         items.append(Arrow(*at, dx, dy, "", role))
-    return Panel(Axis("x", Length), Axis("y", Length), tuple(items), "contact, and the impulse on each", equal=True)
+    return Panel(Axis("x", Length), Axis("y", Length), tuple(items), f"contact and impulses{note}", equal=True)
 
 
-def _velocities(vectors: "list[Pair]", title: str) -> Panel:
-    size = 1.1 * max(max(abs(part) for part in vector) for vector in vectors) or 1.0
-    ends, zero = [-size, size], [0.0, 0.0]
-    items: list[Any] = [Curve(ends, zero, style="thin", role=6), Curve(zero, ends, style="thin", role=6)]
-    for role, (vector, name) in enumerate(zip(vectors, ("first", "second"), strict=True)):
-        items.append(Arrow(0.0, 0.0, vector[0], vector[1], name, role))
-    return Panel(EAST, NORTH, tuple(items), title, equal=True)
-
-
-def _routh(m: "Any", made: "Any", law: str) -> Panel:
+def _routh(m: "Any", result: "Any", law: str) -> Panel:
     """Impulses on the second body: path, limits of friction, lines of greatest compression and of no slip."""
     k = m.mobility
-    top = 1.15 * made.normal_impulse
+    top = 1.15 * result.normal_impulse
     limit = m.friction * top
     items: list[Any] = [
         Curve([0.0, top], [0.0, limit], "limits of friction", style="thin", role=6),
         Curve([0.0, top], [0.0, -limit], style="thin", role=6),
     ]
-    wide = 1.3 * max(limit, abs(made.tangential_impulse), 0.05 * top)
+    wide = 1.3 * max(limit, abs(result.tangential_impulse), 0.05 * top)
     # u_n = 0 and u_t = 0 are straight lines in the plane of impulses
     for label, slope, along, shift, role in (
         ("greatest compression", k.normal, k.coupling, m.approach, 2),
@@ -108,7 +116,7 @@ def _routh(m: "Any", made: "Any", law: str) -> Panel:
     if law in ("stronge", "newton", "poisson"):
         path = travel(k, m.slip, m.approach, m.friction, m.restitution, law)
         points.append((path.first_slip, path.slopes[0] * path.first_slip))
-    points.append((made.normal_impulse, made.tangential_impulse))
+    points.append((result.normal_impulse, result.tangential_impulse))
     items += [Curve([p for p, _ in points], [q for _, q in points], "impulse", role=0), Mark(*points[-1], "end")]
     x, y = Axis("normal impulse", Impulse), Axis("tangential impulse", Impulse)
     return Panel(x, y, tuple(items), f"impulse diagram, {law}")
@@ -116,13 +124,13 @@ def _routh(m: "Any", made: "Any", law: str) -> Panel:
 
 def _line(a: float, b: float, c: float, top: float, wide: float) -> "tuple[list[float], list[float]] | None":
     """The part of a·p_n + b·p_t + c = 0 within 0 ≤ p_n ≤ top, |p_t| ≤ wide."""
-    found = []
+    crossings = []
     if b != 0.0:
-        found += [(p, -(a * p + c) / b) for p in (0.0, top)]
+        crossings += [(p, -(a * p + c) / b) for p in (0.0, top)]
     if a != 0.0:
-        found += [(-(b * q + c) / a, q) for q in (-wide, wide)]
+        crossings += [(-(b * q + c) / a, q) for q in (-wide, wide)]
     inside = sorted(
-        {(p, q) for p, q in found if -1e-9 * top <= p <= top * (1.0 + 1e-9) and abs(q) <= wide * (1.0 + 1e-9)}
+        {(p, q) for p, q in crossings if -1e-9 * top <= p <= top * (1.0 + 1e-9) and abs(q) <= wide * (1.0 + 1e-9)}
     )
     if len(inside) < 2:
         return None
@@ -130,7 +138,7 @@ def _line(a: float, b: float, c: float, top: float, wide: float) -> "tuple[list[
 
 
 def spatial(
-    made: "Any",
+    result: "Any",
     *,
     first: "Any",
     second: "Any",
@@ -149,7 +157,7 @@ def spatial(
     frame = frame_about((-x, -y, -z))
     before = approach(bodies, frame)
     k = mobility(bodies, frame)
-    slips, impulses = _hodograph(k, before, friction, made.slip_impulse)
+    slips, impulses = _hodograph(k, before, friction, result.slip_impulse)
     slip = Axis("slip along the first tangent", Speed), Axis("slip along the second tangent", Speed)
     hodograph: list[Any] = [
         Curve([a for a, _, _ in slips], [b for _, b, _ in slips], "slip", role=0),
@@ -158,8 +166,12 @@ def spatial(
     ]
     speeds = Curve(impulses, [c for _, _, c in slips], "normal velocity", role=1)
     panels = (
-        _velocities([body.velocity[:2] for body in bodies], "before, seen from above"),
-        _velocities([made.first.velocity[:2], made.second.velocity[:2]], "after, seen from above"),
+        velocities(
+            _names(first, second),
+            [body.velocity[:2] for body in bodies],
+            [result.first.velocity[:2], result.second.velocity[:2]],
+            "seen from above, before (dashed) and after",
+        ),
         Panel(*slip, tuple(hodograph), "hodograph", equal=True),
         Panel(Axis("normal impulse", Impulse), Axis("normal velocity", Speed), (speeds,), "while it slips"),
     )
@@ -195,22 +207,21 @@ def _hodograph(
     return slips, impulses
 
 
-def scene(made: "Any", *_: "Any", **__: "Any") -> Picture:
-    """Velocities of a scene seen from above, before and after, and the impulse."""
-    after = [made.first.velocity, made.second.velocity]
-    changes = [made.first.delta_v, made.second.delta_v]
+def scene(result: "Any", *_: "Any", **__: "Any") -> Picture:
+    """Velocities of a scene seen from above, before and after."""
+    after = [result.first.velocity, result.second.velocity]
+    changes = [result.first.delta_v, result.second.delta_v]
     before = [
         v if c is None else tuple(a - b for a, b in zip(v, c, strict=True)) for v, c in zip(after, changes, strict=True)
     ]
-    panels = [_velocities([v[:2] for v in before], "before, seen from above")]
-    panels.append(_velocities([v[:2] for v in after], "after, seen from above"))
-    panels.append(_velocities([(c or (0.0, 0.0))[:2] for c in changes], "ΔV, seen from above"))
-    return Picture(tuple(panels), "impact", columns=3)
+    title = "seen from above, before (dashed) and after"
+    panel = velocities(("first", "second"), [v[:2] for v in before], [v[:2] for v in after], title)
+    return Picture((panel,), "impact")
 
 
-def envelope(made: "Any", **_: "Any") -> Picture:
+def envelope(result: "Any", **_: "Any") -> Picture:
     """ΔV of the first body over friction, a curve for each restitution of the map."""
-    columns = {name: made.map.arrays[name].tolist() for name in made.map.row.fields}
+    columns = {name: result.map.arrays[name].tolist() for name in result.map.row.fields}
     panels = []
     for name, body in (("first_delta_v", "first"), ("second_delta_v", "second")):
         if not any(columns[name]):

@@ -2,27 +2,29 @@
 
 from math import cos, pi, sin, sqrt
 
-from dynamics_cli.inertia.lump import IDENTITY, plus, times
-from dynamics_cli.inertia.parts import Walk
-from dynamics_cli.inertia.report import bare
-from dynamics_cli.inertia.wires import wires
+from dynamics_cli.inertia.assembly.parts import Walk
+from dynamics_cli.inertia.assembly.report import bare
+from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, plus, times
+from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Coordinate
+from dynamics_cli.quantities import Coordinate, Inertia, Mass
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.inertia.assembly import Assembly
-    from dynamics_cli.inertia.properties import MassProperties
-    from dynamics_cli.inertia.wires import Wire
+    from dynamics_cli.inertia.assembly.assembly import Assembly
+    from dynamics_cli.inertia.bodies.properties import MassProperties
+    from dynamics_cli.inertia.shapes.wires import Wire
 
-VIEWS = ((0, 1), (0, 2), (1, 2))
+VIEWS = ((0, 1, "top view"), (0, 2, "front view"), (1, 2, "side view"))
 STEPS = 64
 # Marks closer than these shares of the body's size, along and across a name, would be written over one another.
-CROWDED = 1.0, 0.2
-# An axis that is seen end on has no arrow.
-SEEN = 1e-3
+CROWDED = 0.3, 0.1
+# An axis that is seen nearly end on has no arrow.
+SEEN = 0.08
+# Free space around a body, and the least extent of a view, as shares of the largest extent.
+ROOM, LEAST = 0.08, 0.3
 BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
 
 
@@ -40,7 +42,7 @@ def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Pi
         own = wires(leaf.part.shape) if leaf.part.shape is not None else []
         placed = [[plus(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in own]
         drawn.append((placed, leaf.sign < 0.0))
-    return _picture(bare(answer), drawn, scene.name)
+    return _picture(bare(answer), drawn, scene.name or "assembly")
 
 
 def drawn_picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
@@ -49,35 +51,74 @@ def drawn_picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]
 
 
 def _picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
-    panels = tuple(_panel(answer, drawn, i, j) for i, j in VIEWS)
-    return Picture(panels, title, columns=3)
+    ends = _ends(answer, drawn)
+    panels = tuple(_panel(answer, drawn, view, ends) for view in VIEWS)
+    moments = answer.principal_moments
+    notes: tuple[tuple[str, float, Any], ...] = (
+        ("C mass centre; 1, 2, 3 principal axes", 0.0, None),
+        ("m", answer.mass, Mass),
+        ("I₁", moments.first, Inertia),
+        ("I₂", moments.second, Inertia),
+        ("I₃", moments.third, Inertia),
+    )
+    return Picture(panels, title, columns=3, views=True, notes=notes)
 
 
-def _panel(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", i: int, j: int) -> Panel:
+def _ends(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]") -> "list[tuple[float, float]]":
+    """From where to where the views reach along x, y and z."""
+    reach = [sqrt(_seen(answer, k, k)) for k in range(3)]
+    low = [at - size for at, size in zip(answer.centroid, reach, strict=True)]
+    high = [at + size for at, size in zip(answer.centroid, reach, strict=True)]
+    points = [point for lines, _ in drawn for wire in lines for point in wire]
+    points += [part.centroid for part in answer.parts or ()]
+    for point in points:
+        if point[0] == point[0]:
+            low = list(map(min, low, point))
+            high = list(map(max, high, point))
+    largest = max(b - a for a, b in zip(low, high, strict=True)) or 1.0
+    middles = [0.5 * (a + b) for a, b in zip(low, high, strict=True)]
+    halves = [0.5 * max(b - a, LEAST * largest) + ROOM * largest for a, b in zip(low, high, strict=True)]
+    return [(middle - half, middle + half) for middle, half in zip(middles, halves, strict=True)]
+
+
+def _panel(
+    answer: "MassProperties",
+    drawn: "list[tuple[list[Wire], bool]]",
+    view: "tuple[int, int, str]",
+    ends: "list[tuple[float, float]]",
+) -> Panel:
+    i, j, title = view
     items: list[Curve | Mark | Arrow] = []
+    # One legend is enough for three views of one body.
+    named = {False: "body", True: "hole"} if view == VIEWS[1] else {}
     for lines, hole in drawn:
         for wire in lines:
             x, y = [point[i] for point in wire], [point[j] for point in wire]
-            items.append(Curve(x, y, style="dashed" if hole else "thin", role=HOLE if hole else BODY))
-    # One legend is enough for three views of one body.
-    items.append(_ellipse(answer, i, j, "ellipsoid of the same inertia" if (i, j) == VIEWS[1] else ""))
+            label = named.pop(hole, "")
+            items.append(Curve(x, y, label, style="dashed" if hole else "thin", role=HOLE if hole else BODY))
+    items.append(_ellipse(answer, i, j, "ellipsoid of the same inertia" if view == VIEWS[1] else ""))
+    items += _arrows(answer, i, j)
+    items += _marks(answer, i, j)
+    across, up = (Axis("xyz"[k], Coordinate, ends=ends[k]) for k in (i, j))
+    return Panel(across, up, tuple(items), title, equal=True)
+
+
+def _arrows(answer: "MassProperties", i: int, j: int) -> "list[Arrow]":
+    """The principal axes, each as long as its semi-axis of the ellipsoid."""
     at = answer.centroid
+    found = []
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
         dx, dy = size * axis[i], size * axis[j]
-        if max(abs(dx), abs(dy)) > SEEN * answer.equivalent_ellipsoid[0]:
-            items.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
-    items += _marks(answer, i, j)
-    names = "xyz"
-    return Panel(
-        Axis(names[i], Coordinate), Axis(names[j], Coordinate), tuple(items), f"{names[i]}{names[j]}", equal=True
-    )
+        if max(abs(dx), abs(dy)) > SEEN * max(answer.equivalent_ellipsoid):
+            found.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
+    return found
 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
     """The mass centre and those of the parts, each place marked and named once."""
     along, across = (share * max(answer.equivalent_ellipsoid) for share in CROWDED)
-    places = [(answer.centroid, "mass centre"), *((part.centroid, part.part) for part in answer.parts or ())]
+    places = [(answer.centroid, "C"), *((part.centroid, part.part) for part in answer.parts or ())]
     kept: list[Mark] = []
     for at, name in places:
         if all(abs(at[i] - mark.x) > along or abs(at[j] - mark.y) > across for mark in kept):
@@ -85,11 +126,15 @@ def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
     return kept
 
 
+def _seen(answer: "MassProperties", p: int, q: int) -> float:
+    """An element of Q."""
+    sizes, axes = answer.equivalent_ellipsoid, answer.principal_axes
+    return sum(size * size * axis[p] * axis[q] for size, axis in zip(sizes, axes, strict=True))
+
+
 def _ellipse(answer: "MassProperties", i: int, j: int, label: str) -> Curve:
     """The outline of the ellipsoid Q = Σ aₖ² vₖ vₖᵀ seen along an axis: that of the block of Q in the plane."""
-    a = [size * size for size in answer.equivalent_ellipsoid]
-    v = answer.principal_axes
-    xx, yy, xy = (sum(a[k] * v[k][p] * v[k][q] for k in range(3)) for p, q in ((i, i), (j, j), (i, j)))
+    xx, yy, xy = (_seen(answer, p, q) for p, q in ((i, i), (j, j), (i, j)))
     first = sqrt(xx)
     across = xy / first if first else 0.0
     rest = sqrt(max(yy - across * across, 0.0))

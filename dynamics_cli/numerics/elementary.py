@@ -7,6 +7,8 @@ For a type checker they are functions of `float`.
 
 import math
 
+from dynamics_cli.numerics.number import is_array, is_carrier, is_many
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,7 +26,7 @@ def pi_beside(*numbers: "Any") -> float:
 
 def only_in_doubles(*numbers: "Any") -> None:
     """Refuse a number of many digits: what follows iterates in doubles, and would pass its error off as none."""
-    if any(hasattr(number, "many_digits") for number in numbers):
+    if any(is_many(number) for number in numbers):
         raise ArithmeticError("known in doubles only")
 
 
@@ -51,7 +53,7 @@ def sqrt(x: float) -> float:
     """Square root, correctly rounded."""
     if type(x) is float:
         return math.sqrt(x)
-    if hasattr(x, "dtype"):
+    if is_array(x):
         import numpy as np
 
         return np.sqrt(x)  # type: ignore[no-any-return]
@@ -119,7 +121,7 @@ def absolute(x: float) -> float:
 
 def where(condition: bool, yes: float, no: float) -> float:
     """`yes` where `condition` holds, `no` elsewhere; both are computed when the condition is an array."""
-    if not hasattr(condition, "ndim"):
+    if not is_array(condition):
         return yes if condition else no
     import numpy as np
 
@@ -128,14 +130,14 @@ def where(condition: bool, yes: float, no: float) -> float:
 
 def maximum(x: float, y: float) -> float:
     """The larger of the two."""
-    if hasattr(x, "apply") or hasattr(y, "apply"):
+    if is_carrier(x) or is_carrier(y):
         return _apply("maximum", max, x, y)  # type: ignore[no-any-return]
     return where(x >= y, x, y)
 
 
 def minimum(x: float, y: float) -> float:
     """The smaller of the two."""
-    if hasattr(x, "apply") or hasattr(y, "apply"):
+    if is_carrier(x) or is_carrier(y):
         return _apply("minimum", min, x, y)  # type: ignore[no-any-return]
     return where(x <= y, x, y)
 
@@ -175,7 +177,7 @@ def multiply_add(a: float, b: float, c: float) -> float:
     """a·b + c as if in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
     if type(a) is float and type(b) is float and type(c) is float:
         return _multiply_add(a, b, c)
-    if any(hasattr(x, "apply") for x in (a, b, c)) or not any(hasattr(x, "dtype") for x in (a, b, c)):
+    if any(is_carrier(x) for x in (a, b, c)) or not any(is_array(x) for x in (a, b, c)):
         return _apply("multiply_add", _multiply_add, a, b, c)  # type: ignore[no-any-return]
     import numpy as np
 

@@ -8,6 +8,8 @@ points. Floats, arrays and tracked numbers get the same bits: arrays see only + 
 
 import math
 
+from dynamics_cli.numerics.number import is_array
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -134,7 +136,7 @@ def involute(phi: float) -> float:
         if abs(phi) < _FORWARD_LIMIT:
             return _near(phi)
         return math.tan(phi) - phi
-    if hasattr(phi, "dtype"):
+    if is_array(phi):
         return _involute_of_array(phi)  # type: ignore[no-any-return]
     if isinstance(phi, int):
         return involute(float(phi))
@@ -215,7 +217,7 @@ def inverse_involute(value: float) -> float:
     """
     if type(value) is float:
         return _inverse(value)
-    if hasattr(value, "dtype"):
+    if is_array(value):
         return _inverse_of_array(value)  # type: ignore[no-any-return]
     if isinstance(value, int):
         return _inverse(float(value))

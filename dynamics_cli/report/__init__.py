@@ -1,22 +1,25 @@
 """Result documents gathered into one report."""
 
-from dynamics_cli.core.about import Command, Option
+from dynamics_cli.core.command.plain_commands import Command, Option
 
-FORMS = ("markdown", "html")
+FORMS = ("markdown", "html", "pdf")
+PAPERS = ("a4", "letter")
 REPORT = Command(
     "report",
     "FILE...",
-    "Gather result documents into one Markdown or HTML report.",
+    "Gather result documents into one report: HTML, PDF or Markdown.",
     "Each FILE is a result document (or several, as NDJSON; - is standard input). Each is calculated again from the "
-    "inputs it holds, and the report says whether every result came out the same.",
+    "inputs it holds: the report shows what was calculated now, and everything in which the document differs.",
     "dynamics report skid.json crash.json --output report.html",
     (
-        Option("format", "FORMAT", "markdown (the default) or html; else by the ending of --output.", FORMS),
-        Option("output", "FILE", "Write the report to a file, whole or not at all."),
+        Option("format", "FORMAT", "markdown (the default), html or pdf; else by the ending of --output.", FORMS),
+        Option("output", "FILE", "Write the report to a file, whole or not at all: .html, .pdf or .md."),
         Option("title", "TEXT", "The report's title."),
-        Option("case", "TEXT", "Number or name of the case, put under the title."),
-        Option("author", "TEXT", "Who prepared it, put under the title."),
-        Option("digits", "N", "Significant digits of results (6)."),
+        Option("case", "TEXT", "Number or name of the case, for the title block."),
+        Option("author", "TEXT", "Who prepared it, for the title block."),
+        Option("date", "TEXT", "Date of the report, for the title block (today)."),
+        Option("paper", "SIZE", "Paper of the PDF: a4 (the default) or letter.", PAPERS),
+        Option("digits", "N", "Significant digits of certain results (6)."),
     ),
     "dynamics_cli.report.command:carry_out",
 )

@@ -1,29 +1,41 @@
-"""`dynamics report FILE…`: result documents as one Markdown or HTML file, each calculated again from its inputs."""
+"""`dynamics report FILE…`: result documents as one file, each calculated again from its inputs."""
 
 import os
+from math import isfinite
 
-from dynamics_cli.core.hashes import entry_of
-from dynamics_cli.core.loading import DOCUMENT_SCHEMA, decode, read_bytes
-from dynamics_cli.core.writing import Beforehand
+from dynamics_cli.core.inputs.settings import named_file
+from dynamics_cli.core.inputs.sources.files import READABLE_SCHEMAS, decode, read_bytes
+from dynamics_cli.core.inputs.sources.hashes import entry_of
+from dynamics_cli.core.output.files import Files
+from dynamics_cli.core.output.plot.pages import draw
 from dynamics_cli.errors import UsageError
-from dynamics_cli.report import FORMS
-from dynamics_cli.report.again import Again, calculate
-from dynamics_cli.report.blocks import Block, Image, Paragraph, html, markdown
-from dynamics_cli.report.front import Source, files, front, named
-from dynamics_cli.report.sections import embedded, section
+from dynamics_cli.pictures import Picture
+from dynamics_cli.report import FORMS, PAPERS
+from dynamics_cli.report.appendix import appendices
+from dynamics_cli.report.blocks import Image, images
+from dynamics_cli.report.calculation import Calculation, Source
+from dynamics_cli.report.front import description, front, intervals, own_picture
+from dynamics_cli.report.html import html
+from dynamics_cli.report.markdown import markdown
+from dynamics_cli.report.recalculation import Again, calculate
+from dynamics_cli.report.sections import section
+from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
-    from dynamics_cli.core.task import Family
+    from dynamics_cli.core.answering.task import Family, Task
+    from dynamics_cli.core.output.files import File
     from dynamics_cli.core.terminal import Terminal
-    from dynamics_cli.core.writing import File
 
     Document = dict[str, Any]
 
-_ENDINGS = {".md": "markdown", ".markdown": "markdown", ".html": "html", ".htm": "html"}
+# Inches of the picture on the first page, so that its words are as large as those beside it.
+FRONT = 4.6
+SMALL = 4.2
+_ENDINGS = {".md": "markdown", ".markdown": "markdown", ".html": "html", ".htm": "html", ".pdf": "pdf"}
 
 
 def carry_out(
@@ -37,22 +49,115 @@ def carry_out(
     if not words:
         hint = "for example: dynamics report skid.json crash.json"
         raise UsageError("no document is named", code="missing", hint=hint)
-    output, form = options.get("output", ""), _form(options)
+    output = named_file(options.get("output", ""))
+    form, paper = _form(options), options.get("paper", "") or PAPERS[0]
+    if paper not in PAPERS:
+        raise UsageError(f"read {paper!r}, wanted one of {', '.join(PAPERS)}", parameter="paper", code="unknown-choice")
+    if form == "pdf":
+        from dynamics_cli.report.typst import need
+
+        need()
+        if not output:
+            raise UsageError("a PDF is written to a file", parameter="output", hint="for example: --output report.pdf")
     digits = _digits(options.get("digits", ""))
     title = options.get("title") or "Calculations"
-    sources = named([one for name in words for one in _read(name, terminal)])
-    answers = [_again(one.document, one.file, families, find, terminal) for one in sources]
-    drawn = _pictures(answers, terminal) if any(again.picture is not None for again in answers) else {}
-    blocks = front(title, options.get("case", ""), options.get("author", ""), sources, answers)
-    blocks += _sections(sources, answers, drawn, digits, families, find)
-    blocks += embedded([one.document for one in sources])
-    blocks += files(sources, {one.digest: nth for nth, one in enumerate(sources, 1)})
-    if form == "html":
-        _write(html(blocks, title), output, [], terminal)
-        return
-    stem = os.path.splitext(output)[0]
-    beside = [(f"{stem}-{nth + 1}.svg", svg) for nth, svg in drawn.items()] if output else []
-    _write(markdown(blocks, [os.path.basename(name) for name, _ in beside]), output, beside, terminal)
+    made: list[Calculation] = []
+    for source in _named([one for name in words for one in _read(name, terminal)]):
+        task = _task(source.document, families, find)
+        again = _again(source, task, terminal)
+        made.append(Calculation(len(made) + 1, source, again, task, tuple(made)))
+        made[-1].digits = digits
+    pictures = _drawn(made, terminal)
+    blocks = front(title, _facts(options), made, pictures.pop(0, []))
+    for one in made:
+        blocks += section(one, pictures.get(one.section, ()))
+    blocks += appendices(made)
+    if form == "pdf":
+        from dynamics_cli.report.typst import pdf
+
+        _write(pdf(blocks, title, options.get("author", ""), paper), output, [])
+    elif form == "html":
+        _put(html(blocks, title), output, [], terminal)
+    else:
+        stem = os.path.splitext(output)[0]
+        beside = [(f"{stem}-{nth}.svg", one.svg) for nth, one in enumerate(images(blocks), 1)] if output else []
+        _put(markdown(blocks, [os.path.basename(name) for name, _ in beside]), output, beside, terminal)
+
+
+def _facts(options: "Mapping[str, str]") -> "list[str]":
+    """The lines of the title block."""
+    from datetime import date
+
+    day = options.get("date", "")
+    if not day:
+        today = date.today()
+        day = f"{today.day} {today:%B} {today.year}"
+    named = [
+        f"{word}: {options[key]}" for word, key in (("Case", "case"), ("Prepared by", "author")) if options.get(key)
+    ]
+    return [*named, day, f"dynamics {__version__}"]
+
+
+def _named(read: "Sequence[tuple[str, Document, str]]") -> "list[Source]":
+    """The documents with names for their sections: their files', numbered where a file holds several."""
+    made = []
+    for nth, (file, document, digest) in enumerate(read):
+        stem = "standard input" if file == "-" else os.path.splitext(os.path.basename(file))[0]
+        same = [other for other, (name, _, _) in enumerate(read) if name == file]
+        made.append(Source(file, document, digest, stem if len(same) == 1 else f"{stem} {same.index(nth) + 1}"))
+    return made
+
+
+def _task(
+    document: "Document", families: "Mapping[str, tuple[str, str]]", find: "Callable[[str], Family]"
+) -> "Task | None":
+    family, _, name = document["command"].partition(" ")
+    return find(family).tasks.get(name) if family in families else None
+
+
+def _again(source: Source, task: "Task | None", terminal: "Terminal") -> Again:
+    if task is None:
+        return Again(f"not calculated again: this version has no command {source.document['command']!r}")
+    folder = "" if source.file == "-" else os.path.dirname(source.file)
+    return calculate(task, source.document, folder, terminal)
+
+
+def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
+    """The pictures of each section, and of the first page (0) one of them and the intervals of the findings.
+
+    There are none where they cannot be drawn.
+    """
+    pictured = [(one, picture) for one in made if (picture := own_picture(one)) is not None]
+    chosen = next((pair for pair in pictured if pair[1].scene), pictured[-1] if pictured else None)
+    drawn: dict[int, list[Image]] = {}
+    try:
+        for one, picture in pictured:
+            # columns side by side need the whole width of their section
+            narrow = picture.scene or min(picture.columns, len(picture.panels)) == 1
+            front = narrow and chosen is not None and one is chosen[0]
+            first, rest = picture.panels, picture.panels
+            if front:
+                first, rest = (first[:1], rest[1:]) if picture.scene else (first, ())
+                whole = Picture(first, "", picture.columns, width=FRONT)
+                drawn[0] = [_image(one, picture, whole, 1.0)]
+            if rest:
+                columns = min(picture.columns, len(rest))
+                width = SMALL if columns == 1 else 0.0
+                part = Picture(rest, "", columns, width=width)
+                drawn[one.section] = [_image(one, picture, part, 0.36 if width else 0.85)]
+        spread = intervals(made, FRONT)
+        if spread is not None:
+            image = Image(draw(spread, "svg", "si"), "What was found, with intervals and limits", description(spread))
+            drawn.setdefault(0, []).append(image)
+    except UsageError as error:
+        terminal.tell(f"dynamics: the report has no pictures: {error.message}\n  {error.hint}\n")
+        return {}
+    return drawn
+
+
+def _image(one: Calculation, picture: Picture, part: Picture, width: float) -> Image:
+    text = f"Section {one.section}, {one.name}: {picture.title or one.source.document['command']}"
+    return Image(draw(part, "svg", "si"), text, description(part), width)
 
 
 def _form(options: "Mapping[str, str]") -> str:
@@ -70,86 +175,56 @@ def _digits(text: str) -> int:
 
 def _read(name: str, terminal: "Terminal") -> "list[tuple[str, Document, str]]":
     """The documents in a file, one or (NDJSON) several, each with the file's name and hash."""
-    import json
-
     data = read_bytes(name, terminal)
     text = decode(data, name)
     digest = entry_of(name, data)["sha256"]
     try:
-        found = [json.loads(text)]
-    except json.JSONDecodeError:
+        found = [_parsed(text)]
+    except ValueError:
         try:
-            found = [json.loads(line) for line in text.splitlines() if line.strip()]
-        except json.JSONDecodeError as error:
-            raise UsageError(f"{name!r} is not JSON: {error.msg} at line {error.lineno}", code="json") from None
+            found = [_parsed(line) for line in text.split("\n") if line.strip()]
+        except ValueError as error:
+            raise UsageError(f"{name!r} is not JSON: {error}", code="json") from None
     for document in found:
-        if not isinstance(document, dict) or document.get("schema") != DOCUMENT_SCHEMA:
+        if not _is_document(document):
             raise UsageError(
                 f"{name!r} holds no result document",
                 code="schema",
-                hint="write one with --json --output FILE; rows of --rows are none",
+                hint="write one with --json --output FILE",
             )
     if not found:
         raise UsageError(f"{name!r} is empty", code="json")
     return [(name, document, digest) for document in found]
 
 
-def _again(
-    document: "Document",
-    name: str,
-    families: "Mapping[str, tuple[str, str]]",
-    find: "Callable[[str], Family]",
-    terminal: "Terminal",
-) -> Again:
-    family, _, task = str(document["command"]).partition(" ")
-    found = find(family).tasks.get(task) if family in families else None
-    if found is None:
-        return Again(f"not calculated again: this version has no command {document['command']!r}")
-    folder = "" if name == "-" else os.path.dirname(name)
-    return calculate(found, document, folder, terminal)
+def _parsed(text: str) -> "Any":
+    import json
+
+    def finite(number: str) -> float:
+        if not isfinite(float(number)):
+            raise ValueError(f"{number[:20]} is not a finite number")
+        return float(number)
+
+    return json.loads(text, parse_float=finite, parse_constant=finite)
 
 
-def _pictures(answers: "list[Again]", terminal: "Terminal") -> "dict[int, bytes]":
-    """The pictures by the document's place, if they can be drawn."""
-    from dynamics_cli.core.plot.pages import draw
-
-    try:
-        return {nth: draw(again.picture, "svg", "si") for nth, again in enumerate(answers) if again.picture is not None}
-    except UsageError as error:
-        terminal.tell(f"dynamics: the report has no pictures: {error.message}\n  {error.hint}\n")
-        return {}
+def _is_document(document: "Any") -> bool:
+    return (
+        isinstance(document, dict)
+        and document.get("schema") in READABLE_SCHEMAS
+        and isinstance(document.get("command"), str)
+        and all(isinstance(document.get(part), dict) for part in ("inputs", "results"))
+    )
 
 
-def _sections(
-    sources: "list[Source]",
-    answers: "list[Again]",
-    drawn: "Mapping[int, bytes]",
-    digits: int,
-    families: "Mapping[str, tuple[str, str]]",
-    find: "Callable[[str], Family]",
-) -> "list[Block]":
-    blocks: list[Block] = []
-    for nth, (one, again) in enumerate(zip(sources, answers, strict=True)):
-        document = one.document
-        explained = {**document, "explanation": (again.document or document).get("explanation", {})}
-        blocks += section(nth + 1, one.name, explained, _summary(document, families, find), digits)
-        if nth in drawn:
-            what = again.picture.title if again.picture is not None else ""
-            blocks.append(Image(drawn[nth], f"{one.name}: {what or document['command']}"))
-        blocks.append(Paragraph(f"{again.words[:1].upper()}{again.words[1:]}."))
-    return blocks
-
-
-def _summary(document: "Document", families: "Mapping[str, tuple[str, str]]", find: "Callable[[str], Family]") -> str:
-    family, _, name = str(document["command"]).partition(" ")
-    task = find(family).tasks.get(name) if family in families else None
-    return task.summary if task is not None else ""
-
-
-def _write(text: str, output: str, pictures: "list[tuple[str, bytes]]", terminal: "Terminal") -> None:
-    if not output:
+def _put(text: str, output: str, pictures: "list[tuple[str, bytes]]", terminal: "Terminal") -> None:
+    if output:
+        _write(text.encode(), output, pictures)
+    else:
         terminal.write(text)
-        return
-    files: list[File] = [(name, data, "output") for name, data in pictures]
-    with Beforehand([*files, (output, text.encode(), "output")]):
+
+
+def _write(data: bytes, output: str, pictures: "list[tuple[str, bytes]]") -> None:
+    files: list[File] = [(name, picture, "output") for name, picture in pictures]
+    with Files([*files, (output, data, "output")]):
         pass

@@ -1,121 +1,176 @@
-"""What stands before and after the sections: the case, what was found, how to read it, the files it rests on."""
+"""The first page: title block, picture, findings in sentences, what decides them, whether everything holds."""
 
-import os
-
-from dynamics_cli.core.render import flatten, is_table, number, quantity
-from dynamics_cli.records import record
-from dynamics_cli.report.blocks import Block, Heading, Items, Paragraph, Table
+from dynamics_cli.pictures import Axis, Panel, Picture, Ranges
+from dynamics_cli.report.blocks import Beside, Heading, Image, Items, Paragraph, Title
+from dynamics_cli.report.calculation import Calculation, limit_words, node_at
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from typing import Any
 
-    from dynamics_cli.report.again import Again
+    from dynamics_cli.report.blocks import Block, Text
 
-    Document = dict[str, Any]
-
-READING = (
-    "a ± b: an input with the standard uncertainty b, normally distributed; a..b: anywhere between, all alike",
-    "interval: the middle part of a result's distribution, with the chance that stands behind it; a result's value is "
-    "that at the nominal inputs and need not be the middle of it",
-    "a (b to c) as an input: a result of an earlier section, taken at the mean of its distribution, which the "
-    "curvature of a formula sets a little apart from the value at the nominal inputs",
-    "rounding error at most: what the arithmetic itself may have added, for the inputs as written; it says nothing of "
-    "how well they were measured",
-    "share of the variance: how much of a result's uncertainty an input brings, together with others",
-    "calculated again: this program repeated each calculation from the inputs shown here while it wrote the report",
-)
+# So many results of one calculation are findings, beside those with limits.
+MOST_FOUND = 4
+MOST_COMPARED = 2
 
 
-@record
-class Source:
-    """A document with the name of its file, the file's hash, and the name of its section."""
-
-    file: str
-    document: "Document"
-    digest: str
-    name: str
-
-
-def named(read: "Sequence[tuple[str, Document, str]]") -> "list[Source]":
-    """The documents with names for their sections: their files', numbered where a file holds several."""
-    made = []
-    for nth, (file, document, digest) in enumerate(read):
-        stem = "standard input" if file == "-" else os.path.splitext(os.path.basename(file))[0]
-        same = [other for other, (name, _, _) in enumerate(read) if name == file]
-        made.append(Source(file, document, digest, stem if len(same) == 1 else f"{stem} {same.index(nth) + 1}"))
-    return made
+def front(title: str, facts: "Sequence[str]", made: "Sequence[Calculation]", drawn: "Sequence[Image]") -> "list[Block]":
+    """Title block, picture beside findings, and whether everything came out the same."""
+    findings: list[Block] = [Heading(2, "Findings")]
+    findings.append(Items([finding(one) for one in made], ordered=True))
+    findings += [Paragraph(text, small=True) for text in _decided(made)]
+    findings.append(Paragraph(verdict(made), small=True))
+    cautions = _cautions(made)
+    if cautions:
+        findings.append(Paragraph(cautions))
+    return [Title(title, facts), *([Beside(drawn, findings)] if drawn else findings)]
 
 
-def front(title: str, case: str, author: str, sources: "Sequence[Source]", answers: "Sequence[Again]") -> "list[Block]":
-    """Title, case, what each calculation found, and whether everything holds."""
-    blocks: list[Block] = [Heading(1, title)]
-    about = [f"{word}: {text}" for word, text in (("Case", case), ("Prepared by", author)) if text]
-    if about:
-        blocks.append(Items(about))
-    blocks.append(Heading(2, "Summary"))
-    rows = [
-        [str(nth), one.name, f"dynamics {one.document['command']}", _found(one.document), _state(one.document, again)]
-        for nth, (one, again) in enumerate(zip(sources, answers, strict=True), 1)
+def finding(one: Calculation) -> "Text":
+    """What a calculation found, as sentences; numbers are bold."""
+    if one.document is None:
+        return f"{one.name}: {one.again.words}."
+    verb = "was" if one.past else "is"
+    pieces: list[str] = []
+    start = f"{one.name}: the "
+    for address, label in _found(one):
+        value = one.value(address)
+        pieces += [f"{start}{_owned(address, label)} {verb} ", value.whole]
+        end = f" ({value.coverage}: {value.interval})" if value.interval else ""
+        pieces.append(end + "".join(f", {limit_words(entry)}" for entry in one.limits(address)))
+        start = ", the "
+    if not pieces:
+        return f"{one.name}: see section {one.section}."
+    # Text and numbers alternate: what ends one number begins the next.
+    merged = [pieces[0]]
+    for nth, piece in enumerate(pieces[1:], 1):
+        if nth % 3 == 0:
+            merged[-1] += piece
+        else:
+            merged.append(piece)
+    merged[-1] += "."
+    return tuple(merged)
+
+
+def _found(one: Calculation) -> "list[tuple[str, str]]":
+    """The results that are findings: those with limits, and the first of the headline with others of its unit."""
+    labels = one.labels()
+    limited = [address for address in labels if one.limits(address)]
+    inputs = [value for _, value in one.given()]
+    first = ""
+    made = list(limited)
+    for address in labels:
+        node = node_at(one.results, address)
+        if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in made:
+            continue
+        if any(text.startswith(one.value(address).whole) for text in inputs):
+            continue
+        unit = node.get("unit", "-")
+        first = first or (unit if not limited else "none")
+        if unit == first and len(made) < MOST_FOUND:
+            made.append(address)
+    return [(address, labels[address]) for address in made]
+
+
+def _owned(address: str, label: str) -> str:
+    """`first approach speed` as "first body's approach speed", `Ford approach speed` as "Ford's approach speed"."""
+    side, dot, _ = address.partition(".")
+    if not dot or " " not in label:
+        return label
+    if label.startswith(f"{side} "):
+        return f"{side} body's {label[len(side) + 1 :]}" if side in ("first", "second") else label
+    return label
+
+
+def _decided(made: "Sequence[Calculation]") -> "list[str]":
+    """What decides the findings with limits, or those of the last calculation."""
+    for one in reversed(made):
+        for address, label in sorted(_found(one), key=lambda item: not one.limits(item[0])):
+            drivers = one.drivers(address)
+            if drivers:
+                return [f"{one.name}: the {_owned(address, label)} is decided by {drivers} (shares of the variance)."]
+    return []
+
+
+def _cautions(made: "Sequence[Calculation]") -> str:
+    """Which sections warn of something."""
+    warned = [
+        one.section
+        for one in made
+        if any(item["severity"] != "note" for item in (one.document or {}).get("warnings", ()))
     ]
-    head = ["section", "document", "calculation", "main result", "calculated again; checks"]
-    blocks.append(Table(head, rows, "The calculations of this report"))
-    return [*blocks, Paragraph(_verdict(sources, answers)), Heading(3, "How to read this report"), Items(READING)]
+    if not warned:
+        return ""
+    plural = "s" * (len(warned) > 1)
+    return f"Warnings stand in section{plural} {', '.join(map(str, warned))}."
 
 
-def _found(document: "Document") -> str:
-    """The limited result, or the first one, with its interval."""
-    results = document["results"]
-    limits = document.get("limits", ())
-    if limits:
-        return "; ".join(item["message"] for item in limits)
-    for name, value, unit in flatten(results):
-        if isinstance(value, int | float) and not isinstance(value, bool):
-            node: Any = results
-            for step in name.split("."):
-                node = node.get(step, {}) if isinstance(node, dict) else {}
-            if "interval" not in node:
-                return f"{name} {quantity(value, unit, 6)}"
-            low, high = (number(end, 6) for end in node["interval"])
-            return f"{name} {quantity(value, unit, 6)}, {100.0 * node['coverage']:.6g} % within {low} to {high}"
-    return ", ".join(f"{name}: {_rows(table)} rows" for name, table in results.items() if is_table(table))
+def verdict(made: "Sequence[Calculation]") -> str:
+    """Whether the calculations came out the same when repeated, and whether their checks passed."""
+    same = sum(one.again.same for one in made)
+    documents = [one.document for one in made if one.document is not None]
+    failed = sum(not check["passed"] for document in documents for check in document["checks"])
+    calculations = f"{len(made)} calculation{'s' * (len(made) > 1)}"
+    text = f"{same} of {calculations} came out the same when calculated again from these inputs"
+    rest = [one.again.words for one in made if not one.again.same]
+    others = f"; the other: {'; '.join(rest)}" if rest else ""
+    return f"{text}{others}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
 
 
-def _rows(table: "Any") -> int:
-    return len(table) if isinstance(table, list) else len(next(iter(table.values()))["value"])
+def intervals(made: "Sequence[Calculation]", width: float) -> "Picture | None":
+    """The findings of one unit with their intervals and limits on one axis; two at least."""
+    grouped: dict[str, list[tuple[str, float, float, float]]] = {}
+    limits: dict[str, list[tuple[float, str]]] = {}
+    for one in made:
+        for address, label in _found(one)[:MOST_COMPARED]:
+            node = node_at(one.results, address)
+            if not isinstance(node, dict) or "interval" not in node:
+                continue
+            unit = node.get("unit", "")
+            value = one.value(address)
+            text = f"{one.name}: {label}\n{value.text} ({value.interval})"
+            grouped.setdefault(unit, []).append((text, *node["interval"], node["value"]))
+            for entry in one.limits(address):
+                if entry["limit"].get("unit", "") == unit:
+                    limits.setdefault(unit, []).append((entry["limit"]["value"], f"limit {entry['limit']['value']:g}"))
+    unit, rows = max(grouped.items(), key=lambda item: len(item[1]), default=("", []))
+    if len(rows) < 2:
+        return None
+    names, low, high, at = (tuple(column) for column in zip(*rows, strict=True))
+    shown = {document["results"] and _coverage(document["results"]) for document in (one.document or {} for one in made)
+             if document}  # fmt: skip
+    coverage = ", ".join(sorted(text for text in shown if text))
+    axis = Axis(f"[{unit}], {coverage} intervals" if unit else f"{coverage} intervals")
+    items = (Ranges(names, low, high, at, tuple(dict.fromkeys(limits.get(unit, ())))),)
+    return Picture((Panel(axis, Axis(""), items),), width=width)
 
 
-def _state(document: "Document", again: "Again") -> str:
-    checks = document["checks"]
-    passed = sum(bool(check["passed"]) for check in checks)
-    cautions = sum(item["severity"] != "note" for item in document["warnings"])
-    words = [again.short, *([f"{passed} of {len(checks)} checks passed"] if checks else [])]
-    return ", ".join([*words, *([f"{cautions} warning{'s' * (cautions > 1)}"] if cautions else [])])
+def own_picture(one: Calculation) -> "Picture | None":
+    """The picture of a calculation without the distributions of its results, if anything is left."""
+    picture = one.again.picture
+    if picture is None or len(picture.panels) == picture.distributions:
+        return None
+    panels = picture.panels[: len(picture.panels) - picture.distributions]
+    return Picture(panels, picture.title, picture.columns, scene=picture.scene)
 
 
-def _verdict(sources: "Sequence[Source]", answers: "Sequence[Again]") -> str:
-    same = sum(again.same for again in answers)
-    failed = sum(not check["passed"] for one in sources for check in one.document["checks"])
-    calculations = f"{len(answers)} calculation{'s' * (len(answers) > 1)}"
-    words = f"{same} of {calculations} came out the same when calculated again from these inputs"
-    rest = [again.words for again in answers if not again.same]
-    told = f"; the other: {'; '.join(rest)}" if rest else ""
-    return f"{words}{told}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
+def description(picture: Picture) -> str:
+    """What a picture shows, for who cannot see it."""
+    parts = [picture.title] if picture.title else []
+    for panel in picture.panels:
+        axes = [axis.title for axis in (panel.y, panel.x) if axis.title]
+        said = panel.title or " over ".join(axes)
+        labels = [getattr(item, "label", "") for item in panel.items]
+        labels += [name for item in panel.items for name in getattr(item, "names", ())]
+        named = ", ".join(dict.fromkeys(label.replace("\n", " ") for label in labels if label))
+        parts.append(f"{said}: {named}" if named and said else said or named)
+    return ". ".join(part for part in parts if part) or "picture"
 
 
-def files(sources: "Sequence[Source]", digests: "dict[str, int]") -> "list[Block]":
-    """Every file that the report rests on with its SHA-256, and which section read it."""
-    rows: dict[tuple[str, str], list[str]] = {}
-    for nth, one in enumerate(sources, 1):
-        name = "standard input" if one.file == "-" else os.path.basename(one.file)
-        rows.setdefault((name, one.digest), []).append(f"document of section {nth}")
-    for nth, one in enumerate(sources, 1):
-        for file in one.document.get("files", ()):
-            name = os.path.basename(file["name"])
-            origin = digests.get(file["sha256"])
-            use = "written by" if file.get("written") else "read by"
-            from_here = f" (the document of section {origin})" if origin and not file.get("written") else ""
-            rows.setdefault((name, file["sha256"]), []).append(f"{use} section {nth}{from_here}")
-    listed = [[name, "; ".join(dict.fromkeys(uses)), digest] for (name, digest), uses in rows.items()]
-    return [Heading(2, "Files"), Table(["file", "use", "SHA-256"], listed, "Files this report rests on")]
+def _coverage(node: "object") -> str:
+    if isinstance(node, dict):
+        if "interval" in node:
+            return f"{100.0 * node['coverage']:.6g} %"
+        return next(filter(None, map(_coverage, node.values())), "")
+    return ""

@@ -1,9 +1,11 @@
 """Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
+    Annotated,
     Distance,
     DragFactor,
     Fraction,
@@ -15,96 +17,63 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, require_kept, single
+from dynamics_cli.skid.diagnostics import balance, require_kept
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 
 @record
 class Approach:
-    """One way of approaching the hazard.
+    """One way of approaching the hazard."""
 
-    Parameters
-    ----------
-    case : str
-        Which speed this is: travelled, limit or sufficient.
-    approach_speed : RoadSpeed
-        Speed when the hazard became visible [m/s].
-    reaction_distance : Distance
-        Distance travelled before the brakes act [m].
-    braking_distance : Distance
-        Distance that braking to rest takes [m].
-    stopping_distance : Distance
-        Reaction and braking distance together [m].
-    margin : Length
-        Distance to spare before the hazard, negative when it is short of it [m].
-    impact_speed : RoadSpeed
-        Speed at the hazard, zero when the vehicle stops before [m/s].
-    time : Time
-        Time until the vehicle stops or reaches the hazard [s].
-    """
-
-    case: str
-    approach_speed: RoadSpeed
-    reaction_distance: Distance
-    braking_distance: Distance
-    stopping_distance: Distance
-    margin: Length
-    impact_speed: RoadSpeed
-    time: Time
+    case: Annotated[str, "Which speed this is: travelled, limit or sufficient."]
+    approach_speed: Annotated[RoadSpeed, "Speed when the hazard became visible [m/s]."]
+    reaction_distance: Annotated[Distance, "Distance travelled before the brakes act [m]."]
+    braking_distance: Annotated[Distance, "Distance that braking to rest takes [m]."]
+    stopping_distance: Annotated[Distance, "Reaction and braking distance together [m]."]
+    margin: Annotated[Length, "Distance to spare before the hazard, negative when it is short of it [m]."]
+    impact_speed: Annotated[RoadSpeed, "Speed at the hazard, zero when the vehicle stops before [m/s]."]
+    time: Annotated[Time, "Time until the vehicle stops or reaches the hazard [s]."]
 
 
 @record
 class Avoidance:
-    """Whether the hazard could have been avoided by stopping.
+    """Whether the hazard could have been avoided by stopping."""
 
-    Parameters
-    ----------
-    avoidable : bool
-        Whether the vehicle stops before the hazard at the speed travelled [-].
-    margin : Length
-        Distance to spare at the speed travelled, negative when it is short [m].
-    impact_speed : RoadSpeed
-        Speed at the hazard at the speed travelled [m/s].
-    sufficient_speed : RoadSpeed
-        Greatest speed from which the vehicle stops before the hazard [m/s].
-    stopping_distance : Distance
-        Distance that the speed travelled needs to stop [m].
-    avoidable_at_limit : bool
-        Whether the vehicle stops before the hazard at the speed limit; needs the speed limit [-].
-    margin_at_limit : Length
-        Distance to spare at the speed limit, negative when it is short; needs the speed limit [m].
-    impact_speed_at_limit : RoadSpeed
-        Speed at the hazard at the speed limit; needs the speed limit [m/s].
-    drag_factor : DragFactor
-        Deceleration along the road over gravity [-].
-    approaches : tuple[Approach, ...]
-        Distances, speeds and times at the speed travelled, at the limit and at the sufficient speed.
-    """
-
-    avoidable: bool
-    margin: Length
-    impact_speed: RoadSpeed
-    sufficient_speed: RoadSpeed
-    stopping_distance: Distance
-    avoidable_at_limit: bool | None
-    margin_at_limit: Length | None
-    impact_speed_at_limit: RoadSpeed | None
-    drag_factor: DragFactor
-    approaches: tuple[Approach, ...]
+    avoidable: Annotated[bool, "Whether the vehicle stops before the hazard at the speed travelled [-]."]
+    margin: Annotated[Length, "Distance to spare at the speed travelled, negative when it is short [m]."]
+    impact_speed: Annotated[RoadSpeed, "Speed at the hazard at the speed travelled [m/s]."]
+    sufficient_speed: Annotated[RoadSpeed, "Greatest speed from which the vehicle stops before the hazard [m/s]."]
+    stopping_distance: Annotated[Distance, "Distance that the speed travelled needs to stop [m]."]
+    avoidable_at_limit: Annotated[
+        bool | None, "Whether the vehicle stops before the hazard at the speed limit; needs the speed limit [-]."
+    ]
+    margin_at_limit: Annotated[
+        Length | None, "Distance to spare at the speed limit, negative when it is short; needs the speed limit [m]."
+    ]
+    impact_speed_at_limit: Annotated[
+        RoadSpeed | None, "Speed at the hazard at the speed limit; needs the speed limit [m/s]."
+    ]
+    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
+    approaches: Annotated[
+        tuple[Approach, ...],
+        "Distances, speeds and times at the speed travelled, at the limit and at the sufficient speed.",
+    ]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def avoid(
     *,
-    speed: RoadSpeed,
-    sight_distance: Distance,
-    reaction_time: Time,
-    friction: Friction,
-    speed_limit: RoadSpeed | None = None,
-    grade: Slope = 0.0,
-    braking: Fraction = 1.0,
-    gravity: Gravity = STANDARD_GRAVITY,
+    speed: Annotated[RoadSpeed, "Speed travelled when the hazard became visible [m/s]."],
+    sight_distance: Annotated[Distance, "Distance along the road from there to the hazard [m]."],
+    reaction_time: Annotated[Time, "Time from the hazard becoming visible until the brakes act [s]."],
+    friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."],
+    speed_limit: Annotated[RoadSpeed | None, "Speed allowed or held to be prudent there [m/s]."] = None,
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0,
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
+    ] = 1.0,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Avoidance:
     """Whether the driver could have stopped before the hazard, travelled or at the limit, and what speed sufficed.
 
@@ -112,25 +81,6 @@ def avoid(
     --------
     s = v t + v²/(2a), a = g f; the speed that suffices for S is 2S/(t + √(t² + 2S/a)). The margin is S − s, the speed
     at the hazard √(2a(s − S)) when the margin is negative, or v when the hazard is reached within the reaction.
-
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed travelled when the hazard became visible [m/s].
-    sight_distance : Distance
-        Distance along the road from there to the hazard [m].
-    reaction_time : Time
-        Time from the hazard becoming visible until the brakes act [s].
-    friction : Friction
-        Coefficient of friction between tyre and road [-].
-    speed_limit : RoadSpeed
-        Speed allowed or held to be prudent there [m/s].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -161,8 +111,7 @@ def avoid(
     deceleration = gravity * drag
     require(
         sight_distance > 0.0,
-        "with {0:.6g} m between driver and hazard there is nothing to ask",
-        sight_distance,
+        "the sight distance must be more than zero",
         code="no-sight-distance",
     )
     sufficient = (
@@ -234,8 +183,12 @@ def _close(travelled: Approach, sight: float) -> tuple[Advice, ...]:
     return (
         Advice(
             code="close-call",
-            message=f"the margin {plain(travelled.margin):.3g} m is within 5 % of the stopping distance "
-            f"{plain(travelled.stopping_distance):.4g} m: a small error of any input turns the answer",
-            mend="state the inputs with their uncertainty",
+            message=worded(
+                "the margin of {margin:3} is within 5 % of the stopping distance of {stop}: a small error of any input "
+                "changes the verdict",
+                margin=(travelled.margin, Distance),
+                stop=(travelled.stopping_distance, Distance),
+            ),
+            remedy="state the inputs with their uncertainty",
         ),
     )

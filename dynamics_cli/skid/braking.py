@@ -2,9 +2,11 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, maximum, multiply_add, sqrt, where
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
+    Annotated,
     Distance,
     DragFactor,
     Energy,
@@ -17,7 +19,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, plain, require_kept, single, split_product
+from dynamics_cli.skid.diagnostics import balance, require_kept, split_product
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
 
 # A mark as long as the computed stop may exceed it by rounding.
@@ -26,77 +28,37 @@ ROUNDING_ROOM = 1.0 + 1e-15
 
 @record
 class Segment:
-    """A stretch of skid marks on one surface.
+    """A stretch of skid marks on one surface."""
 
-    Parameters
-    ----------
-    distance : Distance
-        Length of the marks along the road [m].
-    friction : Friction
-        Coefficient of friction between tyre and road [-].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
-    """
-
-    distance: Distance
-    friction: Friction
-    grade: Slope = 0.0
-    braking: Fraction = 1.0
+    distance: Annotated[Distance, "Length of the marks along the road [m]."]
+    friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."]
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
+    ] = 1.0
 
 
 @record
 class SurfaceCrossed:
-    """What happened on one surface.
+    """What happened on one surface."""
 
-    Parameters
-    ----------
-    entry_speed : RoadSpeed
-        Speed where the surface begins [m/s].
-    exit_speed : RoadSpeed
-        Speed where the surface ends [m/s].
-    drag_factor : DragFactor
-        Deceleration along the road over gravity [-].
-    time : Time
-        Time spent on the surface [s].
-    distance : Distance
-        Length of the surface [m].
-    """
-
-    entry_speed: RoadSpeed
-    exit_speed: RoadSpeed
-    drag_factor: DragFactor
-    time: Time
-    distance: Distance
+    entry_speed: Annotated[RoadSpeed, "Speed where the surface begins [m/s]."]
+    exit_speed: Annotated[RoadSpeed, "Speed where the surface ends [m/s]."]
+    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
+    time: Annotated[Time, "Time spent on the surface [s]."]
+    distance: Annotated[Distance, "Length of the surface [m]."]
 
 
 @record
 class SkidSpeed:
-    """Speed at the start of the marks, and what happened on the way.
+    """Speed at the start of the marks, and what happened on the way."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed where the marks begin [m/s].
-    time : Time
-        Time from the beginning of the marks to their end [s].
-    total_distance : Distance
-        Length of all marks [m].
-    energy : Energy
-        Kinetic energy where the marks begin; needs the mass [J].
-    friction_work : Energy
-        Energy that friction turned into heat; needs the mass [J].
-    surfaces : tuple[SurfaceCrossed, ...]
-        The surfaces in the order they were crossed.
-    """
-
-    speed: RoadSpeed
-    time: Time
-    total_distance: Distance
-    energy: Energy | None
-    friction_work: Energy | None
-    surfaces: tuple[SurfaceCrossed, ...]
+    speed: Annotated[RoadSpeed, "Speed where the marks begin [m/s]."]
+    time: Annotated[Time, "Time from the beginning of the marks to their end [s]."]
+    total_distance: Annotated[Distance, "Length of all marks [m]."]
+    energy: Annotated[Energy | None, "Kinetic energy where the marks begin; needs the mass [J]."]
+    friction_work: Annotated[Energy | None, "Energy that friction turned into heat; needs the mass [J]."]
+    surfaces: Annotated[tuple[SurfaceCrossed, ...], "The surfaces in the order they were crossed."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -110,27 +72,19 @@ def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> flo
 
 def speed(
     *,
-    segments: Segment | tuple[Segment, ...],
-    end_speed: RoadSpeed = 0.0,
-    mass: Mass | None = None,
-    gravity: Gravity = STANDARD_GRAVITY,
+    segments: Annotated[
+        Segment | tuple[Segment, ...],
+        "The surfaces in the order they were crossed; one may be given by its plain fields.",
+    ],
+    end_speed: Annotated[RoadSpeed, "Speed where the marks end: zero when the vehicle came to rest there [m/s]."] = 0.0,
+    mass: Annotated[Mass | None, "Mass of the vehicle; wanted for the energies only [kg]."] = None,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidSpeed:
     """Speed at the start of skid marks, from the work of friction and grade over every surface crossed.
 
     Equation
     --------
     v² = v_e² + 2g Σ f_i d_i, with the drag factor f = (ημ + G)/√(1 + G²) of each surface.
-
-    Parameters
-    ----------
-    segments : Segment | tuple[Segment, ...]
-        The surfaces in the order they were crossed; one may be given by its plain fields.
-    end_speed : RoadSpeed
-        Speed where the marks end: zero when the vehicle came to rest there [m/s].
-    mass : Mass
-        Mass of the vehicle; wanted for the energies only [kg].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -207,66 +161,35 @@ def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[
 
 @record
 class SkidDistance:
-    """Distance and time that a change of speed takes.
+    """Distance and time that a change of speed takes."""
 
-    Parameters
-    ----------
-    distance : Distance
-        Distance along the road from speed to end speed [m].
-    time : Time
-        Time from speed to end speed [s].
-    drag_factor : DragFactor
-        Deceleration along the road over gravity [-].
-    deceleration : Acceleration
-        Deceleration along the road [m/s^2].
-    exit_speed : RoadSpeed
-        Speed left at the end of the mark; needs the mark [m/s].
-    exit_time : Time
-        Time until the end of the mark; needs the mark [s].
-    """
-
-    distance: Distance
-    time: Time
-    drag_factor: DragFactor
-    deceleration: Acceleration
-    exit_speed: RoadSpeed | None = None
-    exit_time: Time | None = None
+    distance: Annotated[Distance, "Distance along the road from speed to end speed [m]."]
+    time: Annotated[Time, "Time from speed to end speed [s]."]
+    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
+    deceleration: Annotated[Acceleration, "Deceleration along the road [m/s^2]."]
+    exit_speed: Annotated[RoadSpeed | None, "Speed left at the end of the mark; needs the mark [m/s]."] = None
+    exit_time: Annotated[Time | None, "Time until the end of the mark; needs the mark [s]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def distance(
     *,
-    speed: RoadSpeed,
-    friction: Friction,
-    grade: Slope = 0.0,
-    braking: Fraction = 1.0,
-    end_speed: RoadSpeed = 0.0,
-    mark: Distance | None = None,
-    gravity: Gravity = STANDARD_GRAVITY,
+    speed: Annotated[RoadSpeed, "Speed where braking begins [m/s]."],
+    friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."],
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0,
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
+    ] = 1.0,
+    end_speed: Annotated[RoadSpeed, "Speed to slow down to [m/s]."] = 0.0,
+    mark: Annotated[Distance | None, "Length of a mark after which the speed left is wanted [m]."] = None,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidDistance:
     """Distance and time in which a braked vehicle slows down, and the speed left after a given mark.
 
     Equation
     --------
     t = (v − v_e)/(g f), d = t (v + v_e)/2, f = (ημ + G)/√(1 + G²); after a mark m: v_m² = v² − 2 g f m.
-
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed where braking begins [m/s].
-    friction : Friction
-        Coefficient of friction between tyre and road [-].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
-    end_speed : RoadSpeed
-        Speed to slow down to [m/s].
-    mark : Distance
-        Length of a mark after which the speed left is wanted [m].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -296,10 +219,10 @@ def distance(
     drag = require_drag(drag_along(friction, grade, braking))
     require(
         end_speed <= speed,
-        "the end speed {0:.6g} m/s exceeds the speed {1:.6g} m/s: braking cannot raise it",
-        end_speed,
-        speed,
+        "the end speed of {end} exceeds the speed of {start}: braking cannot raise it",
         code="end-speed",
+        end=(end_speed, RoadSpeed),
+        start=(speed, RoadSpeed),
     )
     deceleration = gravity * drag
     time = (speed - end_speed) / deceleration
@@ -311,11 +234,11 @@ def distance(
         shed = sqrt(2.0 * deceleration * mark)
         require(
             shed <= speed * ROUNDING_ROOM,
-            "the mark of {0:.6g} m exceeds the stop: from {1:.6g} m/s the vehicle is at rest after {2:.6g} m",
-            mark,
-            speed,
-            speed / deceleration * (0.5 * speed),
+            "the mark of {mark} exceeds the stop: from {start} the vehicle is at rest after {stop}",
             code="mark-exceeds-stop",
+            mark=(mark, Distance),
+            start=(speed, RoadSpeed),
+            stop=(speed / deceleration * (0.5 * speed), Distance),
         )
         left = _speed_left_squared(speed, gravity, drag, mark)
         advice += _stop_advice(left, mark)
@@ -356,6 +279,6 @@ def _stop_advice(left: float, mark: float) -> tuple[Advice, ...]:
             code="mark-at-stop",
             message="the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
             "condition number describes how it and the time there depend on the inputs",
-            mend="read distance and time of the stop instead",
+            remedy="read distance and time of the stop instead",
         ),
     )

@@ -1,29 +1,29 @@
 """The tasks of `dynamics skid`."""
 
-from dynamics_cli.core.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10"
 SLIDES = "every braked wheel slides the whole way"
 POINT = "the vehicle is a point mass; air drag and wheel inertia are neglected"
-HERE = "dynamics_cli.skid."
 
 SPEED = Task(
     "speed",
     "Speed at the start of a skid over one or several surfaces.",
     Model(
         "work–energy",
-        HERE + "braking:speed",
+        "dynamics_cli.skid.braking:speed",
         source=BOOK,
         formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·Σ {surfaces.drag_factor|f}·{surfaces.distance|d}), "
         "f = ({braking|η}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
         assumptions=(SLIDES, "friction is constant on each surface", POINT),
     ),
+    headline=("speed", "time", "total_distance"),
     examples=(
         'dynamics skid speed --distance "60 ft" --friction 0.7',
         'dynamics skid speed --segment "distance=60 ft, friction=0.7, grade=-3 %, braking=80 %" '
         '--segment "distance=20 ft, friction=0.35" --end-speed "10 mph" --units us',
     ),
-    plot=HERE + "pictures:speed",
+    plot="dynamics_cli.skid.pictures:speed",
 )
 
 DISTANCE = Task(
@@ -31,14 +31,15 @@ DISTANCE = Task(
     "Distance and time in which a braked vehicle slows from one speed to another.",
     Model(
         "work–energy",
-        HERE + "braking:distance",
+        "dynamics_cli.skid.braking:distance",
         source=BOOK,
         formula="{distance|d} = ({speed|v} − {end_speed|vₑ})·({speed|v} + {end_speed|vₑ})"
         "/(2·{gravity|g}·{drag_factor|f})",
         assumptions=(SLIDES, POINT),
     ),
+    headline=("distance", "time", "deceleration", "drag_factor: drag factor f"),
     examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
-    plot=HERE + "pictures:distance",
+    plot="dynamics_cli.skid.pictures:distance",
 )
 
 FRICTION = Task(
@@ -46,19 +47,20 @@ FRICTION = Task(
     "Coefficient of friction from one or several test skids.",
     Model(
         "work–energy",
-        HERE + "friction:friction",
+        "dynamics_cli.skid.friction:friction",
         source=BOOK,
         formula="{friction|μ} = ({tests.drag_factor|f}·√(1 + {grade|G}²) − {grade|G})/{braking|η}, "
         "f = {inputs.speed|v}²/(2·{gravity|g}·{inputs.distance|d})",
         assumptions=("each test skid ends at rest", POINT),
     ),
+    headline=("friction: friction μ", "standard_deviation", "standard_error", "lowest", "highest"),
     examples=(
         'dynamics skid friction --speed "30 mph" --distance "43 ft"',
         'dynamics skid friction --test-skid "speed=30 mph, distance=43 ft" '
         '--test-skid "speed=30 mph, distance=41.5 ft" '
         '--test-skid "speed=30 mph, distance=44 ft"',
     ),
-    plot=HERE + "pictures:friction",
+    plot="dynamics_cli.skid.pictures:friction",
 )
 
 DRAG_FACTOR = Task(
@@ -66,7 +68,7 @@ DRAG_FACTOR = Task(
     "Drag factor from a surface, from unequally braked axles or from a drag sled.",
     Model(
         "statics of the braking vehicle",
-        HERE + "drag:drag_factor",
+        "dynamics_cli.skid.drag:drag_factor",
         source="statics, with the weight transfer of the deceleration itself; work–energy form: " + BOOK,
         formula=(
             "{drag_factor|f} = ({braking|η}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
@@ -79,7 +81,15 @@ DRAG_FACTOR = Task(
         ),
         assumptions=("the deceleration is steady", "both axles stay on the road"),
     ),
-    plot=HERE + "pictures:drag_factor",
+    plot="dynamics_cli.skid.pictures:drag_factor",
+    headline=(
+        "drag_factor: drag factor f",
+        "deceleration",
+        "effective_friction: effective friction μ",
+        "front_share: load on the front axle",
+        "rear_share: load on the rear axle",
+        "weight_transfer",
+    ),
     examples=(
         'dynamics skid drag-factor --friction 0.7 --grade "-4 %" --braking "85 %"',
         "dynamics skid drag-factor --front-friction 0.75 --rear-friction 0.75 --rear-braking 0.4 "
@@ -93,7 +103,7 @@ STOP = Task(
     "Reaction, brake build-up and braking of a whole stop, as a time–distance table.",
     Model(
         "uniform deceleration after a linear build-up",
-        HERE + "stop:stop",
+        "dynamics_cli.skid.stop:stop",
         source=BOOK,
         formula=(
             "{stopping_distance|s} = {reaction_distance|v·tr} + {build_up_distance|s_b} + {braking_distance|s_a}",
@@ -101,9 +111,18 @@ STOP = Task(
         ),
         assumptions=("constant speed during the reaction", "deceleration rises linearly during the build-up", POINT),
     ),
+    headline=(
+        "stopping_distance",
+        "stopping_time",
+        "reaction_distance",
+        "build_up_distance: build-up distance",
+        "braking_distance",
+        "braking_speed: speed at full braking",
+        "timeline",
+    ),
     examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
     table="timeline",
-    plot=HERE + "pictures:stop",
+    plot="dynamics_cli.skid.pictures:stop",
 )
 
 YAW = Task(
@@ -111,18 +130,19 @@ YAW = Task(
     "Critical speed of a curved path, from a yaw mark.",
     Model(
         "circular motion at the limit of side friction",
-        HERE + "yaw:yaw",
+        "dynamics_cli.skid.yaw:yaw",
         source="Newton's second law on a banked curve; as commonly published for yaw marks",
         formula="{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})"
         "/(1 − {friction|f}·{superelevation|e}))",
         assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
     ),
+    headline=("speed: critical speed", "path_radius: path radius R", "mark_radius", "lateral_acceleration"),
     examples=(
         'dynamics skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72 --superelevation "2 %" '
         '--track-width "5 ft" --units us',
         'dynamics skid yaw --radius "110 m" --friction 0.7',
     ),
-    plot=HERE + "pictures:yaw",
+    plot="dynamics_cli.skid.pictures:yaw",
 )
 
 VAULT = Task(
@@ -130,25 +150,26 @@ VAULT = Task(
     "Take-off speed of an airborne vehicle, its angle known or the least over all angles.",
     Model(
         "least speed over all angles",
-        HERE + "vault:vault_least_speed",
+        "dynamics_cli.skid.vault:vault_least_speed",
         source="projectile motion; Josephs & Huston, chapter 8",
         formula="{speed|v} = √({gravity|g}·({rise|y} + √({distance|x}² + {rise|y}²)))",
         assumptions=("a point mass without air drag", "any take-off angle is possible: the speed is a lower bound"),
-        suffices=HERE + "vault:least_speed_suffices",
+        suffices="dynamics_cli.skid.vault:least_speed_suffices",
     ),
     Model(
         "known take-off angle",
-        HERE + "vault:vault_known_angle",
+        "dynamics_cli.skid.vault:vault_known_angle",
         source="projectile motion; Josephs & Huston, chapter 8",
         formula="{speed|v} = {distance|x}·√({gravity|g}/(2·cos{take_off|α}·({distance|x}·sin{take_off|α} − "
         "{rise|y}·cos{take_off|α})))",
         assumptions=("a point mass without air drag",),
     ),
+    headline=("speed: take-off speed", "launch_angle: take-off angle", "flight_time", "landing_speed", "landing_angle"),
     examples=(
         'dynamics skid vault --distance "18 m" --rise "-3 m" --take-off "6 deg"',
         'dynamics skid vault --distance "18 m" --rise "-3 m"',
     ),
-    plot=HERE + "pictures:vault",
+    plot="dynamics_cli.skid.pictures:vault",
 )
 
 PEDESTRIAN = Task(
@@ -156,14 +177,15 @@ PEDESTRIAN = Task(
     "Projection speed of a pedestrian from the throw distance: bounds, or the speed at a known launch angle.",
     Model(
         "Searle's throw",
-        HERE + "pedestrian:pedestrian",
+        "dynamics_cli.skid.pedestrian:pedestrian",
         source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
         formula=(
             "{speed|v} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H}))"
-            "/(cos{launch_angle|α} + {friction|μ}·sin{launch_angle|α})",
+            "/(cos{launch_angle|α} + {friction|μ}·sin{launch_angle|α}); for s ≤ μ·H: "
+            "v = s·√(g/(2·cos α·(H·cos α + s·sin α)))",
             "{least_speed|v₁} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H})"
             "/(1 + {friction|μ}²)); {greatest_speed|v₂} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − "
-            "{friction|μ}·{launch_height|H}))",
+            "{friction|μ}·{launch_height|H})); for s ≤ μ·H: v₁ = s·√(g/(√(s² + H²) + H)), v₂ = s·√(g/(2·H))",
         ),
         assumptions=(
             "level ground",
@@ -171,12 +193,20 @@ PEDESTRIAN = Task(
             "the upper bound holds to greatest_angle",
         ),
     ),
+    headline=(
+        "speed: projection speed",
+        "least_speed: lower bound of speed",
+        "greatest_speed: upper bound of speed",
+        "greatest_angle: upper bound holds to",
+        "flight_distance",
+        "slide_distance",
+    ),
     examples=(
         'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
         'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
         '--launch-angle "12 deg" --launch-height "1 m"',
     ),
-    plot=HERE + "pictures:pedestrian",
+    plot="dynamics_cli.skid.pictures:pedestrian",
 )
 
 AVOID = Task(
@@ -184,18 +214,28 @@ AVOID = Task(
     "Could the driver have stopped, at the speed travelled and at the limit, and what speed would have sufficed.",
     Model(
         "reaction at constant speed, then uniform braking",
-        HERE + "avoid:avoid",
+        "dynamics_cli.skid.avoid:avoid",
         source=BOOK,
         formula="{sufficient_speed|v_s} = 2·{sight_distance|S}/({reaction_time|t} + "
         "√({reaction_time|t}² + 2·{sight_distance|S}/a)), a = {gravity|g}·{drag_factor|f}",
         assumptions=("the hazard stays where it is", "uniform braking after the reaction", POINT),
+    ),
+    headline=(
+        "avoidable",
+        "impact_speed",
+        "margin: margin before the hazard",
+        "stopping_distance",
+        "sufficient_speed",
+        "avoidable_at_limit",
+        "impact_speed_at_limit",
+        "margin_at_limit",
     ),
     examples=(
         'dynamics skid avoid --speed "62 km/h" --speed-limit "50 km/h" --sight-distance "32 m" --reaction-time "1.2 s" '
         "--friction 0.75",
     ),
     table="approaches",
-    plot=HERE + "pictures:avoid",
+    plot="dynamics_cli.skid.pictures:avoid",
 )
 
 SPIN = Task(
@@ -203,13 +243,21 @@ SPIN = Task(
     "Speed lost by a vehicle that rotates after an impact, by the partial drag of its tyres.",
     Model(
         "mean sine of the slip angle",
-        HERE + "spin:spin",
+        "dynamics_cli.skid.spin:spin",
         source="work–energy, section 10.10 of the book; the partial drag of a rotating vehicle as commonly used",
         formula="{speed|v} = √({end_speed|vₑ}² + 2·{gravity|g}·{drag_factor|f}·{distance|d}), "
         "f = ({mean_share|k}·{friction|μ} + {grade|G})/√(1 + {grade|G}²)",
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
-    plot=HERE + "pictures:spin",
+    plot="dynamics_cli.skid.pictures:spin",
+    headline=(
+        "speed",
+        "speed_lost",
+        "drag_factor: drag factor f",
+        "mean_share: mean share of friction",
+        "time",
+        "mean_yaw_rate",
+    ),
     examples=(
         'dynamics skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
         'dynamics skid spin --drag-share "60 %" --distance "18 m" --friction 0.65 --end-speed "5 km/h"',

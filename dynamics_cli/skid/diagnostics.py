@@ -1,7 +1,9 @@
 """What every skid calculation says about its own answer: checks, numbers no road has, and what leaves the range."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import multiply_add
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Friction, Slope
 from dynamics_cli.records import Advice, Check
 
 # A residual check that fails is a fault of the program, so it leaves room for long sums of roundings.
@@ -11,16 +13,6 @@ SMALLEST, LARGEST = 1e-70, 1e70
 DEGREES = 57.29577951308232
 STEEPEST_ROAD = 0.3
 HIGHEST_FRICTION = 1.5
-
-
-def plain(x: float) -> float:
-    """The number inside a tracked number; anything else as it is."""
-    return getattr(x, "value", x)
-
-
-def single(*values: object) -> bool:
-    """Whether these are single numbers: advice and checks are told of one case, never of an array of them."""
-    return not any(getattr(value, "ndim", 0) for value in values)
 
 
 def balance(name: str, left: float, right: float, scale: float, *operands: float) -> tuple[Check, ...]:
@@ -59,15 +51,17 @@ def split_product(x: float, y: float) -> tuple[float, float]:
     return head, multiply_add(x, y, -head)
 
 
-def friction_advice(friction: float, name: str = "friction", mend: str = "write 0.7 or 70 %") -> tuple[Advice, ...]:
+def friction_advice(friction: float, name: str = "friction", remedy: str = "write 0.7 or 70 %") -> tuple[Advice, ...]:
     """Say so when a coefficient of friction is higher than any tyre's."""
     if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
         return ()
     return (
         Advice(
             code="high-friction",
-            message=f"{name} {plain(friction):.4g} is more than tyres have on any road",
-            mend=mend,
+            message=worded(
+                "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
+            ),
+            remedy=remedy,
         ),
     )
 
@@ -79,7 +73,7 @@ def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
     return (
         Advice(
             code="steep-grade",
-            message=f"{name} {plain(grade):.4g} is {100.0 * plain(grade):.4g} %, steeper than roads are",
-            mend="write 3 % for three percent",
+            message=worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope)),
+            remedy="write 3 % for three percent",
         ),
     )

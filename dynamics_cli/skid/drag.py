@@ -1,11 +1,13 @@
 """Drag factor: deceleration over gravity, from a surface, from unequally braked axles or from a drag sled."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, cos, multiply_add, sin, sqrt
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
     Angle,
+    Annotated,
     Distance,
     DragFactor,
     Force,
@@ -16,7 +18,7 @@ from dynamics_cli.quantities import (
     Weight,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single, split_product
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, split_product
 
 # Steeper than this its square leaves the range of doubles.
 STEEPEST = 1e150
@@ -32,7 +34,7 @@ def secant(grade: float) -> float:
     """1/cos θ = √(1 + G²) of a road whose grade is G = tan θ."""
     if level(grade):
         return 1.0
-    require(absolute(grade) <= STEEPEST, "a grade of {0:.6g} is no road", grade, code="grade")
+    require(absolute(grade) <= STEEPEST, "a grade of {grade} is too steep", code="grade", grade=(grade, Slope))
     return sqrt(1.0 + grade * grade)
 
 
@@ -52,10 +54,11 @@ def require_drag(drag: float, where_: str = "") -> float:
     """`drag`, refused unless it slows the vehicle down."""
     require(
         drag > 0.0,
-        where_ + "the drag factor {0:.6g} is not above zero: friction cannot hold the vehicle against this grade",
-        drag,
+        "{where}the drag factor of {drag} is not above zero: friction cannot hold the vehicle against this grade",
         code="no-drag",
-        hint="uphill grades are positive; check the signs of grade, and friction and braking",
+        hint="uphill grades are positive; check the sign of grade, and friction and braking",
+        where=where_,
+        drag=(drag, DragFactor),
     )
     return drag
 
@@ -73,31 +76,29 @@ def drag_advice(friction: float, grade: float, braking: float, name: str = "") -
         *absurd,
         Advice(
             code="drag-by-difference",
-            message=f"{name}friction {grip:.4g} hardly exceeds the falling grade {-plain(grade):.4g}: "
-            f"1 % of friction is {grip / rest:.3g} % of the drag",
+            message=worded(
+                "{name}friction of {grip} hardly exceeds the falling grade of {grade}: an error of 1 % in friction is "
+                "one of {percent} in the drag factor",
+                name=name,
+                grip=(grip, Friction),
+                grade=(-plain(grade), Slope),
+                percent=f"{grip / rest:.3g} %",
+            ),
             severity="caution" if grip < 50.0 * rest else "serious",
-            mend="measure friction and grade together, as a deceleration on the same road",
+            remedy="measure friction and grade together, as a deceleration on the same road",
         ),
     )
 
 
 @record
 class Surface:
-    """A vehicle braking alike on all wheels.
+    """A vehicle braking alike on all wheels."""
 
-    Parameters
-    ----------
-    friction : Friction
-        Coefficient of friction between tyre and road [-].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
-    """
-
-    friction: Friction
-    grade: Slope = 0.0
-    braking: Fraction = 1.0
+    friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."]
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
+    ] = 1.0
 
     @property
     def effective_friction(self) -> float:
@@ -112,36 +113,16 @@ class Surface:
 
 @record
 class Axles:
-    """A two-axle vehicle whose axles brake unequally, with the weight that braking shifts to the front.
+    """A two-axle vehicle whose axles brake unequally, with the weight that braking shifts to the front."""
 
-    Parameters
-    ----------
-    front_friction : Friction
-        Coefficient of friction at the front axle [-].
-    rear_friction : Friction
-        Coefficient of friction at the rear axle [-].
-    wheelbase : Distance
-        Distance between the axles [m].
-    cm_position : Distance
-        Distance of the mass centre behind the front axle [m].
-    cm_height : Distance
-        Height of the mass centre above the road [m].
-    front_braking : Fraction
-        Share of its friction that the front axle uses, 0 when unbraked [-].
-    rear_braking : Fraction
-        Share of its friction that the rear axle uses, 0 when unbraked [-].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    """
-
-    front_friction: Friction
-    rear_friction: Friction
-    wheelbase: Distance
-    cm_position: Distance
-    cm_height: Distance
-    front_braking: Fraction = 1.0
-    rear_braking: Fraction = 1.0
-    grade: Slope = 0.0
+    front_friction: Annotated[Friction, "Coefficient of friction at the front axle [-]."]
+    rear_friction: Annotated[Friction, "Coefficient of friction at the rear axle [-]."]
+    wheelbase: Annotated[Distance, "Distance between the axles [m]."]
+    cm_position: Annotated[Distance, "Distance of the mass centre behind the front axle [m]."]
+    cm_height: Annotated[Distance, "Height of the mass centre above the road [m]."]
+    front_braking: Annotated[Fraction, "Share of its friction that the front axle uses, 0 when unbraked [-]."] = 1.0
+    rear_braking: Annotated[Fraction, "Share of its friction that the rear axle uses, 0 when unbraked [-]."] = 1.0
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
 
     @property
     def loads(self) -> tuple[float, float, float]:
@@ -168,24 +149,12 @@ class Axles:
 
 @record
 class Sled:
-    """A drag sled pulled at constant speed in the direction the vehicle went.
+    """A drag sled pulled at constant speed in the direction the vehicle went."""
 
-    Parameters
-    ----------
-    pull : Force
-        Force that keeps the sled sliding [N].
-    weight : Weight
-        Weight of the sled [N].
-    pull_angle : Angle
-        Angle of the pull above the road surface [rad].
-    grade : Slope
-        Rise over run of the road in the direction of the pull, uphill positive [-].
-    """
-
-    pull: Force
-    weight: Weight
-    pull_angle: Angle = 0.0
-    grade: Slope = 0.0
+    pull: Annotated[Force, "Force that keeps the sled sliding [N]."]
+    weight: Annotated[Weight, "Weight of the sled [N]."]
+    pull_angle: Annotated[Angle, "Angle of the pull above the road surface [rad]."] = 0.0
+    grade: Annotated[Slope, "Rise over run of the road in the direction of the pull, uphill positive [-]."] = 0.0
 
     @property
     def pressing(self) -> float:
@@ -206,35 +175,28 @@ class Sled:
 
 @record
 class DragFactors:
-    """A drag factor and what stands behind it.
+    """A drag factor and what stands behind it."""
 
-    Parameters
-    ----------
-    drag_factor : DragFactor
-        Deceleration along the road over gravity [-].
-    deceleration : Acceleration
-        Deceleration along the road [m/s^2].
-    effective_friction : Friction
-        Retarding force of the tyres over the load on the road [-].
-    front_share : Fraction
-        Share of the load on the front axle while braking [-].
-    rear_share : Fraction
-        Share of the load on the rear axle while braking [-].
-    weight_transfer : Fraction
-        Share of the load that braking moves from the rear axle to the front one [-].
-    """
-
-    drag_factor: DragFactor
-    deceleration: Acceleration
-    effective_friction: Friction
-    front_share: Fraction | None = None
-    rear_share: Fraction | None = None
-    weight_transfer: Fraction | None = None
+    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
+    deceleration: Annotated[Acceleration, "Deceleration along the road [m/s^2]."]
+    effective_friction: Annotated[Friction, "Retarding force of the tyres over the load on the road [-]."]
+    front_share: Annotated[Fraction | None, "Share of the load on the front axle while braking [-]."] = None
+    rear_share: Annotated[Fraction | None, "Share of the load on the rear axle while braking [-]."] = None
+    weight_transfer: Annotated[
+        Fraction | None, "Share of the load that braking moves from the rear axle to the front one [-]."
+    ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
-def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STANDARD_GRAVITY) -> DragFactors:
+def drag_factor(
+    *,
+    measurement: Annotated[
+        Surface | Axles | Sled,
+        "What the drag factor is known from: friction, grade and braking; two axles; or a drag sled's pull and weight.",
+    ],
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+) -> DragFactors:
     """Drag factor of a braking vehicle, from its surface, from its axles or from a drag sled.
 
     Equation
@@ -242,13 +204,6 @@ def drag_factor(*, measurement: Surface | Axles | Sled, gravity: Gravity = STAND
     f = (ημ + G)/√(1 + G²). Axles: ημ becomes (μ_f b + μ_r a)/(b + hμ_r + a − hμ_f), with the mass centre a behind the
     front axle, b = wheelbase − a ahead of the rear one and h above the road.
     Sled: f = P(cos α − G sin α)/(W − P sin α √(1 + G²)).
-
-    Parameters
-    ----------
-    measurement : Surface | Axles | Sled
-        What the drag factor is known from: friction, grade and braking; two axles; or a drag sled's pull and weight.
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -346,19 +301,19 @@ def _examine(
 def _require_standing(axles: Axles) -> None:
     require(
         (axles.cm_position > 0.0) & (axles.cm_position < axles.wheelbase),
-        "the mass centre, {0:.6g} m behind the front axle, is not between axles {1:.6g} m apart",
-        axles.cm_position,
-        axles.wheelbase,
+        "the mass centre, {position} behind the front axle, is not between axles {wheelbase} apart",
         code="mass-centre",
+        position=(axles.cm_position, Distance),
+        wheelbase=(axles.wheelbase, Distance),
     )
     require(
         axles.loads[1] >= 0.0,
-        "braking lifts the rear axle: friction {0:.6g} at the front times the height {1:.6g} m of the mass centre "
-        "exceeds its distance {2:.6g} m behind the front axle",
-        axles.front_braking * axles.front_friction,
-        axles.cm_height,
-        axles.cm_position,
+        "braking lifts the rear axle: friction of {friction} at the front times the height {height} of the mass centre "
+        "exceeds its distance {position} behind the front axle",
         code="axle-lifts",
+        friction=(axles.front_braking * axles.front_friction, Friction),
+        height=(axles.cm_height, Distance),
+        position=(axles.cm_position, Distance),
     )
 
 
@@ -368,8 +323,8 @@ def _light_rear(share: float) -> tuple[Advice, ...]:
     return (
         Advice(
             code="light-rear-axle",
-            message=f"only {100.0 * plain(share):.3g} % of the load stays on the rear axle",
-            mend="check the height of the mass centre",
+            message=worded("only {share:3} of the load stays on the rear axle", share=(share, Fraction)),
+            remedy="check the height of the mass centre",
         ),
     )
 
@@ -377,19 +332,19 @@ def _light_rear(share: float) -> tuple[Advice, ...]:
 def _require_dragged(sled: Sled) -> None:
     require(
         absolute(sled.pull_angle) < RIGHT_ANGLE,
-        "the sled must be pulled along the road, not at {0:.6g} rad from it",
-        sled.pull_angle,
+        "the sled must be pulled along the road, not at {angle} to it",
         code="pull-angle",
+        angle=(sled.pull_angle, Angle),
     )
     require(
         sled.pressing > 0.0,
-        "the pull lifts the sled: it leaves {0:.6g} N of its weight on the road",
-        sled.pressing,
+        "the pull lifts the sled: it leaves {load} of its weight on the road",
         code="sled-lifts",
+        load=(sled.pressing, Force),
     )
     require(
         sled.effective_friction >= 0.0,
-        "the pull is less than the grade's share of the weight: friction would be {0:.6g}",
-        sled.effective_friction,
+        "the pull is less than the grade's share of the weight: friction would be {friction}",
         code="negative-friction",
+        friction=(sled.effective_friction, Friction),
     )

@@ -1,9 +1,11 @@
 """Coefficient of friction from test skids: each one's value, their mean and how far they scatter."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, where
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
+    Annotated,
     Distance,
     DragFactor,
     Fraction,
@@ -13,91 +15,56 @@ from dynamics_cli.quantities import (
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice
 from dynamics_cli.skid.drag import drag_along, secant
 
 
 @record
 class TestSkid:
-    """One test skid to rest.
+    """One test skid to rest."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed where the wheels locked [m/s].
-    distance : Distance
-        Length of the skid along the road [m].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes used, 1 when all wheels were locked [-].
-    """
-
-    speed: RoadSpeed
-    distance: Distance
-    grade: Slope = 0.0
-    braking: Fraction = 1.0
+    speed: Annotated[RoadSpeed, "Speed where the wheels locked [m/s]."]
+    distance: Annotated[Distance, "Length of the skid along the road [m]."]
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes used, 1 when all wheels were locked [-]."
+    ] = 1.0
 
 
 @record
 class SkidTested:
-    """What one test skid showed.
+    """What one test skid showed."""
 
-    Parameters
-    ----------
-    friction : Friction
-        Coefficient of friction [-].
-    drag_factor : DragFactor
-        Deceleration along the road over gravity [-].
-    """
-
-    friction: Friction
-    drag_factor: DragFactor
+    friction: Annotated[Friction, "Coefficient of friction [-]."]
+    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
 
 
 @record
 class FrictionFound:
-    """Friction from one test skid, or the mean of several with their scatter.
+    """Friction from one test skid, or the mean of several with their scatter."""
 
-    Parameters
-    ----------
-    friction : Friction
-        Coefficient of friction, the mean when there are several test skids [-].
-    standard_deviation : Friction
-        Sample standard deviation of the test skids; needs two or more [-].
-    standard_error : Friction
-        Standard deviation of the mean; needs two or more [-].
-    lowest : Friction
-        Lowest friction of the test skids [-].
-    highest : Friction
-        Highest friction of the test skids [-].
-    tests : tuple[SkidTested, ...]
-        Every test skid by itself.
-    """
-
-    friction: Friction
-    standard_deviation: Friction | None
-    standard_error: Friction | None
-    lowest: Friction
-    highest: Friction
-    tests: tuple[SkidTested, ...]
+    friction: Annotated[Friction, "Coefficient of friction, the mean when there are several test skids [-]."]
+    standard_deviation: Annotated[
+        Friction | None, "Sample standard deviation of the test skids; needs two or more [-]."
+    ]
+    standard_error: Annotated[Friction | None, "Standard deviation of the mean; needs two or more [-]."]
+    lowest: Annotated[Friction, "Lowest friction of the test skids [-]."]
+    highest: Annotated[Friction, "Highest friction of the test skids [-]."]
+    tests: Annotated[tuple[SkidTested, ...], "Every test skid by itself."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
-def friction(*, skids: TestSkid | tuple[TestSkid, ...], gravity: Gravity = STANDARD_GRAVITY) -> FrictionFound:
+def friction(
+    *,
+    skids: Annotated[TestSkid | tuple[TestSkid, ...], "The test skids; one may be given by its plain fields."],
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+) -> FrictionFound:
     """Coefficient of friction from the speed and length of one or several test skids to rest.
 
     Equation
     --------
     f = v²/(2 g d), μ = (f √(1 + G²) − G)/η; s² = Σ(μ_i − mean)²/(n − 1), standard error s/√n.
-
-    Parameters
-    ----------
-    skids : TestSkid | tuple[TestSkid, ...]
-        The test skids; one may be given by its plain fields.
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -163,22 +130,23 @@ def _sum(parts: list[float]) -> float:
 
 
 def _drag(skid: TestSkid, gravity: float, name: str) -> float:
-    require(skid.distance > 0.0, name + "a test skid of {0:.6g} m shows nothing", skid.distance, code="no-length")
-    require(skid.speed > 0.0, name + "a test skid from {0:.6g} m/s shows nothing", skid.speed, code="no-speed")
+    require(skid.distance > 0.0, "{name}the distance of a skid must be more than zero", code="no-length", name=name)
+    require(skid.speed > 0.0, "{name}the speed of a skid must be more than zero", code="no-speed", name=name)
     return skid.speed / (2.0 * gravity * skid.distance) * skid.speed
 
 
 def _friction(skid: TestSkid, drag: float, name: str) -> float:
-    require(skid.braking > 0.0, name + "braking of {0:.6g} tells nothing of friction", skid.braking, code="no-braking")
+    require(skid.braking > 0.0, "{name}the braking of a test skid must be more than zero", code="no-braking", name=name)
     grip = (
         drag if type(skid.grade) is float and skid.grade == 0.0 else multiply_add(drag, secant(skid.grade), -skid.grade)
     )
     require(
         grip >= 0.0,
-        name + "the grade alone would have stopped the vehicle shorter: friction would be {0:.6g}",
-        grip / skid.braking,
+        "{name}the grade alone would have stopped the vehicle sooner: friction would be {friction}",
         code="negative-friction",
         hint="uphill grades are positive; check speed, distance and grade",
+        name=name,
+        friction=(grip / skid.braking, Friction),
     )
     return grip / skid.braking
 
@@ -210,7 +178,7 @@ def _advice(spread: float | None, mean: float) -> tuple[Advice, ...]:
                 code="one-test-skid",
                 message="one test skid shows no scatter",
                 severity="note",
-                mend="make at least two more test skids",
+                remedy="make at least two more test skids",
             ),
         )
     if not single(spread, mean) or plain(spread) <= 0.1 * plain(mean):
@@ -218,7 +186,11 @@ def _advice(spread: float | None, mean: float) -> tuple[Advice, ...]:
     return (
         Advice(
             code="test-skids-scatter",
-            message=f"the test skids scatter by {plain(spread):.3g}, more than a tenth of their mean {plain(mean):.3g}",
-            mend="look for the skid that does not belong, or state the range",
+            message=worded(
+                "the test skids scatter by {spread:3}, more than a tenth of their mean of {mean:3}",
+                spread=(spread, Friction),
+                mean=(mean, Friction),
+            ),
+            remedy="look for the skid that does not belong, or state the range",
         ),
     )

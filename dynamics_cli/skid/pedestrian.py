@@ -1,6 +1,6 @@
 """Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import (
     absolute,
     atan,
@@ -14,56 +14,56 @@ from dynamics_cli.numerics.elementary import (
     tan,
     where,
 )
-from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Friction, Gravity, RoadSpeed, Time
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Distance,
+    Friction,
+    Gravity,
+    Ratio,
+    RoadSpeed,
+    Time,
+)
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import DEGREES, balance, friction_advice, plain, require_kept, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, require_kept
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 
 @record
 class Throw:
-    """Projection speed of a thrown pedestrian and its bounds.
+    """Projection speed of a thrown pedestrian and its bounds."""
 
-    Parameters
-    ----------
-    least_speed : RoadSpeed
-        No smaller projection speed reaches the throw distance, whatever the angle [m/s].
-    greatest_speed : RoadSpeed
-        Speed of a level launch: no greater one stays within it, for launch angles from zero to the greatest angle
-        [m/s].
-    greatest_angle : Angle
-        Launch angle up to which the greatest speed holds: 2 atan μ, or less when landing stops the body before [rad].
-    speed : RoadSpeed
-        Projection speed; needs the launch angle [m/s].
-    flight_time : Time
-        Time in the air; needs the launch angle [s].
-    flight_distance : Distance
-        Horizontal distance in the air; needs the launch angle [m].
-    slide_time : Time
-        Time from the landing to rest; needs the launch angle [s].
-    slide_distance : Distance
-        Distance from the landing to rest; needs the launch angle [m].
-    """
-
-    least_speed: RoadSpeed
-    greatest_speed: RoadSpeed
-    greatest_angle: Angle
-    speed: RoadSpeed | None = None
-    flight_time: Time | None = None
-    flight_distance: Distance | None = None
-    slide_time: Time | None = None
-    slide_distance: Distance | None = None
+    least_speed: Annotated[
+        RoadSpeed, "No smaller projection speed reaches the throw distance, whatever the angle [m/s]."
+    ]
+    greatest_speed: Annotated[
+        RoadSpeed,
+        "Speed of a level launch: no greater one stays within it, for launch angles from zero to the greatest "
+        "angle [m/s].",
+    ]
+    greatest_angle: Annotated[
+        Angle,
+        "Launch angle up to which the greatest speed holds: 2 atan μ, or less when landing stops the body before "
+        "[rad].",
+    ]
+    speed: Annotated[RoadSpeed | None, "Projection speed; needs the launch angle [m/s]."] = None
+    flight_time: Annotated[Time | None, "Time in the air; needs the launch angle [s]."] = None
+    flight_distance: Annotated[Distance | None, "Horizontal distance in the air; needs the launch angle [m]."] = None
+    slide_time: Annotated[Time | None, "Time from the landing to rest; needs the launch angle [s]."] = None
+    slide_distance: Annotated[Distance | None, "Distance from the landing to rest; needs the launch angle [m]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def pedestrian(
     *,
-    throw_distance: Distance,
-    friction: Friction,
-    launch_angle: Angle | None = None,
-    launch_height: Distance = 0.0,
-    gravity: Gravity = STANDARD_GRAVITY,
+    throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
+    friction: Annotated[Friction, "Coefficient of friction between the body and the ground [-]."],
+    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal [rad]."] = None,
+    launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
     """Projection speed of a pedestrian from the throw distance: its bounds, and itself when the launch angle is known.
 
@@ -72,19 +72,7 @@ def pedestrian(
     v = √(2μg r)/(cos α + μ sin α), r = s − μH; √(2μg r/(1 + μ²)) ≤ v always. For 0 ≤ α ≤ α_g no more than a level
     launch needs: v ≤ √(2μg r), α_g = 2 atan μ while (1 + μ²) k ≥ 4μ², k = 1 − μH/r, else
     tan α_g = (2μ + √(4μ² − k²)) r/s; and v ≤ s √(g/(2H)), tan α_g = s/H, when k < 0.
-
-    Parameters
-    ----------
-    throw_distance : Distance
-        Horizontal distance from launch to rest [m].
-    friction : Friction
-        Coefficient of friction between the body and the ground [-].
-    launch_angle : Angle
-        Angle of the launch above the horizontal [rad].
-    launch_height : Distance
-        Height of the centre of mass at launch above its height at rest [m].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
+    For s ≤ μH no body slides: v = s √(g/(2 cos α (H cos α + s sin α))), at least s √(g/(√(s² + H²) + H)).
 
     Returns
     -------
@@ -94,8 +82,9 @@ def pedestrian(
     Raises
     ------
     InadmissibleError
-        When friction is zero, the throw distance does not exceed μH, the launch angle is not within ±90 degrees, or
-        landing would stop the body at once (v cos α < μ √(v² sin² α + 2gH)), where the formula does not hold.
+        When friction or the throw distance is zero, the launch angle is not within ±90 degrees, the launch points below
+        the place of rest (s ≤ μH), or landing would stop the body at once (v cos α < μ √(v² sin² α + 2gH), s > μH),
+        where the formula does not hold.
 
     Notes
     -----
@@ -103,6 +92,9 @@ def pedestrian(
     then friction slows the slide. Both bounds count the launches that end where the body lands: at the speed of a level
     launch the landing stops it above sin² α = k/(1 + μ²), which for H = 0 is 90° − atan μ. For H = 0 the greatest angle
     is 2 atan μ up to μ = tan 30°, and ½(180° − asin(1/(2μ))) above.
+
+    A body that slides came farther than μH: its throw is μH + (v_x + μ v_y)²/(2μg). Just above s = μH the least speed
+    is a bound that no launch reaches.
 
     References
     ----------
@@ -114,62 +106,40 @@ def pedestrian(
     >>> round(pedestrian(throw_distance=25.0, friction=0.66).least_speed, 4)
     15.0141
     """
-    require(friction > 0.0, "friction {0:.6g} cannot stop a thrown body", friction, code="no-friction")
-    reach = multiply_add(-friction, launch_height, throw_distance)
     require(
-        reach > 0.0,
-        "the throw distance {0:.6g} m must exceed friction × launch height, {1:.6g} m",
-        throw_distance,
-        friction * launch_height,
-        code="throw-too-short",
+        friction > 0.0,
+        "a friction of {friction:6} does not stop a thrown body",
+        friction=(friction, Friction),
+        code="no-friction",
     )
+    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+    over = multiply_add(-friction, launch_height, throw_distance)
+    # Within μH the landing stops every throw. There the terms of the slide are those of any distance, and not used.
+    lands = over <= 0.0
+    reach = where(lands, throw_distance, over)
     sliding = sqrt(2.0 * gravity * (friction * reach))
     require_kept(sliding > 0.0, "friction times the throw distance")
-    least = sliding / hypot(1.0, friction)
-    share = multiply_add(-2.0 * friction, launch_height, throw_distance) / reach
+    share = where(lands, -1.0, multiply_add(-2.0 * friction, launch_height, throw_distance) / reach)
     # a level launch that the landing stops flies the whole way
     fall = where(share < 0.0, sqrt(2.0 * launch_height / gravity), 1.0)
     greatest = where(share < 0.0, throw_distance / fall, sliding)
+    shortest = throw_distance * sqrt(gravity / (hypot(throw_distance, launch_height) + launch_height))
+    least = where(lands, shortest, sliding / hypot(1.0, friction))
     greatest_angle = _greatest_angle(friction, share, reach / throw_distance, throw_distance, launch_height)
-    advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle)
+    advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle, lands)
     if launch_angle is None:
         return Throw(least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle, advice=advice)
     require(
         absolute(launch_angle) < RIGHT_ANGLE,
-        "a launch at {0:.6g} degrees goes nowhere forward",
-        launch_angle * DEGREES,
+        "a launch at {angle:6} does not move the body forward",
+        angle=(launch_angle, Angle),
         code="launch-angle",
     )
-    sine, cosine = sin(launch_angle), cos(launch_angle)
-    gain = multiply_add(friction, sine, cosine)
-    slope = tan(launch_angle)
-    over_forward = multiply_add(friction, slope, 1.0)
-    require(
-        (gain > 0.0) & (over_forward > 0.0),
-        "cos α + μ sin α is {0:.6g} at the launch angle {1:.6g} degrees: landing stops the body at once",
-        gain,
-        launch_angle * DEGREES,
-        code="stops-at-landing",
+    flown = _flown(throw_distance, launch_height, launch_angle, gravity, lands)
+    slid = _slid(friction, launch_height, launch_angle, gravity, reach, lands)
+    speed, flight_time, flight, slide_time, slide = (
+        where(lands, alone, both) for alone, both in zip(flown, slid, strict=True)
     )
-    speed = sliding / gain
-    forward = speed * cosine
-    # √(2gH) over the forward speed, without the speed
-    landing, falling = _flight(slope, sqrt(launch_height / (friction * reach)) * over_forward)
-    flight_time = forward * falling / gravity
-    # the share of √(2μg r) left for the slide, from the form that subtracts less
-    kept = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
-    left = kept / over_forward
-    require(
-        kept >= -1e-15,
-        "landing stops the body at once: its horizontal speed {0:.6g} m/s is less than friction times the vertical "
-        "one, {1:.6g} m/s",
-        forward,
-        friction * landing * forward,
-        code="stops-at-landing",
-    )
-    left = maximum(left, 0.0)
-    flight = forward * flight_time
-    slide = reach * left * left
     return Throw(
         least_speed=least,
         greatest_speed=greatest,
@@ -177,7 +147,7 @@ def pedestrian(
         speed=speed,
         flight_time=flight_time,
         flight_distance=flight,
-        slide_time=sliding * left / (friction * gravity),
+        slide_time=slide_time,
         slide_distance=slide,
         checks=balance(
             "flight and slide make the throw",
@@ -192,6 +162,65 @@ def pedestrian(
         ),
         advice=advice + _angle_advice(launch_angle, greatest_angle),
     )
+
+
+# Speed, time in the air, distance in the air, time and distance of the slide.
+Stages = tuple[float, float, float, float, float]
+
+
+def _flown(distance: float, height: float, angle: float, gravity: float, lands: bool) -> Stages:
+    """A throw that the landing stops; where it is not one, the numbers of a throw from its own distance."""
+    height = where(lands, height, distance)
+    angle = where(lands, angle, 0.0)
+    cosine = cos(angle)
+    rise = multiply_add(distance, sin(angle), height * cosine)
+    require(
+        rise > 0.0,
+        "a launch at {angle:6} points below where the body lands, {height} lower at {distance}",
+        angle=(angle, Angle),
+        height=(height, Distance),
+        distance=(distance, Distance),
+        code="launch-angle",
+    )
+    root = sqrt(2.0 * rise / (gravity * cosine))
+    speed = distance / (root * cosine)
+    return speed, root, speed * cosine * root, 0.0 * speed, 0.0 * speed
+
+
+def _slid(friction: float, height: float, angle: float, gravity: float, reach: float, lands: bool) -> Stages:
+    """A throw with a slide after the landing; where there is none, the numbers of a level throw from the ground."""
+    height = where(lands, 0.0, height)
+    angle = where(lands, 0.0, angle)
+    sliding = sqrt(2.0 * gravity * (friction * reach))
+    sine, cosine = sin(angle), cos(angle)
+    gain = multiply_add(friction, sine, cosine)
+    slope = tan(angle)
+    over_forward = multiply_add(friction, slope, 1.0)
+    require(
+        (gain > 0.0) & (over_forward > 0.0),
+        "cos α + μ sin α is {gain:6} at the launch angle {angle:6}: landing stops the body at once",
+        gain=(gain, Ratio),
+        angle=(angle, Angle),
+        code="stops-at-landing",
+    )
+    speed = sliding / gain
+    forward = speed * cosine
+    # √(2gH) over the forward speed, without the speed
+    landing, falling = _flight(slope, sqrt(height / (friction * reach)) * over_forward)
+    flight_time = forward * falling / gravity
+    # the share of √(2μg r) left for the slide, from the form that subtracts less
+    kept = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
+    left = kept / over_forward
+    require(
+        kept >= -1e-15,
+        "landing stops the body at once: its horizontal speed {forward:6} is less than friction times the vertical "
+        "one, {lost:6}",
+        forward=(forward, RoadSpeed),
+        lost=(friction * landing * forward, RoadSpeed),
+        code="stops-at-landing",
+    )
+    left = maximum(left, 0.0)
+    return speed, flight_time, forward * flight_time, sliding * left / (friction * gravity), reach * left * left
 
 
 def _greatest_angle(friction: float, share: float, part: float, distance: float, height: float) -> float:
@@ -218,16 +247,31 @@ def _flight(slope: float, drop: float) -> tuple[float, float]:
     return landing, where(slope >= 0.0, both, drop * (drop / where(both > 0.0, both, 1.0)))
 
 
-def _stop_advice(friction: float, share: float, greatest_angle: float) -> tuple[Advice, ...]:
-    if not single(friction, share) or (plain(share) >= 0.0 and _slides_there(friction, share)):
+def _stop_advice(friction: float, share: float, greatest_angle: float, lands: bool) -> tuple[Advice, ...]:
+    if not single(friction, share):
+        return ()
+    if lands:
+        return (
+            Advice(
+                code="stops-where-it-lands",
+                message="the throw distance is at most friction × launch height: landing stops the body at once, "
+                "whatever the launch angle, and the speeds are those of the flight alone",
+                severity="note",
+            ),
+        )
+    if plain(share) >= 0.0 and _slides_there(friction, share):
         return ()
     from_angle = plain(atan2(sqrt(maximum(share, 0.0)), sqrt(multiply_add(friction, friction, 1.0 - share))))
     return (
         Advice(
             code="may-stop-at-landing",
-            message=f"launched at the greatest speed above {from_angle * DEGREES:.4g} degrees the body stops where it "
-            f"lands: that speed holds up to {plain(greatest_angle) * DEGREES:.4g} degrees, not 2 atan μ = "
-            f"{2.0 * plain(atan(friction)) * DEGREES:.4g} degrees",
+            message=worded(
+                "launched at the greatest speed above {angle} the body stops where it lands: that speed holds up to "
+                "{greatest}, not 2 atan μ = {sliding}",
+                angle=(from_angle, Angle),
+                greatest=(greatest_angle, Angle),
+                sliding=(2.0 * plain(atan(friction)), Angle),
+            ),
             severity="note",
         ),
     )
@@ -239,7 +283,9 @@ def _angle_advice(launch_angle: float, greatest_angle: float) -> tuple[Advice, .
     return (
         Advice(
             code="beyond-greatest-angle",
-            message=f"the greatest speed holds for launches from 0 to {plain(greatest_angle) * DEGREES:.4g} degrees",
-            mend="use the speed of this launch angle, or the least speed",
+            message=worded(
+                "the greatest speed holds for launches from 0 to {greatest}", greatest=(greatest_angle, Angle)
+            ),
+            remedy="use the speed of this launch angle, or the least speed",
         ),
     )

@@ -119,7 +119,8 @@ def friction(made: "Any", **_: "Any") -> Picture:
         spread = made.standard_error
         items.append(Band(made.friction - spread, made.friction + spread, "standard error", vertical=False))
     return Picture(
-        (Panel(Axis("test skid", Count), Axis("friction", Friction), tuple(items)),), "friction from test skids"
+        (Panel(Axis("test skid", Count, ends=(0.5, len(numbers) + 0.5)), Axis("friction", Friction), tuple(items)),),
+        "friction from test skids",
     )
 
 
@@ -128,12 +129,18 @@ def pedestrian(
     launch_height: float = 0.0, gravity: float,
 ) -> Picture:  # fmt: skip
     """Projection speed for every launch angle at this throw distance, and the one given."""
-    steepest = min(2.0 * math.atan(friction), 0.5 * math.pi) * 0.999
-    angles = [steepest * i / (POINTS - 1) for i in range(POINTS)]
     reach = throw_distance - friction * launch_height
-    speeds = [
-        math.sqrt(2.0 * friction * gravity * reach) / (math.cos(angle) + friction * math.sin(angle)) for angle in angles
-    ]
+    steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(made.greatest_angle)
+    angles = [min(steepest, 0.5 * math.pi) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
+
+    def speed(angle: float) -> float:
+        sine, cosine = math.sin(angle), math.cos(angle)
+        if reach > 0.0:
+            return math.sqrt(2.0 * friction * gravity * reach) / (cosine + friction * sine)
+        rise = launch_height * cosine + throw_distance * sine
+        return throw_distance * math.sqrt(gravity / (2.0 * cosine * rise))
+
+    speeds = [speed(angle) for angle in angles]
     items: list[Any] = [Curve(angles, speeds, role=0)]
     items.append(Band(made.least_speed, made.least_speed, "least", vertical=False))
     if launch_angle is not None and made.speed is not None:

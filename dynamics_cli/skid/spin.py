@@ -1,11 +1,13 @@
 """Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
     AngularSpeed,
+    Annotated,
     Distance,
     DragFactor,
     Fraction,
@@ -17,7 +19,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.skid.braking import crossing_time
-from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
+from dynamics_cli.skid.diagnostics import DEGREES, balance
 from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 # π as the sum of two doubles, so that whole half-turns are taken off without loss.
@@ -27,21 +29,16 @@ HALF_TURN_REST = 1.2246467991473532e-16
 
 @record
 class Rotation:
-    """Drag found from how far the vehicle turned while it travelled.
+    """Drag found from how far the vehicle turned while it travelled."""
 
-    Parameters
-    ----------
-    rotation : Angle
-        Angle the vehicle turned through, whole turns included [rad].
-    start_angle : Angle
-        Angle between heading and path at the start, in the sense of the rotation [rad].
-    rolling_drag : Fraction
-        Share of the full friction when the vehicle points along its path: near 0 when they roll, 1 when locked [-].
-    """
-
-    rotation: Angle
-    start_angle: Angle = 0.0
-    rolling_drag: Fraction = 0.0
+    rotation: Annotated[Angle, "Angle the vehicle turned through, whole turns included [rad]."]
+    start_angle: Annotated[
+        Angle, "Angle between heading and path at the start, in the sense of the rotation [rad]."
+    ] = 0.0
+    rolling_drag: Annotated[
+        Fraction,
+        "Share of the full friction when the vehicle points along its path: near 0 when they roll, 1 when locked [-].",
+    ] = 0.0
 
     @property
     def share(self) -> float:
@@ -51,15 +48,9 @@ class Rotation:
 
 @record
 class Share:
-    """Drag given as a share of the full friction.
+    """Drag given as a share of the full friction."""
 
-    Parameters
-    ----------
-    drag_share : Fraction
-        Mean share of the full friction over the distance [-].
-    """
-
-    drag_share: Fraction
+    drag_share: Annotated[Fraction, "Mean share of the full friction over the distance [-]."]
 
     @property
     def share(self) -> float:
@@ -69,30 +60,14 @@ class Share:
 
 @record
 class SpinLoss:
-    """Speed at the start of a spin, and what it lost.
+    """Speed at the start of a spin, and what it lost."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed of the mass centre where the spin begins [m/s].
-    speed_lost : RoadSpeed
-        Speed lost over the distance [m/s].
-    mean_share : Fraction
-        Mean share of the full friction that dragged [-].
-    drag_factor : DragFactor
-        Mean deceleration along the path over gravity [-].
-    time : Time
-        Time of the spin [s].
-    mean_yaw_rate : AngularSpeed
-        Rotation over time; needs the rotation [rad/s].
-    """
-
-    speed: RoadSpeed
-    speed_lost: RoadSpeed
-    mean_share: Fraction
-    drag_factor: DragFactor
-    time: Time
-    mean_yaw_rate: AngularSpeed | None
+    speed: Annotated[RoadSpeed, "Speed of the mass centre where the spin begins [m/s]."]
+    speed_lost: Annotated[RoadSpeed, "Speed lost over the distance [m/s]."]
+    mean_share: Annotated[Fraction, "Mean share of the full friction that dragged [-]."]
+    drag_factor: Annotated[DragFactor, "Mean deceleration along the path over gravity [-]."]
+    time: Annotated[Time, "Time of the spin [s]."]
+    mean_yaw_rate: Annotated[AngularSpeed | None, "Rotation over time; needs the rotation [rad/s]."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -120,33 +95,20 @@ def _beyond(angle: float, turns: float) -> float:
 
 def spin(
     *,
-    drag: Rotation | Share,
-    distance: Distance,
-    friction: Friction,
-    end_speed: RoadSpeed = 0.0,
-    grade: Slope = 0.0,
-    gravity: Gravity = STANDARD_GRAVITY,
+    drag: Annotated[
+        Rotation | Share, "The rotation from which the mean share of friction follows, or that share itself."
+    ],
+    distance: Annotated[Distance, "Length of the path of the mass centre during the spin [m]."],
+    friction: Annotated[Friction, "Coefficient of friction of a tyre sliding sideways [-]."],
+    end_speed: Annotated[RoadSpeed, "Speed where the spin ends [m/s]."] = 0.0,
+    grade: Annotated[Slope, "Rise over run of the road in the direction of the path, uphill positive [-]."] = 0.0,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SpinLoss:
     """Speed that a vehicle spinning after an impact had, from its distance and the partial drag of its turning tyres.
 
     Equation
     --------
     v² = v_e² + 2 g f d, f = (kμ + G)/√(1 + G²); k = r + (1 − r)·mean |sin ψ| over the rotation, r the rolling drag.
-
-    Parameters
-    ----------
-    drag : Rotation | Share
-        The rotation from which the mean share of friction follows, or that share itself.
-    distance : Distance
-        Length of the path of the mass centre during the spin [m].
-    friction : Friction
-        Coefficient of friction of a tyre sliding sideways [-].
-    end_speed : RoadSpeed
-        Speed where the spin ends [m/s].
-    grade : Slope
-        Rise over run of the road in the direction of the path, uphill positive [-].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -179,12 +141,12 @@ def spin(
     if isinstance(drag, Rotation):
         require(
             drag.rotation > 0.0,
-            "a rotation of {0:.6g} degrees is no spin: the angle counts in the sense it went on",
-            drag.rotation * DEGREES,
+            "the rotation of a spin must be more than zero, not {rotation}: it counts in the direction of the spin",
             code="no-rotation",
             hint="give drag-share instead when the vehicle did not turn",
+            rotation=(drag.rotation, Angle),
         )
-        require(distance > 0.0, "a spin over {0:.6g} m takes no time", distance, code="no-way")
+        require(distance > 0.0, "the distance of a spin must be more than zero", code="no-way")
     share = drag.share
     factor = require_drag(drag_along(friction, grade, share))
     shed = 2.0 * gravity * (factor * distance)
@@ -212,13 +174,15 @@ def spin(
 def _turn_advice(drag: Rotation | Share) -> tuple[Advice, ...]:
     if not isinstance(drag, Rotation) or not single(drag.rotation, drag.start_angle):
         return ()
-    turned = plain(drag.rotation) * DEGREES
-    if turned >= 45.0:
+    if plain(drag.rotation) * DEGREES >= 45.0:
         return ()
     return (
         Advice(
             code="short-rotation",
-            message=f"a rotation of {turned:.3g} degrees is short for a mean: near straight ahead tyres still grip",
-            mend="give drag-share, or take the rotation over the whole spin",
+            message=worded(
+                "a rotation of {turned:3} is short for a mean: near straight ahead tyres still grip",
+                turned=(drag.rotation, Angle),
+            ),
+            remedy="give drag-share, or take the rotation over the whole spin",
         ),
     )

@@ -5,6 +5,7 @@ from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqr
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
+    Annotated,
     Count,
     Distance,
     DragFactor,
@@ -24,82 +25,53 @@ MOST_STEPS = 10000
 
 @record
 class Moment:
-    """One row of the time–distance table.
+    """One row of the time–distance table."""
 
-    Parameters
-    ----------
-    phase : str
-        What the vehicle is doing: reaction, build-up or braking.
-    time : Time
-        Time since the hazard was perceived [s].
-    distance : Distance
-        Distance travelled since then [m].
-    speed : RoadSpeed
-        Speed at that time [m/s].
-    """
-
-    phase: str
-    time: Time
-    distance: Distance
-    speed: RoadSpeed
+    phase: Annotated[str, "What the vehicle is doing: reaction, build-up or braking."]
+    time: Annotated[Time, "Time since the hazard was perceived [s]."]
+    distance: Annotated[Distance, "Distance travelled since then [m]."]
+    speed: Annotated[RoadSpeed, "Speed at that time [m/s]."]
 
 
 @record
 class Stop:
-    """A stop in its phases.
+    """A stop in its phases."""
 
-    Parameters
-    ----------
-    stopping_distance : Distance
-        Distance from the perception of the hazard to rest [m].
-    stopping_time : Time
-        Time from the perception of the hazard to rest [s].
-    reaction_distance : Distance
-        Distance travelled before the brakes act [m].
-    build_up_distance : Distance
-        Distance travelled while the deceleration rises; needs the build-up time [m].
-    build_up_duration : Time
-        Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up time
-        [s].
-    braking_speed : RoadSpeed
-        Speed where the full deceleration is reached [m/s].
-    braking_distance : Distance
-        Distance travelled at full deceleration [m].
-    braking_time : Time
-        Time at full deceleration [s].
-    drag_factor : DragFactor
-        Full deceleration along the road over gravity [-].
-    deceleration : Acceleration
-        Full deceleration along the road [m/s^2].
-    timeline : tuple[Moment, ...]
-        Time, distance and speed from perception to rest.
-    """
-
-    stopping_distance: Distance
-    stopping_time: Time
-    reaction_distance: Distance
-    build_up_distance: Distance | None
-    build_up_duration: Time | None
-    braking_speed: RoadSpeed
-    braking_distance: Distance
-    braking_time: Time
-    drag_factor: DragFactor
-    deceleration: Acceleration
-    timeline: tuple[Moment, ...]
+    stopping_distance: Annotated[Distance, "Distance from the perception of the hazard to rest [m]."]
+    stopping_time: Annotated[Time, "Time from the perception of the hazard to rest [s]."]
+    reaction_distance: Annotated[Distance, "Distance travelled before the brakes act [m]."]
+    build_up_distance: Annotated[
+        Distance | None, "Distance travelled while the deceleration rises; needs the build-up time [m]."
+    ]
+    build_up_duration: Annotated[
+        Time | None,
+        "Time while the deceleration rises, shorter than given when the vehicle stops before; needs the build-up "
+        "time [s].",
+    ]
+    braking_speed: Annotated[RoadSpeed, "Speed where the full deceleration is reached [m/s]."]
+    braking_distance: Annotated[Distance, "Distance travelled at full deceleration [m]."]
+    braking_time: Annotated[Time, "Time at full deceleration [s]."]
+    drag_factor: Annotated[DragFactor, "Full deceleration along the road over gravity [-]."]
+    deceleration: Annotated[Acceleration, "Full deceleration along the road [m/s^2]."]
+    timeline: Annotated[tuple[Moment, ...], "Time, distance and speed from perception to rest."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def stop(
     *,
-    speed: RoadSpeed,
-    friction: Friction,
-    reaction_time: Time,
-    build_up_time: Time | None = None,
-    grade: Slope = 0.0,
-    braking: Fraction = 1.0,
-    steps: Count = 4,
-    gravity: Gravity = STANDARD_GRAVITY,
+    speed: Annotated[RoadSpeed, "Speed when the hazard is perceived [m/s]."],
+    friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."],
+    reaction_time: Annotated[Time, "Time from the perception of the hazard until the brakes begin to act [s]."],
+    build_up_time: Annotated[
+        Time | None, "Time in which the deceleration rises linearly from nothing to its full value [s]."
+    ] = None,
+    grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0,
+    braking: Annotated[
+        Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
+    ] = 1.0,
+    steps: Annotated[Count, "Rows of the time–distance table for every phase, equally spaced in time [-]."] = 4,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Stop:
     """Distance and time of a whole stop: reaction at constant speed, linear rise of the deceleration, steady braking.
 
@@ -107,25 +79,6 @@ def stop(
     --------
     s = v t_r + τ(v − δ/3) + (v − δ)²/(2a), a = g f; δ = aτ²/(2T) is the speed lost in the build-up of duration T, and
     τ = T, or √(2vT/a) when the vehicle comes to rest before the full deceleration is reached.
-
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed when the hazard is perceived [m/s].
-    friction : Friction
-        Coefficient of friction between tyre and road [-].
-    reaction_time : Time
-        Time from the perception of the hazard until the brakes begin to act [s].
-    build_up_time : Time
-        Time in which the deceleration rises linearly from nothing to its full value [s].
-    grade : Slope
-        Rise over run of the road in the direction of travel, uphill positive [-].
-    braking : Fraction
-        Share of the full friction that the brakes use, 1 when all wheels are locked [-].
-    steps : Count
-        Rows of the time–distance table for every phase, equally spaced in time [-].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -153,7 +106,9 @@ def stop(
     >>> round(stop(speed=20.0, friction=0.7, reaction_time=1.5).stopping_distance, 4)
     59.1347
     """
-    require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {0} rows a phase", steps, code="steps")
+    require(
+        (steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows a phase", code="steps", steps=steps
+    )
     drag = require_drag(drag_along(friction, grade, braking))
     deceleration = gravity * drag
     way = reaction_distance = speed * reaction_time

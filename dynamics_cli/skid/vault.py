@@ -1,36 +1,34 @@
 """Vault: the speed at which a vehicle left the ground, from where it landed."""
 
-from dynamics_cli.errors import UsageError, require
+from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, multiply_add, sin, sqrt, where
-from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Distance, Gravity, Length, RoadSpeed, Time
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Distance,
+    Gravity,
+    Length,
+    RoadSpeed,
+    Time,
+)
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import DEGREES, balance, plain, single
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 
 @record
 class Vault:
-    """A flight from take-off to landing.
+    """A flight from take-off to landing."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Speed at take-off [m/s].
-    launch_angle : Angle
-        Angle of the take-off above the horizontal, given or that of the least speed [rad].
-    flight_time : Time
-        Time in the air [s].
-    landing_speed : RoadSpeed
-        Speed at landing [m/s].
-    landing_angle : Angle
-        Angle of the path at landing below the horizontal [rad].
-    """
-
-    speed: RoadSpeed
-    launch_angle: Angle
-    flight_time: Time
-    landing_speed: RoadSpeed
-    landing_angle: Angle
+    speed: Annotated[RoadSpeed, "Speed at take-off [m/s]."]
+    launch_angle: Annotated[
+        Angle, "Angle of the take-off above the horizontal, given or that of the least speed [rad]."
+    ]
+    flight_time: Annotated[Time, "Time in the air [s]."]
+    landing_speed: Annotated[RoadSpeed, "Speed at landing [m/s]."]
+    landing_angle: Annotated[Angle, "Angle of the path at landing below the horizontal [rad]."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -43,24 +41,19 @@ def least_speed_suffices(**inputs: object) -> str | None:
 
 
 def vault_least_speed(
-    *, distance: Distance, rise: Length = 0.0, take_off: Angle | None = None, gravity: Gravity = STANDARD_GRAVITY
+    *,
+    distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
+    rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
+    take_off: Annotated[
+        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed [rad]."
+    ] = None,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
     """Least take-off speed, over all take-off angles, with which a vehicle reaches where it landed.
 
     Equation
     --------
     v² = g (y + √(x² + y²)), at tan α = (y + √(x² + y²))/x; for y < 0 the sum is written x²/(√(x² + y²) − y).
-
-    Parameters
-    ----------
-    distance : Distance
-        Horizontal distance from take-off to landing [m].
-    rise : Length
-        Height of the landing above the take-off, negative when lower [m].
-    take_off : Angle
-        Angle of the take-off above the horizontal; given, it decides the speed [rad].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -116,24 +109,17 @@ def vault_least_speed(
 
 
 def vault_known_angle(
-    *, distance: Distance, rise: Length = 0.0, take_off: Angle | None = None, gravity: Gravity = STANDARD_GRAVITY
+    *,
+    distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
+    rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
+    take_off: Annotated[Angle | None, "Angle of the take-off above the horizontal [rad]."] = None,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
     """Take-off speed of a vehicle that left the ground at a known angle and landed at a known place.
 
     Equation
     --------
     v = x √(g/(2 cos α (x sin α − y cos α))).
-
-    Parameters
-    ----------
-    distance : Distance
-        Horizontal distance from take-off to landing [m].
-    rise : Length
-        Height of the landing above the take-off, negative when lower [m].
-    take_off : Angle
-        Angle of the take-off above the horizontal [rad].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -171,18 +157,18 @@ def vault_known_angle(
     _require_way(distance)
     require(
         absolute(take_off) < RIGHT_ANGLE,
-        "a take-off at {0:.6g} degrees goes nowhere forward",
-        take_off * DEGREES,
+        "a take-off at {angle} does not go forward",
         code="take-off",
+        angle=(take_off, Angle),
     )
     sine, cosine = sin(take_off), cos(take_off)
     over = multiply_add(distance, sine, -rise * cosine)
     require(
         over > 0.0,
-        "a take-off at {0:.6g} degrees cannot land there: it must point above {1:.6g} degrees",
-        take_off * DEGREES,
-        atan2(rise, distance) * DEGREES,
+        "a take-off at {angle} cannot land there: it must point above {least}",
         code="cannot-land",
+        angle=(take_off, Angle),
+        least=(atan2(rise, distance), Angle),
     )
     speed = sqrt(gravity * distance * (distance / (2.0 * cosine * over)))
     # the landing's direction, times the take-off's speed
@@ -200,21 +186,23 @@ def vault_known_angle(
 
 
 def _require_way(distance: float) -> None:
-    require(distance > 0.0, "a flight over {0:.6g} m shows no speed", distance, code="no-way")
+    require(distance > 0.0, "the distance of a flight must be more than zero", code="no-way")
 
 
 def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, ...]:
     """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
     if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
         return ()
-    above = plain(over) / plain(slant) * DEGREES
     return (
         Advice(
             code="near-line-of-sight",
-            message=f"the take-off points only {above:.3g} degrees above the landing point: an error of a tenth of "
-            f"that angle changes the speed by 5 %",
+            message=worded(
+                "the take-off points only {above:3} above the landing point: an error of a tenth of that angle changes "
+                "the speed by 5 %",
+                above=(plain(over) / plain(slant), Angle),
+            ),
             severity="serious",
-            mend="measure the take-off angle more closely, or leave it out for the least speed",
+            remedy="measure the take-off angle more closely, or leave it out for the least speed",
         ),
     )
 

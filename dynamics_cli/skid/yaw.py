@@ -1,48 +1,37 @@
 """Critical speed: what a vehicle did that left yaw marks at the limit of side friction."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
+    Annotated,
     Distance,
     Friction,
     Gravity,
+    Ratio,
     RoadSpeed,
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, plain, single
+from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice
 from dynamics_cli.skid.drag import secant
 
 
 @record
 class Radius:
-    """A mark of known radius.
+    """A mark of known radius."""
 
-    Parameters
-    ----------
-    radius : Distance
-        Radius of the mark [m].
-    """
-
-    radius: Distance
+    radius: Annotated[Distance, "Radius of the mark [m]."]
 
 
 @record
 class Chord:
-    """A mark measured by a chord and its middle ordinate.
+    """A mark measured by a chord and its middle ordinate."""
 
-    Parameters
-    ----------
-    chord : Distance
-        Straight distance between two points of the mark [m].
-    middle_ordinate : Distance
-        Distance from the middle of the chord to the mark, across the chord [m].
-    """
-
-    chord: Distance
-    middle_ordinate: Distance
+    chord: Annotated[Distance, "Straight distance between two points of the mark [m]."]
+    middle_ordinate: Annotated[Distance, "Distance from the middle of the chord to the mark, across the chord [m]."]
 
     @property
     def radius(self) -> float:
@@ -52,54 +41,36 @@ class Chord:
 
 @record
 class CriticalSpeed:
-    """Speed at the limit of side friction.
+    """Speed at the limit of side friction."""
 
-    Parameters
-    ----------
-    speed : RoadSpeed
-        Critical speed [m/s].
-    path_radius : Distance
-        Radius of the path of the mass centre [m].
-    mark_radius : Distance
-        Radius of the mark as measured [m].
-    lateral_acceleration : Acceleration
-        Acceleration towards the centre of the path, in the horizontal plane [m/s^2].
-    """
-
-    speed: RoadSpeed
-    path_radius: Distance
-    mark_radius: Distance
-    lateral_acceleration: Acceleration
+    speed: Annotated[RoadSpeed, "Critical speed [m/s]."]
+    path_radius: Annotated[Distance, "Radius of the path of the mass centre [m]."]
+    mark_radius: Annotated[Distance, "Radius of the mark as measured [m]."]
+    lateral_acceleration: Annotated[
+        Acceleration, "Acceleration towards the centre of the path, in the horizontal plane [m/s^2]."
+    ]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def yaw(
     *,
-    path: Radius | Chord,
-    friction: Friction,
-    superelevation: Slope = 0.0,
-    track_width: Distance | None = None,
-    gravity: Gravity = STANDARD_GRAVITY,
+    path: Annotated[Radius | Chord, "The radius of the mark, or a chord and its middle ordinate."],
+    friction: Annotated[Friction, "Coefficient of side friction between tyre and road [-]."],
+    superelevation: Annotated[
+        Slope, "Rise over run of the road across the path, positive when the outside of the curve is higher [-]."
+    ] = 0.0,
+    track_width: Annotated[
+        Distance | None,
+        "Track width, when the mark is that of the outer tyres and the path of the mass centre is wanted [m].",
+    ] = None,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> CriticalSpeed:
     """Critical speed of a vehicle on a curved path at the limit of side friction, with the bank of the road.
 
     Equation
     --------
     v² = g R (f + e)/(1 − f e); R = C²/(8M) + M/2 from a chord, less half the track width when the mark is a tyre's.
-
-    Parameters
-    ----------
-    path : Radius | Chord
-        The radius of the mark, or a chord and its middle ordinate.
-    friction : Friction
-        Coefficient of side friction between tyre and road [-].
-    superelevation : Slope
-        Rise over run of the road across the path, positive when the outside of the curve is higher [-].
-    track_width : Distance
-        Track width, when the mark is that of the outer tyres and the path of the mass centre is wanted [m].
-    gravity : Gravity
-        Acceleration of gravity [m/s^2].
 
     Returns
     -------
@@ -130,30 +101,30 @@ def yaw(
     if isinstance(path, Chord):
         _require_arc(path)
     mark_radius = path.radius
-    require(mark_radius > 0.0, "a radius of {0:.6g} m is no curve", mark_radius, code="radius")
+    require(mark_radius > 0.0, "the radius of the mark must be more than zero", code="radius")
     path_radius = mark_radius
     if track_width is not None:
         path_radius = mark_radius - 0.5 * track_width
         require(
             path_radius > 0.0,
-            "half the track width {0:.6g} m leaves no path inside a mark of radius {1:.6g} m",
-            track_width,
-            mark_radius,
+            "half the track width of {width} exceeds the radius of the mark, {radius}",
             code="track",
+            width=(track_width, Distance),
+            radius=(mark_radius, Distance),
         )
     grip = friction + superelevation
     require(
         grip > 0.0,
-        "friction and superelevation sum to {0:.6g}: the vehicle slides off the bank at any speed",
-        grip,
+        "friction and superelevation sum to {grip}: the vehicle slides off the bank at any speed",
         code="adverse-bank",
+        grip=(grip, Ratio),
     )
     lean = multiply_add(-friction, superelevation, 1.0)
     require(
         lean > 0.0,
-        "1 - friction × superelevation is {0:.6g}: the bank holds the vehicle at any speed, there is no critical one",
-        lean,
+        "1 - friction × superelevation is {lean}: the bank holds the vehicle at any speed; no speed is critical",
         code="no-critical-speed",
+        lean=(lean, Ratio),
     )
     share = grip / lean
     return CriticalSpeed(
@@ -170,11 +141,10 @@ def yaw(
 
 
 def _require_arc(path: Chord) -> None:
-    require(path.chord > 0.0, "a chord of {0:.6g} m shows no curve", path.chord, code="chord")
+    require(path.chord > 0.0, "the chord must be more than zero", code="chord")
     require(
         path.middle_ordinate > 0.0,
-        "a middle ordinate of {0:.6g} m shows no curve: the mark is straight",
-        path.middle_ordinate,
+        "the middle ordinate must be more than zero: the mark would be straight",
         code="middle-ordinate",
     )
 
@@ -197,8 +167,12 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
         return (
             Advice(
                 code="beyond-half-circle",
-                message=f"the middle ordinate {ordinate:.4g} m exceeds half the chord {chord:.4g} m: past half a turn",
-                mend="check that chord and middle ordinate are not exchanged",
+                message=worded(
+                    "the middle ordinate of {ordinate} exceeds half the chord of {chord}: more than half a turn",
+                    ordinate=(ordinate, Distance),
+                    chord=(chord, Distance),
+                ),
+                remedy="check that chord and middle ordinate are not exchanged",
             ),
         )
     if ordinate >= 0.25:
@@ -207,9 +181,13 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
     return (
         Advice(
             code="short-middle-ordinate",
-            message=f"an error of 1 cm in the middle ordinate {ordinate:.4g} m changes the speed by {percent:.3g} %",
+            message=worded(
+                "an error of 1 cm in the middle ordinate of {ordinate} changes the speed by {percent}",
+                ordinate=(ordinate, Distance),
+                percent=f"{percent:.3g} %",
+            ),
             severity="caution" if percent < 10.0 else "serious",
-            mend="measure a longer chord",
+            remedy="measure a longer chord",
         ),
     )
 
@@ -220,7 +198,10 @@ def _bank_advice(lean: float) -> tuple[Advice, ...]:
     return (
         Advice(
             code="near-self-holding-bank",
-            message=f"1 - friction × superelevation is only {plain(lean):.3g}: as it vanishes the speed has no limit",
+            message=worded(
+                "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit",
+                lean=(lean, Ratio),
+            ),
             severity="serious",
         ),
     )

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Units as people wrote them, to one unit for each quantity; what cannot be read is told in its place.
+# Units as people wrote them, to one unit for each quantity; what cannot be read has its reason in its row.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -31,7 +31,7 @@ show "first car into the impact" .results.first.approach_speed 3_impact
 show "second car into the impact" .results.second.approach_speed 3_impact
 show "first car when it began to skid" .results.speed 4_before
 jq -r '.limits[0].message' "$work/4_before.json"
-echo "what that speed hangs on:"
+echo "what drives that speed:"
 jq -r '.sensitivity.speed.inputs[] | "  \(.input): \(.share * 100 | round) % of the variance"' "$work/4_before.json"
 
 # 4. For the file: one report of all four, each calculated again while it is written.

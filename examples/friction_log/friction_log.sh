@@ -1,5 +1,5 @@
 #!/bin/sh
-# A log of 100,000 test skids, three of them spoilt, to coefficients of friction and their summary.
+# A log of 100,000 test skids, three of them bad, to coefficients of friction and their summary.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -17,13 +17,13 @@ awk 'BEGIN {
     }
 }' | sed 's/0.0000$/0/' > "$work/log.csv"
 
-# A spoilt row costs only itself: its error stands in its row, and the exit status says that there were some.
+# A bad row costs only itself: its error stands in its row, and the exit status is 4.
 dynamics skid friction --rows "$work/log.csv" --jobs 2 > "$work/out.csv" 2> /dev/null || echo "exit status $?"
 wc -l < "$work/out.csv" | tr -d ' '
 
 # Each road in SQL, and how many rows were refused; then why they were, by jq.
 sqlite3 -csv -header :memory: ".import $work/out.csv log" \
-    "SELECT road, count(*) AS skids, round(avg(\"friction\"), 3) AS mean, round(min(\"friction\"), 3) AS least, round(max(\"friction\"), 3) AS greatest FROM log WHERE error = '' GROUP BY road" \
+    "SELECT road, count(*) AS skids, round(avg(\"friction\"), 3) AS mean, round(min(\"friction\"), 3) AS minimum, round(max(\"friction\"), 3) AS maximum FROM log WHERE error = '' GROUP BY road" \
     "SELECT count(*) AS refused FROM log WHERE error <> ''" | tr -d '\r'
 dynamics skid friction --rows "$work/log.csv" --format ndjson 2> /dev/null |
     jq -r 'select(.error) | .error.message' | sort | uniq -c | sed 's/^ *//'

@@ -25,7 +25,7 @@ from typing import Any
 from precise import Exact, Precise, exact_pi, many_bits
 from search_starts import Start, starts
 
-from dynamics_cli.core.tightening import tighten
+from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.tracked import Tracked
 

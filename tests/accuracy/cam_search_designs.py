@@ -11,9 +11,9 @@ from cam_search_tables import MISSED, NOTHING, doubles, follower_of, shape
 from cam_search_undercut import lost
 from precise import FUNCTIONS, Exact
 
-from dynamics_cli.cam import size as sizes
-from dynamics_cli.cam.check import check
-from dynamics_cli.cam.followers import Flank, Rotation
+from dynamics_cli.cam.forces.check import check
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
+from dynamics_cli.cam.sizing import size as sizes
 
 DEGREE = 3.141592653589793 / 180.0
 ASKED = ("rise_limit", "return_limit", "least_radius", "shaft_speed")

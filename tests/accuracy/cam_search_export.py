@@ -16,8 +16,9 @@ from cam_search_motion import Turn, Zone, sine_cosine
 from cam_search_tables import NOTHING, follower_of
 from precise import FUNCTIONS, Exact
 
-from dynamics_cli.cam.export import Curve, Form, export
-from dynamics_cli.cam.followers import Flank, Rotation
+from dynamics_cli.cam.export.export import export
+from dynamics_cli.cam.export.records import Curve, Form
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
 from dynamics_cli.outlines import Arc, Cubic
 
 SAMPLES = 121

@@ -9,9 +9,9 @@ from cam_search_motion import Jet, Turn
 from cam_search_tables import MISSED, NOTHING, doubles, follower_of
 from precise import FUNCTIONS, Exact, exact_pi
 
-from dynamics_cli.cam.followers import Rotation
-from dynamics_cli.cam.force_records import ArmOnSpring, ArmOnTorsionSpring, Contact, Slide
-from dynamics_cli.cam.forces import force
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.records import ArmOnSpring, ArmOnTorsionSpring, Contact, Slide
+from dynamics_cli.cam.geometry.followers import Rotation
 
 TRAINS = {one.__name__: one for one in (Slide, ArmOnTorsionSpring, ArmOnSpring)}
 

@@ -8,11 +8,11 @@ from cam_search_contact import Carried, Looking, extreme, nodes
 from cam_search_motion import Turn
 from precise import FUNCTIONS, Exact, exact_pi
 
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.followers import Flank, Rotation
-from dynamics_cli.cam.profile import profile
-from dynamics_cli.cam.program import Program
-from dynamics_cli.cam.revolution import motion
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
+from dynamics_cli.cam.geometry.profile import profile
+from dynamics_cli.cam.program.reading import Program
+from dynamics_cli.cam.program.revolution import motion
 
 NOTHING = Program()
 RANGES = ("lift", "velocity", "acceleration", "jerk")
@@ -190,7 +190,8 @@ def _plate(
         return [over / 2, abs(run), zx * over / 3, zy * over / 3, (x * x + y * y) * over / 4]
 
     area, length, mx, my, polar = quadrature(turn, swept, 0.15)
-    if area <= 0:
+    # the whole envelope is integrated here: it is the plate's edge where it neither breaks nor cuts itself
+    if area <= 0 or any(one.code in ("undercut", "velocity-jump") for one in answer.advice):
         return
     size = float(length)
     yield from stated.compare("area", answer.area, area)

@@ -26,11 +26,12 @@ import generate_gear_meshes_references as references
 from gear_exact import Exact, NoSuchGear, Tooth
 from gear_table_exact import PRESSURE_ANGLES, all_candidates, candidate
 
+from dynamics_cli.accuracy.alternatives.gear.own import data_block, mesh
 from dynamics_cli.accuracy.cases import DATA, flat, load
-from dynamics_cli.accuracy.rivals import gear_meshes as program
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.identify import SpanRead
+from dynamics_cli.gear.measure.identify import SpanRead, identify
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.profile import profile
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.outlines import Arc, Points
 
@@ -123,7 +124,7 @@ def draw_mesh(rng: random.Random) -> Inputs:
 def ask_mesh(inputs: Inputs) -> tuple[int, list[Compared]]:
     """One answer and its points of contact."""
     made = references.mesh_of(inputs)
-    answer = called(program.mesh, inputs)
+    answer = called(mesh, inputs)
     wanted = made.closed() | made.gaps()
     shares = gear_mesh_exact.shares(inputs["points"], inputs["shown"])
     for index, share in enumerate(shares):
@@ -152,7 +153,7 @@ def draw_identify(rng: random.Random) -> Inputs:
 
 def ask_identify(inputs: Inputs) -> tuple[int, list[Compared]]:
     """The candidates shown, and now and then whether no other comes before them."""
-    answer = called(program.identify, inputs, tracked=True)
+    answer = called(identify, inputs, tracked=True)
     read = references.reading_of(inputs)
     compared: list[Compared] = []
     for _index, one in enumerate(answer.candidates):
@@ -189,7 +190,7 @@ def draw_block(rng: random.Random) -> Inputs:
 
 def ask_block(inputs: Inputs) -> tuple[int, list[Compared]]:
     """Every line that has a number."""
-    answer = called(program.data_block, inputs)
+    answer = called(data_block, inputs)
     wanted = references.block(inputs)
     return len(wanted), list(stated(answer, answer, wanted, 1.0))
 
@@ -210,7 +211,7 @@ def draw_profile(rng: random.Random) -> Inputs:
 
 def ask_profile(inputs: Inputs) -> tuple[int, list[Compared]]:
     """Circles, and how far some vertices, chords and arcs of one tooth are from the exact profile."""
-    answer = called(program.profile, inputs)
+    answer = called(profile, inputs)
     rng = random.Random(repr(sorted((k, str(v)) for k, v in inputs.items())))
     offs = list(_rack_offs(inputs, answer)) if inputs.get("rack") else list(_tooth_offs(inputs, answer, rng))
     worst = max(offs)

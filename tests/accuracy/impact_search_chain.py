@@ -10,7 +10,7 @@ from climbing import Answer, Question, Tree, arguments, bits, read, stated
 from precise import Exact
 
 from dynamics_cli.accuracy.cases import DATA, flat
-from dynamics_cli.impact.chain import Body, ChainLaw, chain
+from dynamics_cli.impact.particles.chain import Body, ChainLaw, chain
 
 GROUPS: dict[str, type] = {"bodies": Body}
 # Pairs that close slower than this share of the fastest body no longer collide.

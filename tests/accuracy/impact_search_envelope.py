@@ -16,8 +16,8 @@ from impact_search_space import GROUPS
 from precise import FUNCTIONS, Exact
 
 from dynamics_cli.accuracy.cases import DATA, flat
-from dynamics_cli.impact.envelope import envelope
-from dynamics_cli.impact.laws import LAWS
+from dynamics_cli.impact.planar.envelope import envelope
+from dynamics_cli.impact.planar.laws import LAWS
 
 sqrt, sin, cos = (FUNCTIONS[name] for name in ("sqrt", "sin", "cos"))
 Number = Any

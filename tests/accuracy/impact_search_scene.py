@@ -31,8 +31,8 @@ from precise import FUNCTIONS, Exact
 
 from dynamics_cli.accuracy.cases import flat
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.impact import scene as models
-from dynamics_cli.impact.scene_records import Scene
+from dynamics_cli.impact.spatial import scene as models
+from dynamics_cli.impact.spatial.scene_records import Scene
 
 sin, cos = FUNCTIONS["sin"], FUNCTIONS["cos"]
 GRAVITY = 9.80665

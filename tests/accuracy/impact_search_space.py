@@ -38,7 +38,7 @@ from precise import Exact
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import DATA, flat
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.impact.spatial import spatial
+from dynamics_cli.impact.spatial.impact import spatial
 
 LAWS = ("stronge", "newton", "poisson")
 # Answers asked for along one path.

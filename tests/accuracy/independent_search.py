@@ -29,17 +29,17 @@ import generate_inertia_sections_references as sections
 from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import flat
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.rises import rise
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.rise import rise
 from dynamics_cli.convert.conversion import convert
 from dynamics_cli.convert.coordinates import NAMES, System, coords
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.gear.ratio import ratio
-from dynamics_cli.gear.train import train
-from dynamics_cli.gear.train_scene import Planetary, Stages
+from dynamics_cli.gear.trains.ratio import ratio
+from dynamics_cli.gear.trains.scene import Planetary, Stages
+from dynamics_cli.gear.trains.train import train
 from dynamics_cli.inertia.section.contours import Hole, Piece
 from dynamics_cli.inertia.section.task import section
-from dynamics_cli.inertia.tensor import Whole, tensor
+from dynamics_cli.inertia.tensors.tensor import Whole, tensor
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import ExactQuantity
 

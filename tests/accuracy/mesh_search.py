@@ -26,15 +26,15 @@ import numpy as np
 from climbing import Answer, Compared, Question, Tree, bits, main_of
 from precise import FUNCTIONS, Exact, exact_pi, gmpy2
 
+from dynamics_cli.accuracy.alternatives.inertia.mesh import NAMES, PAIRS, named
+from dynamics_cli.accuracy.alternatives.inertia.solids import SOLIDS, single, turned
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.accuracy.rivals.inertia_mesh import NAMES, PAIRS, named
-from dynamics_cli.accuracy.rivals.inertia_solids import SOLIDS, single, turned
-from dynamics_cli.inertia.lump import tensor_of
-from dynamics_cli.inertia.mesh import measured
-from dynamics_cli.inertia.mesh.lift import Lift
-from dynamics_cli.inertia.mesh.measured import require_closed
+from dynamics_cli.inertia.bodies.mass_moments import tensor_of
+from dynamics_cli.inertia.mesh import measurement
+from dynamics_cli.inertia.mesh.measurement import require_closed
 from dynamics_cli.inertia.mesh.stl import Corners
 from dynamics_cli.inertia.mesh.surface import LengthUnit
+from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
 BITS = 700
 NOISE = 320
@@ -129,13 +129,13 @@ def ask(_: random.Random, tree: Tree) -> Iterator[Answer]:
     """One surface."""
     shell, faces = tree["shell"], np.array(tree["faces"])
     source = Corners("", "", np.array(tree["corners"]), faces)
-    few = measured.FEW
+    few = measurement.FEW
     try:
         # bodies of many faces are summed in doubles, whose errors average out least where faces are few
-        measured.FEW = 0 if tree["doubles"] else few
-        found = measured.Measured(source, shell=shell)
+        measurement.FEW = 0 if tree["doubles"] else few
+        found = measurement.Measured(source, shell=shell)
     finally:
-        measured.FEW = few
+        measurement.FEW = few
     if not shell:
         require_closed(found, allowed=False)
     if not found.moments.measure:
@@ -223,7 +223,7 @@ def draw(rng: random.Random) -> Tree:
 
 def starts() -> list[Tree]:
     """The hard cases that are shipped, but those of many faces."""
-    from dynamics_cli.accuracy.rivals.inertia_solids import triangles
+    from dynamics_cli.accuracy.alternatives.inertia.solids import triangles
 
     found = []
     for case in json.loads((DATA / "inertia_mesh.json").read_text(encoding="utf-8"))["cases"]:

@@ -19,21 +19,25 @@ from references.comparison import DATA, build, leaves
 
 from dynamics_cli import cli
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.rivals import inertia_bodies
-from dynamics_cli.core.answer import call_model, choose
-from dynamics_cli.core.bound import Fields
-from dynamics_cli.core.call import Settings
-from dynamics_cli.core.direct import read_plainly
-from dynamics_cli.core.gather import gather
-from dynamics_cli.core.specification import Leaf, Many, OneOf, Record, Tagged, specification
-from dynamics_cli.core.task import Task
+from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
+from dynamics_cli.core.answering.gather import gather
+from dynamics_cli.core.answering.models import call_model, choose
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.direct import read_plainly
+from dynamics_cli.core.inputs.settings import Settings
+from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged, specification
+from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import DynamicsError
-from dynamics_cli.gear import bevel, crossed, gear, measure, pair_data, single, trochoid, worm
-from dynamics_cli.gear import pair as pairs
-from dynamics_cli.gear.split import Tips
-from dynamics_cli.impact.planar import planar
-from dynamics_cli.inertia.torque import torque
+from dynamics_cli.gear import pitch
+from dynamics_cli.gear.crossing import bevel, crossed, worm
+from dynamics_cli.gear.measure import measurement
+from dynamics_cli.gear.pair import pair as pairs
+from dynamics_cli.gear.pair import records
+from dynamics_cli.gear.pair.shift_split import Tips
+from dynamics_cli.gear.single import cylindrical, trochoid
+from dynamics_cli.impact.planar.impact import planar
+from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.quantities import Kind
 
 
@@ -155,12 +159,12 @@ def hard(file: str) -> Iterator[dict[str, Any]]:
 
 
 GEAR_RECORDS = {
-    one.__name__: one for one in (gear.NormalModule, pair_data.Mate, worm.AxialModule, worm.WormDiameter, crossed.Screw)
+    one.__name__: one for one in (pitch.NormalModule, records.Mate, worm.AxialModule, worm.WormDiameter, crossed.Screw)
 }
 GEAR_CHOICES = {"tips": Tips, "kind": bevel.Kind, "internal": bool}
 GEAR = {
-    "spur": single.spur,
-    "helical": single.helical,
+    "spur": cylindrical.spur,
+    "helical": cylindrical.helical,
     "pair": pairs.pair,
     "bevel": bevel.bevel,
     "worm": worm.worm,
@@ -190,10 +194,10 @@ def _gear_cases() -> Iterator[Start]:
         if case["task"] == "root":
             yield _of_root(case["name"], trochoid.Cutter(**plain))
             continue
-        plain["pitch"] = gear.NormalModule(plain.pop("module"))
+        plain["pitch"] = pitch.NormalModule(plain.pop("module"))
         if plain["internal"] and plain["helix_angle"]:
             plain.pop("over")
-        yield of_call("gear measure", case["name"], measure.measure, plain)
+        yield of_call("gear measure", case["name"], measurement.measure, plain)
 
 
 # The command takes no other pressure angles; the function by itself does not ask.

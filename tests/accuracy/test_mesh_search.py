@@ -9,8 +9,8 @@ import pytest
 from climbing import Findings, bits, search
 from precise import Exact, many_bits
 
+from dynamics_cli.accuracy.alternatives.inertia.solids import triangles
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.accuracy.rivals.inertia_solids import triangles
 
 EVALUATIONS = 10_000
 

@@ -1,10 +1,11 @@
-"""The rivals' own solvers: Brent's root, Newton for two unknowns, Dormand and Prince's steps with events."""
+"""The alternatives' own solvers: Brent's root, Newton for two unknowns, Dormand and Prince's steps with events."""
 
 import math
 
 import pytest
+from peers.solvers import newton_of_two
 
-from dynamics_cli.accuracy.rivals.solvers import ERRORS, PLACES, SLOPES, WEIGHTS, brent, dormand_prince, newton_of_two
+from dynamics_cli.accuracy.alternatives.solvers import ERRORS, PLACES, SLOPES, WEIGHTS, brent, dormand_prince
 
 
 class TestBrent:

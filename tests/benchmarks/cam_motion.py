@@ -13,14 +13,15 @@ from typing import Any
 import numpy as np
 from mpmath import cos, mp, mpf, pi, sin
 
-from dynamics_cli.cam.followers import OscillatingRoller
-from dynamics_cli.cam.force_records import ArmOnTorsionSpring, Contact, Slide
-from dynamics_cli.cam.forces import force
-from dynamics_cli.cam.laws import LawName, law_named
-from dynamics_cli.cam.peaks import extremes
-from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.revolution import motion
-from dynamics_cli.cam.rises import rise
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.records import ArmOnTorsionSpring, Contact, Slide
+from dynamics_cli.cam.geometry.followers import OscillatingRoller
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.normalised import law_named
+from dynamics_cli.cam.laws.peaks import extremes
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.program.reading import Program, motion_of
+from dynamics_cli.cam.program.revolution import motion
 
 LINE = "rise 20 mm in 90 deg cycloidal; dwell 90 deg; return in 90 deg cycloidal; dwell"
 SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg modified-sine; dwell"

@@ -11,12 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from dynamics_cli.cam import followers, size
-from dynamics_cli.cam.check import check
-from dynamics_cli.cam.contact import Geometry, curve
-from dynamics_cli.cam.export import Form, export
-from dynamics_cli.cam.profile import profile
-from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.cam.export.export import export
+from dynamics_cli.cam.export.records import Form
+from dynamics_cli.cam.forces.check import check
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry, curve
+from dynamics_cli.cam.geometry.profile import profile
+from dynamics_cli.cam.program.reading import Program, motion_of
+from dynamics_cli.cam.sizing import records, size
 
 CYCLE = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
 PEER = "rise 20 mm in 90 deg cycloidal; dwell 90 deg; return in 90 deg cycloidal; dwell"
@@ -51,7 +53,7 @@ def whole_design() -> None:
     print(f"  {'together':<48s} {1e3 * total:8.2f} ms")
     print(
         f"  {'smallest size, two limits':<48s} "
-        f"{1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006))):8.2f} ms"
+        f"{1e3 * best(lambda: size.size(NOTHING, program=CYCLE, follower=records.Roller(0.006))):8.2f} ms"
     )
 
 

@@ -11,11 +11,14 @@ from typing import Any
 from mpmath import acos, atan, cos, findroot, mp, mpf, pi, sin, sqrt, tan
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.bevel import Kind, bevel
-from dynamics_cli.gear.gear import NormalModule, basic_rack, signed_gear
-from dynamics_cli.gear.pair import pair
-from dynamics_cli.gear.pair_data import Mate
-from dynamics_cli.gear.split import Tips
+from dynamics_cli.gear.crossing.bevel import bevel
+from dynamics_cli.gear.crossing.bevel_records import Kind
+from dynamics_cli.gear.pair.pair import pair
+from dynamics_cli.gear.pair.records import Mate
+from dynamics_cli.gear.pair.shift_split import Tips
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.gear import signed_gear
+from dynamics_cli.gear.single.rack import basic_rack
 
 PAIRS = {"T4.3, spur 12/24": (12, 24, 0.6, 0.36, 0.0), "T4.8, helical 12/60": (12, 60, 0.09809, 0.0, 30.0),
          "large, 80/900": (80, 900, 0.3, -0.2, 12.0)}  # fmt: skip

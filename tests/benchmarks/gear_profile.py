@@ -21,12 +21,12 @@ sys.path.insert(0, str(ROOT))
 
 from mpmath import mp, mpf  # noqa: E402
 
-from dynamics_cli.gear.contact import path_of_contact, transmission_error  # noqa: E402
-from dynamics_cli.gear.flanks import external_form, flank  # noqa: E402
-from dynamics_cli.gear.gear import NormalModule  # noqa: E402
-from dynamics_cli.gear.mesh import mesh  # noqa: E402
-from dynamics_cli.gear.outline import chain_points, gear_outline  # noqa: E402
-from dynamics_cli.gear.trochoid import Cutter, root  # noqa: E402
+from dynamics_cli.gear.mesh.mesh import mesh  # noqa: E402
+from dynamics_cli.gear.mesh.profile_contact import path_of_contact, transmission_error  # noqa: E402
+from dynamics_cli.gear.pitch import NormalModule  # noqa: E402
+from dynamics_cli.gear.single.flanks import external_form, flank  # noqa: E402
+from dynamics_cli.gear.single.outline import chain_points, gear_outline  # noqa: E402
+from dynamics_cli.gear.single.trochoid import Cutter, root  # noqa: E402
 
 MM = 1e-3
 TWENTY = math.radians(20.0)

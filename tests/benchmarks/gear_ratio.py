@@ -18,9 +18,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from dynamics_cli.gear.ratio import ratio
-from dynamics_cli.gear.train import train
-from dynamics_cli.gear.train_scene import Mesh, Network
+from dynamics_cli.gear.trains.ratio import ratio
+from dynamics_cli.gear.trains.scene import Mesh, Network
+from dynamics_cli.gear.trains.train import train
 
 SIDEREAL = (3652422, 273217)
 PI = (314159265358979, 10**14)

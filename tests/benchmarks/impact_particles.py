@@ -14,9 +14,9 @@ from collections.abc import Callable
 import numpy as np
 from mpmath import mp, mpf
 
-from dynamics_cli.impact.central import Collinear, Struck, central
 from dynamics_cli.impact.conventions import ByMass, Restituted
-from dynamics_cli.impact.momentum import Vehicle, momentum
+from dynamics_cli.impact.particles.central import Collinear, Struck, central
+from dynamics_cli.impact.reconstruction.momentum import Vehicle, momentum
 from dynamics_cli.numerics.tracked import Tracked
 
 mp.dps = 60
@@ -116,8 +116,8 @@ def errors() -> None:
         exact = -(1 + e) * reduced * u / m1, reduced * (1 - e * e) * u * u / 2
         found = strike(list(numbers))
         own = found.first.delta_v, found.energy_lost  # type: ignore[attr-defined]
-        rival = naive(*numbers)
-        shown = [float(abs((mpf(x) - y) / y)) for pair in zip(own, rival, strict=True) for x, y in
+        alternative = naive(*numbers)
+        shown = [float(abs((mpf(x) - y) / y)) for pair in zip(own, alternative, strict=True) for x, y in
                  zip(pair, [exact[0 if pair[0] == own[0] else 1]] * 2, strict=True)]  # fmt: skip
         print(f"{name:26}" + "".join(f"{x:{width}.1e}" for x, width in zip(shown, (14, 15, 14, 15), strict=True)))
 

@@ -21,17 +21,17 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 import numpy as np
 
-from dynamics_cli.impact.bodies import ByInertia, OnBody, RigidBody, RigidTarget
 from dynamics_cli.impact.conventions import Axes, ByMass, BySpeed, Restituted
-from dynamics_cli.impact.decimals import widened
-from dynamics_cli.impact.envelope import envelope
-from dynamics_cli.impact.hodograph import travel as in_space
-from dynamics_cli.impact.laws import Law
-from dynamics_cli.impact.path import Mobility, determinant, travel
-from dynamics_cli.impact.path_arrays import planar_impacts
-from dynamics_cli.impact.planar import planar
-from dynamics_cli.impact.spatial import followed
-from dynamics_cli.impact.spatial_bounds import EFFORTS
+from dynamics_cli.impact.planar.bodies import ByInertia, OnBody, RigidBody, RigidTarget
+from dynamics_cli.impact.planar.envelope import envelope
+from dynamics_cli.impact.planar.impact import planar
+from dynamics_cli.impact.planar.laws import Law
+from dynamics_cli.impact.planar.path import Mobility, determinant, travel
+from dynamics_cli.impact.planar.path_arrays import planar_impacts
+from dynamics_cli.impact.spatial.arithmetic import widened
+from dynamics_cli.impact.spatial.bounds import EFFORTS
+from dynamics_cli.impact.spatial.hodograph import travel as in_space
+from dynamics_cli.impact.spatial.impact import followed
 
 FT, LBF, MPH, DEG = 0.3048, 4.4482216152605, 0.44704, math.pi / 180.0
 MILLION = 1_000_000

@@ -30,8 +30,8 @@ from generate_inertia_mesh_references import STILL, TURN, integrals, recipe
 from inertia_solids import triangles, write_stl
 from mpmath import mp, mpf
 
-from dynamics_cli.inertia.amount import OfDensity
-from dynamics_cli.inertia.mesh import measured as reading
+from dynamics_cli.inertia.bodies.amount import OfDensity
+from dynamics_cli.inertia.mesh import measurement as reading
 from dynamics_cli.inertia.mesh.integrals import first_pass
 from dynamics_cli.inertia.mesh.opening import open_mesh
 from dynamics_cli.inertia.mesh.surface import LengthUnit

@@ -24,7 +24,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[1] / "core"))
 import uncertain_models as m
 
-from dynamics_cli.core.uncertainty import Spread, propagate
+from dynamics_cli.core.uncertainty.propagation import Spread, propagate
 
 PROBLEMS: "dict[str, tuple[Any, Any, float]]" = {
     "skid, 3 normal": (m.skid, m.SKID, 1e-8),

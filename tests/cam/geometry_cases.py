@@ -2,11 +2,15 @@
 
 import json
 import random
+from math import pi
 from typing import Any
 
+import numpy as np
+
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.program import Program
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.program.reading import Program
 
 LAWS = (
     "cycloidal",
@@ -62,3 +66,29 @@ def random_follower(chance: random.Random, kind: str) -> Any:
 
 SWINGING = ("arm", "rocker")
 KINDS = ("roller", "knife", "flat", "arm", "rocker")
+
+
+def by_rays(geometry: Geometry, motion: Any, count: int = 1200) -> tuple[float, float, float]:
+    """Area, perimeter and polar moment from the first follower that each ray from the axis meets."""
+    theta = np.linspace(0.0, 2.0 * pi, 4000, endpoint=False)
+    turn = np.exp(-1j * geometry.turn * theta)
+    level = geometry.start + motion.at(theta, 0)[0]
+    rays = np.linspace(-pi, pi, count, endpoint=False)
+    radius = np.empty(count)
+    for index, ray in enumerate(np.exp(1j * rays)):
+        away = ray * (1j * turn if geometry.flat else (geometry.follower.offset + 1j * level) * turn).conj()
+        with np.errstate(all="ignore"):
+            if geometry.flat:
+                reach = np.where(away.real > 0.0, level / away.real, np.inf)
+            else:
+                under = geometry.roller**2 - away.imag**2
+                reach = np.where((under > 0.0) & (away.real > 0.0), away.real - np.sqrt(under), np.inf)
+        radius[index] = reach.min()
+    step = 2.0 * pi / count
+    slope = (np.roll(radius, -1) - radius) / step
+    middle = 0.5 * (np.roll(radius, -1) + radius)
+    return (
+        float(0.5 * step * (radius**2).sum()),
+        float(step * np.hypot(middle, slope).sum()),
+        float(0.25 * step * (radius**4).sum()),
+    )

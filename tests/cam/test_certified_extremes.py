@@ -10,11 +10,11 @@ from geometry_cases import CYCLE, KINDS, NOTHING, SWINGING, random_follower, ran
 from mpmath import mpf
 from test_proof import cams, of_numbers
 
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.analysis import analyse
-from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.path import Path
-from dynamics_cli.cam.program import motion_of
+from dynamics_cli.cam.export.path import Path
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.analysis import analyse
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.program.reading import motion_of
 from dynamics_cli.errors import InadmissibleError
 
 GRID = np.linspace(0.0, 1.0, 1501)

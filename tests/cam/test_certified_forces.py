@@ -11,13 +11,13 @@ import pytest
 from geometry_cases import KINDS, NOTHING, SWINGING, random_follower
 
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.force_records import ArmOnSpring, ArmOnTorsionSpring, Contact, Forces, Slide
-from dynamics_cli.cam.forces import force
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.loads import load_of
-from dynamics_cli.cam.program import motion_of
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.loads import load_of
+from dynamics_cli.cam.forces.records import ArmOnSpring, ArmOnTorsionSpring, Contact, Forces, Slide
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.program.reading import motion_of
 from dynamics_cli.errors import InadmissibleError
 
 CASES = json.loads((DATA / "cam_forces.json").read_text(encoding="utf-8"))["cases"]

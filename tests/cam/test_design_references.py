@@ -7,9 +7,10 @@ from geometry_cases import NOTHING, follower_of
 from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.cam import size
-from dynamics_cli.cam.check import check
-from dynamics_cli.cam.followers import Flank, Rotation
+from dynamics_cli.cam.forces.check import check
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
+from dynamics_cli.cam.sizing import records as asked
+from dynamics_cli.cam.sizing import size
 
 CASES = json.loads((DATA / "cam_design.json").read_text(encoding="utf-8"))["cases"]
 CHECKS = [case for case in CASES if case["task"] == "check"]
@@ -43,7 +44,7 @@ def test_the_lift_lost_at_a_corner(case) -> None:
 @pytest.mark.parametrize("case", SIZES, ids=[case["name"] for case in SIZES])
 def test_the_smallest_cam(case) -> None:
     given, tree = case["inputs"], case["inputs"]["follower"]
-    follower = getattr(size, tree["record"])(**{k: float(v) for k, v in tree.items() if k != "record"})
+    follower = getattr(asked, tree["record"])(**{k: float(v) for k, v in tree.items() if k != "record"})
     limits = {key: float(value) for key, value in given.items() if key.endswith(("_limit", "_radius"))}
     made = size.size(NOTHING, program=given["program"], follower=follower, **limits)
     held(made, case["results"], mpf(case["results"]["base_radius"]))

@@ -8,10 +8,13 @@ import pytest
 from mpmath import diff, mp, mpc, mpf, pi
 from references import generate_cam_motion_references as references
 
-from dynamics_cli.cam.enclosures import Parts, about_angles, bound, derivative, discs, rounding, spreads
-from dynamics_cli.cam.laws import law_named
-from dynamics_cli.cam.motion import Motion, Span
-from dynamics_cli.cam.polynomials import polynomial, spline
+from dynamics_cli.cam.laws.normalised import law_named
+from dynamics_cli.cam.laws.polynomials import polynomial, spline
+from dynamics_cli.cam.program.motion import Motion
+from dynamics_cli.cam.program.parts import Span
+from dynamics_cli.cam.proof.law_discs import Parts, discs
+from dynamics_cli.cam.proof.law_enclosures import bound, derivative, rounding, spreads
+from dynamics_cli.cam.proof.motion_enclosures import about_angles
 
 RISE = 0.0137
 SPAN = (773, 10)

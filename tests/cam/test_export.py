@@ -8,11 +8,12 @@ import pytest
 from geometry_cases import CYCLE, KINDS, NOTHING, STEEP, SWING, SWINGING, random_follower, random_program
 from harness import run
 
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.export import Curve, Form, export
-from dynamics_cli.cam.path import Path as CamPath
-from dynamics_cli.cam.program import motion_of
+from dynamics_cli.cam.export.export import export
+from dynamics_cli.cam.export.path import Path as CamPath
+from dynamics_cli.cam.export.records import Curve, Form
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.program.reading import motion_of
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.outlines import Arc, Cubic
 

@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.durations import crossings
-from dynamics_cli.cam.force_records import Contact, Slide
-from dynamics_cli.cam.forces import force
-from dynamics_cli.cam.program import Program, motion_of
+from dynamics_cli.cam.forces.durations import crossings
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.records import Contact, Slide
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.program.reading import Program, motion_of
 from dynamics_cli.errors import InadmissibleError
 
 LINE = "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"

@@ -7,13 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.cam.choosing import Condition, SplinePoint
-from dynamics_cli.cam.law_table import laws
-from dynamics_cli.cam.laws import LawName, law_named, scca
-from dynamics_cli.cam.peaks import continuity, extremes, peak
-from dynamics_cli.cam.polynomials import polynomial, spline
-from dynamics_cli.cam.rises import rise
-from dynamics_cli.cam.shapes import u_minus_sine
+from dynamics_cli.cam.laws.components import u_minus_sine
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.normalised import law_named, scca
+from dynamics_cli.cam.laws.peaks import continuity, extremes, peak
+from dynamics_cli.cam.laws.polynomials import polynomial, spline
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.laws.selection import Condition, SplinePoint
+from dynamics_cli.cam.laws.table import laws
 from dynamics_cli.errors import InadmissibleError
 
 NAMED = [name for name in LawName.names if name not in ("scca", "polynomial", "spline")]
@@ -198,10 +199,10 @@ def test_a_spline_goes_through_its_points_with_continuous_acceleration() -> None
 
 @settings(max_examples=60, deadline=None)
 @given(st.sampled_from(NAMED), st.floats(1e-4, 0.1), st.floats(0.01, 6.0), st.floats(0.0, 1.0))
-def test_a_fall_is_the_rise_run_backwards(name: str, lift: float, span: float, share: float) -> None:
+def test_a_mirrored_return_is_the_rise_run_backwards(name: str, lift: float, span: float, share: float) -> None:
     at = share * span
     up = rise(law=LawName(name), lift=lift, span=span, at=(span - at,)).points[0]
-    down = rise(law=LawName(name), lift=lift, span=span, at=(at,), falling=True).points[0]
+    down = rise(law=LawName(name), lift=lift, span=span, at=(at,), mirrored=True).points[0]
     assert down.lift == pytest.approx(up.lift, rel=1e-9, abs=1e-15 * lift)
     assert down.velocity == pytest.approx(-up.velocity, rel=1e-9, abs=1e-13 * lift / span)
 

@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.motion import radians as exact_radians
-from dynamics_cli.cam.program import Move, Point, Program, Segment, exact_degrees, motion_of
-from dynamics_cli.cam.revolution import motion
-from dynamics_cli.cam.rises import rise
-from dynamics_cli.cam.singularity import Form, delta
-from dynamics_cli.cam.survey import extreme, jumps, root_mean_square
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.program.parts import radians as exact_radians
+from dynamics_cli.cam.program.reading import Move, Point, Program, Segment, exact_degrees, motion_of
+from dynamics_cli.cam.program.revolution import motion
+from dynamics_cli.cam.program.singularity import Form, delta
+from dynamics_cli.cam.program.summary import extreme, jumps, root_mean_square
 from dynamics_cli.errors import InadmissibleError, UsageError
 
 LINE = "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"
@@ -299,7 +299,7 @@ def test_a_scalar_rise_starts_without_numpy() -> None:
     code = (
         "import sys\nfrom dynamics_cli.cli import main\n"
         "sys.argv = ['dynamics', 'cam', 'rise', '--law', 'cycloidal', '--lift', '20 mm', '--span', '90 deg']\n"
-        "sys.argv += ['--at', '30 deg']\n"
+        "sys.argv += ['--at', '30 deg', '--all']\n"
         "try:\n    main()\nexcept SystemExit:\n    pass\n"
         "print(sorted({'numpy', 'scipy', 'pint', 'fractions', 'dataclasses'} & set(sys.modules)), file=sys.stderr)"
     )

@@ -4,15 +4,15 @@ from math import isnan, pi
 
 import pytest
 
-from dynamics_cli.cam.force_pictures import forces
-from dynamics_cli.cam.force_records import Slide
-from dynamics_cli.cam.forces import force
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.motion_pictures import one_rise, svaj
-from dynamics_cli.cam.program import Program
-from dynamics_cli.cam.revolution import motion
-from dynamics_cli.cam.rises import rise
-from dynamics_cli.core.plot import pages
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.pictures import forces
+from dynamics_cli.cam.forces.records import Slide
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.program.pictures import one_rise, svaj
+from dynamics_cli.cam.program.reading import Program
+from dynamics_cli.cam.program.revolution import motion
+from dynamics_cli.core.output.plot import pages
 from dynamics_cli.pictures import Curve, Mark
 
 LINE = "rise 20 mm in 90 deg parabolic; dwell 60 deg; return in 90 deg 3-4-5; dwell"
@@ -25,7 +25,7 @@ def curve(panel) -> Curve:
 def test_svaj_has_four_panels_over_the_turn_that_reach_the_extremes() -> None:
     found = motion(Program(), program=LINE)
     picture = svaj(found, Program(), program=LINE, count=37, shaft_speed=None, singularity=False)
-    assert [panel.y.title for panel in picture.panels] == ["lift", "velocity", "acceleration", "jerk"]
+    assert [panel.y.title for panel in picture.panels] == ["lift s", "velocity v", "acceleration a", "jerk j"]
     for panel, ends in zip(picture.panels, (found.lift, found.velocity, found.acceleration, found.jerk), strict=True):
         line = curve(panel)
         assert line.x[0] == 0.0
@@ -46,7 +46,7 @@ def test_a_jump_is_a_gap() -> None:
 def test_a_swing_is_drawn_as_an_angle() -> None:
     line = "rise 20 deg in 180 deg; return in 180 deg"
     picture = svaj(motion(Program(), program=line), Program(), program=line)
-    assert picture.panels[0].y.title == "swing"
+    assert picture.panels[0].y.title == "swing ψ"
 
 
 def test_a_rise_marks_the_points_asked_for() -> None:

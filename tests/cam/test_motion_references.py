@@ -9,11 +9,12 @@ import pytest
 from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.cam.laws import LawName, law_named
-from dynamics_cli.cam.peaks import extremes
-from dynamics_cli.cam.polynomials import polynomial
-from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.rises import rise
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.normalised import law_named
+from dynamics_cli.cam.laws.peaks import extremes
+from dynamics_cli.cam.laws.polynomials import polynomial
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.program.reading import Program, motion_of
 
 FILE = DATA / "cam_motion.json"
 NAMES = ("lift", "velocity", "acceleration", "jerk")

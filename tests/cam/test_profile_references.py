@@ -6,9 +6,10 @@ import pytest
 from geometry_cases import NOTHING, cases, follower_of
 from mpmath import mp, mpf
 
-from dynamics_cli.cam import size
-from dynamics_cli.cam.followers import Flank, KnifeEdge, Rotation
-from dynamics_cli.cam.profile import profile
+from dynamics_cli.cam.geometry.followers import Flank, KnifeEdge, Rotation
+from dynamics_cli.cam.geometry.profile import profile
+from dynamics_cli.cam.sizing import records as asked
+from dynamics_cli.cam.sizing import size
 
 CASES = cases()
 
@@ -88,7 +89,7 @@ def test_sizes_are_within_1e_12(case: dict) -> None:
     mp.dps = 50
     given = case["inputs"]
     tree = given["follower"]
-    follower = getattr(size, tree["record"])(**{k: float(v) for k, v in tree.items() if k != "record"})
+    follower = getattr(asked, tree["record"])(**{k: float(v) for k, v in tree.items() if k != "record"})
     limits = {key: float(value) for key, value in given.items() if key.endswith(("_limit", "_radius"))}
     made = size.size(NOTHING, program=given["program"], follower=follower, **limits)
     start = mpf(case["results"].get("start_radius", case["results"]["base_radius"]))

@@ -11,13 +11,14 @@ from geometry_cases import CYCLE, NOTHING, SWING
 from mpmath import diff, mp, mpc, mpf
 from references import generate_cam_motion_references as motion_references
 
-from dynamics_cli.cam import followers
-from dynamics_cli.cam.approximation import controls, fit
-from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.export import Curve, Form, export
-from dynamics_cli.cam.path import Path
-from dynamics_cli.cam.program import motion_of
-from dynamics_cli.cam.proof import proved
+from dynamics_cli.cam.export.approximation import controls, fit
+from dynamics_cli.cam.export.export import export
+from dynamics_cli.cam.export.path import Path
+from dynamics_cli.cam.export.records import Curve, Form
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.program.reading import motion_of
+from dynamics_cli.cam.proof.deviation import proved
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.outlines import Arc, Cubic
 

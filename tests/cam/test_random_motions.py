@@ -4,11 +4,11 @@ import random
 
 import numpy as np
 
-from dynamics_cli.cam.force_records import Slide
-from dynamics_cli.cam.forces import force
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.program import Program, motion_of
-from dynamics_cli.cam.survey import extreme
+from dynamics_cli.cam.forces.forces import force
+from dynamics_cli.cam.forces.records import Slide
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.program.reading import Program, motion_of
+from dynamics_cli.cam.program.summary import extreme
 
 FREE = ("scca", "polynomial", "spline")
 LAWS = [name for name in LawName.names if name not in FREE and not name.startswith("half")]

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, STEEP, SWING, random_program
 
-from dynamics_cli.cam import followers, size
-from dynamics_cli.cam.contact import Geometry
-from dynamics_cli.cam.program import motion_of
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.program.reading import motion_of
+from dynamics_cli.cam.sizing import records, size
 from dynamics_cli.errors import InadmissibleError
 
 HAIR = 1e-9
@@ -54,7 +55,7 @@ def test_no_smaller_base_circle_suits_a_flat_rocker(seed: int) -> None:
     pivot, back = chance.uniform(0.09, 0.13), chance.choice([0.0, 0.006, -0.004])
     rotation = followers.Rotation(chance.choice(["ccw", "cw"]))
     least, limits = chance.choice([0.0, 0.002, 0.01]), (radians(35), radians(40))
-    wanted = size.OscillatingFlat(pivot, back, 0.001)
+    wanted = records.OscillatingFlat(pivot, back, 0.001)
     given = {"rise_limit": limits[0], "return_limit": limits[1], "least_radius": least, "rotation": rotation}
     states = dense(program)
     made = [followers.OscillatingFlat(base, pivot, back) for base in np.linspace(0.0, pivot - abs(back), 400)[:-1]]
@@ -85,7 +86,7 @@ def test_a_pair_on_a_slide_keeps_its_limits_on_both_cams_and_no_nearer_rollers_d
     rotation = followers.Rotation(chance.choice(["ccw", "cw"]))
 
     def sized(distance):
-        wanted = size.ConjugateRoller(0.006, distance, offset)
+        wanted = records.ConjugateRoller(0.006, distance, offset)
         return size.size(NOTHING, program=program, follower=wanted, rise_limit=limits[0], return_limit=limits[1],
                          least_radius=least, rotation=rotation)  # fmt: skip
 
@@ -104,7 +105,7 @@ def test_a_pair_on_a_slide_keeps_its_limits_on_both_cams_and_no_nearer_rollers_d
     with pytest.raises(InadmissibleError) as error:
         sized(0.99 * apart)
     assert error.value.code == "limits-clash"
-    assert f"{1e3 * apart:.6g} mm" in error.value.hint
+    assert f"{apart:.6g} m" in error.value.hint
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -116,7 +117,7 @@ def test_a_pair_on_a_rocker_keeps_its_limits_on_both_cams(seed: int) -> None:
     rotation = followers.Rotation(chance.choice(["ccw", "cw"]))
 
     def sized(angle):
-        wanted = size.ConjugateOscillatingRoller(0.006, arm, pivot, angle)
+        wanted = records.ConjugateOscillatingRoller(0.006, arm, pivot, angle)
         return size.size(NOTHING, program=program, follower=wanted, rise_limit=limits[0], return_limit=limits[1],
                          least_radius=least, rotation=rotation)  # fmt: skip
 
@@ -140,31 +141,31 @@ def test_a_pair_on_a_rocker_keeps_its_limits_on_both_cams(seed: int) -> None:
 def test_an_outer_flank_is_as_round_where_its_roller_path_is_hollow(least: float, rotation: str) -> None:
     given = {"rise_limit": radians(80), "return_limit": radians(80), "least_radius": least,
              "rotation": followers.Rotation(rotation), "flank": followers.Flank("outer")}  # fmt: skip
-    found = size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006, 0.003), **given)
+    found = size.size(NOTHING, program=CYCLE, follower=records.Roller(0.006, 0.003), **given)
     assert found.binding == "least radius of curvature"
     assert found.least_concave_radius == pytest.approx(least, rel=1e-10)
     assert smaller_ones_fail(
         lambda base: followers.Roller(base, 0.006, 0.003), found.base_radius, dense(CYCLE), (1.4, 1.4), least,
         rotation=rotation, flank="outer",
     )  # fmt: skip
-    swung = size.size(NOTHING, program=SWING, follower=size.OscillatingRoller(0.006, 0.08, 0.1), **given)
+    swung = size.size(NOTHING, program=SWING, follower=records.OscillatingRoller(0.006, 0.08, 0.1), **given)
     assert swung.least_concave_radius >= least * (1.0 - 1e-10)
 
 
 @pytest.mark.parametrize(
     ("program", "wanted", "options", "code"),
     [
-        (SWING, size.OscillatingFlat(0.1), {"flank": followers.Flank("outer")}, "flank"),
-        (CYCLE, size.KnifeEdge(), {"flank": followers.Flank("outer")}, "flank"),
-        (CYCLE, size.ConjugateRoller(0.006), {"flank": followers.Flank("outer")}, "flank"),
-        (SWING, size.OscillatingFlat(0.02, 0.03), {}, "pivot-inside"),
-        (SWING, size.OscillatingFlat(0.03), {"least_radius": 0.1}, "curvature-binds"),
-        (CYCLE, size.OscillatingFlat(0.1), {}, "lift-kind"),
-        (SWING, size.ConjugateRoller(0.006), {}, "lift-kind"),
-        ("rise 40 deg in 60 deg; return in 30 deg; dwell", size.OscillatingFlat(0.1), {}, "face-too-fast"),
-        (SWING, size.OscillatingFlat(0.1, 0.09), {"return_limit": radians(10)}, "limits-clash"),
-        (SWING, size.OscillatingRoller(0.006, 0.08, 0.1), {"least_radius": 1.0}, "curvature-binds"),
-        (SWING, size.ConjugateOscillatingRoller(0.006, 0.2, 0.1), {}, "limit-binds"),
+        (SWING, records.OscillatingFlat(0.1), {"flank": followers.Flank("outer")}, "flank"),
+        (CYCLE, records.KnifeEdge(), {"flank": followers.Flank("outer")}, "flank"),
+        (CYCLE, records.ConjugateRoller(0.006), {"flank": followers.Flank("outer")}, "flank"),
+        (SWING, records.OscillatingFlat(0.02, 0.03), {}, "pivot-inside"),
+        (SWING, records.OscillatingFlat(0.03), {"least_radius": 0.1}, "curvature-binds"),
+        (CYCLE, records.OscillatingFlat(0.1), {}, "lift-kind"),
+        (SWING, records.ConjugateRoller(0.006), {}, "lift-kind"),
+        ("rise 40 deg in 60 deg; return in 30 deg; dwell", records.OscillatingFlat(0.1), {}, "face-too-fast"),
+        (SWING, records.OscillatingFlat(0.1, 0.09), {"return_limit": radians(10)}, "limits-clash"),
+        (SWING, records.OscillatingRoller(0.006, 0.08, 0.1), {"least_radius": 1.0}, "curvature-binds"),
+        (SWING, records.ConjugateOscillatingRoller(0.006, 0.2, 0.1), {}, "limit-binds"),
     ],
 )
 def test_what_cannot_be_is_refused_with_what_binds(program: str, wanted, options, code: str) -> None:
@@ -203,7 +204,7 @@ def test_no_offset_on_a_grid_beats_the_one_found_for_a_curvature(seed: int) -> N
     program = random_program(chance)
     limits = radians(chance.uniform(25, 45)), radians(chance.uniform(25, 45))
     least = chance.uniform(0.01, 0.06)
-    found = size.size(NOTHING, program=program, follower=size.Roller(0.006), rise_limit=limits[0],
+    found = size.size(NOTHING, program=program, follower=records.Roller(0.006), rise_limit=limits[0],
                       return_limit=limits[1], least_radius=least)  # fmt: skip
     assert found.numerics is not None
     assert found.numerics.bounds[0].bound <= 1e-9
@@ -221,27 +222,27 @@ def test_a_flat_rocker_about_a_far_pivot_is_a_flat_slide() -> None:
     turn = lift / pivot
     swing = f"rise {turn!r} rad in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
     slide = f"rise {lift!r} m in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
-    far = size.size(NOTHING, program=swing, follower=size.OscillatingFlat(pivot), least_radius=0.004)
-    near = size.size(NOTHING, program=slide, follower=size.FlatFace(), least_radius=0.004)
+    far = size.size(NOTHING, program=swing, follower=records.OscillatingFlat(pivot), least_radius=0.004)
+    near = size.size(NOTHING, program=slide, follower=records.FlatFace(), least_radius=0.004)
     assert far.base_radius == pytest.approx(near.base_radius, rel=1e-4)
 
 
 def test_a_symmetric_pair_has_rollers_of_one_start_radius_at_half_lift() -> None:
     program = "rise 10 mm in 180 deg cycloidal; return in 180 deg cycloidal"
-    found = size.size(NOTHING, program=program, follower=size.ConjugateRoller(0.006))
+    found = size.size(NOTHING, program=program, follower=records.ConjugateRoller(0.006))
     assert found.second.start_radius - 0.01 == pytest.approx(found.start_radius, rel=1e-13)
     assert found.second.largest_pressure_angle == pytest.approx(found.largest_pressure_angle, rel=1e-12)
     swing = "rise 12 deg in 180 deg cycloidal; return in 180 deg cycloidal"
-    arms = size.size(NOTHING, program=swing, follower=size.ConjugateOscillatingRoller(0.006, 0.08, 0.1))
+    arms = size.size(NOTHING, program=swing, follower=records.ConjugateOscillatingRoller(0.006, 0.08, 0.1))
     second = arms.arm_angle - arms.arm_start_angle
     assert arms.second.start_radius == pytest.approx(hypot(0.1 - 0.08 * cos(second), 0.08 * sin(second)), rel=1e-13)
 
 
 def test_an_edge_where_the_velocity_jumps_is_told() -> None:
     line = "rise 10 mm in 180 deg linear; return in 180 deg linear"
-    made = size.size(NOTHING, program=line, follower=size.Roller(0.006))
+    made = size.size(NOTHING, program=line, follower=records.Roller(0.006))
     assert made.advice[-1].code == "velocity-jump"
-    assert not size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006)).advice
+    assert not size.size(NOTHING, program=CYCLE, follower=records.Roller(0.006)).advice
 
 
 @pytest.mark.parametrize("least", [0.005, 0.05, 0.3])
@@ -249,8 +250,8 @@ def test_the_size_under_a_curvature_has_its_mirror_images(least: float) -> None:
     line = "rise 19.4 mm in 129 deg modified-sine; dwell 20 deg; return in 10 deg 3-4-5; dwell"
     backwards = "rise 19.4 mm in 10 deg 3-4-5; dwell 20 deg; return in 129 deg modified-sine; dwell"
 
-    def sized(program: str, rise: float, back: float, rotation: str) -> size.CamSize:
-        return size.size(NOTHING, program=program, follower=size.Roller(0.004), least_radius=least, rise_limit=rise,
+    def sized(program: str, rise: float, back: float, rotation: str) -> records.CamSize:
+        return size.size(NOTHING, program=program, follower=records.Roller(0.004), least_radius=least, rise_limit=rise,
                          return_limit=back, rotation=followers.Rotation(rotation))  # fmt: skip
 
     one = sized(line, 1.35, 0.47, "ccw")
@@ -267,7 +268,7 @@ def test_the_size_under_a_curvature_has_its_mirror_images(least: float) -> None:
 def test_an_arm_that_returns_faster_than_the_cam_turns_is_refused_where_it_must() -> None:
     line = "rise 20 deg in 132 deg 5-6-7-8-9; dwell 10 deg; return in 3 deg cubic; dwell"
     with pytest.raises(InadmissibleError) as error:
-        size.size(NOTHING, program=line, follower=size.OscillatingRoller(0.002, 0.065, 0.057), rise_limit=1.27,
+        size.size(NOTHING, program=line, follower=records.OscillatingRoller(0.002, 0.065, 0.057), rise_limit=1.27,
                   return_limit=1.46)  # fmt: skip
     assert error.value.code in ("limit-binds", "limits-clash")
 
@@ -275,19 +276,19 @@ def test_an_arm_that_returns_faster_than_the_cam_turns_is_refused_where_it_must(
 @pytest.mark.parametrize(
     ("program", "wanted"),
     [
-        (CYCLE, size.Roller(0.006)),
-        (CYCLE, size.FlatFace()),
-        (CYCLE, size.ConjugateRoller(0.006)),
-        (SWING, size.OscillatingRoller(0.008, 0.08, 0.1)),
-        (SWING, size.OscillatingFlat(0.09, 0.004)),
-        (SWING, size.ConjugateOscillatingRoller(0.008, 0.08, 0.1)),
+        (CYCLE, records.Roller(0.006)),
+        (CYCLE, records.FlatFace()),
+        (CYCLE, records.ConjugateRoller(0.006)),
+        (SWING, records.OscillatingRoller(0.008, 0.08, 0.1)),
+        (SWING, records.OscillatingFlat(0.09, 0.004)),
+        (SWING, records.ConjugateOscillatingRoller(0.008, 0.08, 0.1)),
     ],
 )
 def test_no_size_rests_on_proxies_that_are_only_estimated(program: str, wanted, monkeypatch) -> None:
     def estimated(*_):
         raise AssertionError("estimated")
 
-    monkeypatch.setattr("dynamics_cli.cam.pieces._estimated", estimated)
+    monkeypatch.setattr("dynamics_cli.cam.program.pieces._estimated", estimated)
     found = size.size(NOTHING, program=program, follower=wanted, rise_limit=0.8, return_limit=0.8)
     assert found.numerics is not None
     assert all(bound.bound < 1e-11 for bound in found.numerics.bounds)
@@ -296,10 +297,10 @@ def test_no_size_rests_on_proxies_that_are_only_estimated(program: str, wanted, 
 @pytest.mark.parametrize("rotation", ["ccw", "cw"])
 def test_a_cam_left_with_a_point_is_not_called_undercut(rotation: str) -> None:
     for program, wanted, least in (
-        (STEEP, size.Roller(0.015), 0.0),
-        (SWING, size.OscillatingRoller(0.03, 0.08, 0.1), 0.0),
-        (CYCLE, size.ConjugateRoller(0.03), 0.0),
-        ("dwell", size.Roller(0.006), None),
+        (STEEP, records.Roller(0.015), 0.0),
+        (SWING, records.OscillatingRoller(0.03, 0.08, 0.1), 0.0),
+        (CYCLE, records.ConjugateRoller(0.03), 0.0),
+        ("dwell", records.Roller(0.006), None),
     ):
         found = size.size(NOTHING, program=program, follower=wanted, rise_limit=1.2, return_limit=1.2,
                           least_radius=least, rotation=followers.Rotation(rotation))  # fmt: skip
@@ -312,7 +313,7 @@ def test_a_cam_left_with_a_point_is_not_called_undercut(rotation: str) -> None:
 def test_the_checks_of_a_pair_do_not_depend_on_its_size() -> None:
     line = "rise {0!r} m in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
     for scale in (1e-6, 1.0, 1e6):
-        wanted = size.ConjugateRoller(0.006 * scale)
+        wanted = records.ConjugateRoller(0.006 * scale)
         found = size.size(NOTHING, program=line.format(0.01 * scale), follower=wanted, least_radius=0.07 * scale)
         assert all(one.passed for one in found.checks)
         assert all(0.0 < one.tolerance <= scale * 1e-11 for one in found.checks if "curvature" in one.name)

@@ -8,9 +8,9 @@ from mpmath import mp, mpf
 from references import generate_cam_motion_references as references
 from test_enclosures import ALL
 
-from dynamics_cli.cam.laws import law_named
-from dynamics_cli.cam.peaks import extremes, peak, peak_bound
-from dynamics_cli.cam.slips import HALVES_OF_FLOATS, of_law, slips
+from dynamics_cli.cam.laws.normalised import law_named
+from dynamics_cli.cam.laws.peaks import extremes, peak, peak_bound
+from dynamics_cli.cam.proof.law_rounding import HALVES_OF_FLOATS, of_law, slips
 
 U = 2.0**-53
 

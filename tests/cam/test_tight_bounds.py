@@ -10,18 +10,23 @@ import pytest
 from geometry_cases import NOTHING, follower_of
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.alternatives.cam.forces import _radius_share, certified, given
+from dynamics_cli.accuracy.alternatives.cam.laws import peaks
+from dynamics_cli.accuracy.alternatives.cam.motions import (
+    motion_bounds,
+    motion_peaks,
+    polynomial_bounds,
+    polynomial_peaks,
+)
 from dynamics_cli.accuracy.cases import DATA, load
-from dynamics_cli.accuracy.rivals.cam_forces import _radius_share, certified, given
-from dynamics_cli.accuracy.rivals.cam_laws import peaks
-from dynamics_cli.accuracy.rivals.cam_motions import motion_bounds, motion_peaks, polynomial_bounds, polynomial_peaks
-from dynamics_cli.cam import size
-from dynamics_cli.cam.check import check
-from dynamics_cli.cam.followers import Flank, Rotation
-from dynamics_cli.cam.laws import LawName
-from dynamics_cli.cam.polynomials import polynomial
-from dynamics_cli.cam.profile import profile
-from dynamics_cli.cam.program import motion_of
-from dynamics_cli.cam.rises import rise
+from dynamics_cli.cam.forces.check import check
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
+from dynamics_cli.cam.geometry.profile import profile
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.polynomials import polynomial
+from dynamics_cli.cam.laws.rise import rise
+from dynamics_cli.cam.program.reading import motion_of
+from dynamics_cli.cam.sizing import records, size
 
 HALF_ULP = mpf(2) ** -53
 LOOSE = 100
@@ -129,7 +134,7 @@ def sizes() -> list[dict[str, Any]]:
 @pytest.mark.parametrize("case", sizes(), ids=[case["name"] for case in sizes()])
 def test_sizes(case: dict[str, Any]) -> None:
     inputs, tree, results = case["inputs"], case["inputs"]["follower"], case["results"]
-    follower = getattr(size, tree["record"])(**{key: float(text) for key, text in tree.items() if key != "record"})
+    follower = getattr(records, tree["record"])(**{key: float(text) for key, text in tree.items() if key != "record"})
     limits = {key: float(text) for key, text in inputs.items() if key.endswith(("_limit", "_radius"))}
     answer = size.size(NOTHING, program=inputs["program"], follower=follower, **limits)
     scale = abs(float(results.get("start_radius", results["base_radius"])))

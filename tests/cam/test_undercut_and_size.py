@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, SWING, random_program
 
-from dynamics_cli.cam import followers, size
-from dynamics_cli.cam.check import check
-from dynamics_cli.cam.contact import turned_back
-from dynamics_cli.cam.export import export
-from dynamics_cli.cam.profile import profile
-from dynamics_cli.cam.program import motion_of
+from dynamics_cli.cam.export.export import export
+from dynamics_cli.cam.forces.check import check
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import turned_back
+from dynamics_cli.cam.geometry.profile import profile
+from dynamics_cli.cam.program.reading import motion_of
+from dynamics_cli.cam.sizing import records, size
+from dynamics_cli.cam.sizing.slides import best_slide
 from dynamics_cli.errors import InadmissibleError
 
 ARM = followers.OscillatingRoller(0.01, 0.005, 0.05, 0.1)
@@ -40,7 +42,7 @@ def test_no_smaller_start_radius_keeps_two_pressure_angles(seed: int) -> None:
     chance = random.Random(seed)
     program = random_program(chance)
     rise, back = radians(chance.uniform(12, 60)), radians(chance.uniform(12, 60))
-    found = size.size(NOTHING, program=program, follower=size.KnifeEdge(), rise_limit=rise, return_limit=back)
+    found = size.size(NOTHING, program=program, follower=records.KnifeEdge(), rise_limit=rise, return_limit=back)
     assert found.start_radius == pytest.approx(brute(program, rise, back), rel=1e-6, abs=1e-12)
     assert found.largest_pressure_angle <= rise + 1e-12
     assert -found.least_pressure_angle <= back + 1e-12
@@ -50,11 +52,11 @@ def test_no_smaller_start_radius_keeps_two_pressure_angles(seed: int) -> None:
 
 def test_a_foot_in_place_of_the_apex() -> None:
     # wide limits that differ: the apex would need an offset beyond the wedge
-    e, d, binding = size.best_slide(0.02, 0.001, 1 / tan(radians(75)), 1 / tan(radians(80)))
+    e, d, binding = best_slide(0.02, 0.001, 1 / tan(radians(75)), 1 / tan(radians(80)))
     assert binding == "rise limit"
     c = 1 / tan(radians(75))
     assert hypot(e, d) == pytest.approx(0.02 / hypot(1.0, c), rel=1e-14)
-    e2, d2, binding = size.best_slide(0.001, 0.02, 1 / tan(radians(80)), 1 / tan(radians(75)))
+    e2, d2, binding = best_slide(0.001, 0.02, 1 / tan(radians(80)), 1 / tan(radians(75)))
     assert (e2, d2, binding) == (pytest.approx(-e), pytest.approx(d), "return limit")
 
 
@@ -62,7 +64,7 @@ def test_a_foot_in_place_of_the_apex() -> None:
 def test_a_cam_turned_the_other_way_is_offset_the_other_way(rotation: str) -> None:
     limits = {"rise_limit": radians(25), "return_limit": radians(35)}
     found = size.size(
-        NOTHING, program=CYCLE, follower=size.Roller(0.006), rotation=followers.Rotation(rotation), **limits
+        NOTHING, program=CYCLE, follower=records.Roller(0.006), rotation=followers.Rotation(rotation), **limits
     )
     assert found.largest_pressure_angle == pytest.approx(radians(25), abs=1e-12)
     assert found.least_pressure_angle == pytest.approx(-radians(35), abs=1e-12)
@@ -73,7 +75,7 @@ def test_a_cam_turned_the_other_way_is_offset_the_other_way(rotation: str) -> No
 @pytest.mark.parametrize("offset", [0.0, 0.005])
 def test_a_radius_of_curvature_that_binds_is_met(wanted: float, offset: float) -> None:
     found = size.size(
-        NOTHING, program=CYCLE, follower=size.Roller(0.006, offset), least_radius=wanted,
+        NOTHING, program=CYCLE, follower=records.Roller(0.006, offset), least_radius=wanted,
         rise_limit=radians(85), return_limit=radians(85),
     )  # fmt: skip
     assert found.binding == "least radius of curvature"
@@ -85,7 +87,11 @@ def test_a_radius_of_curvature_that_binds_is_met(wanted: float, offset: float) -
 def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
     limit = radians(40)
     found = size.size(
-        NOTHING, program=SWING, follower=size.OscillatingRoller(0.008, 0.08, 0.1), rise_limit=limit, return_limit=limit
+        NOTHING,
+        program=SWING,
+        follower=records.OscillatingRoller(0.008, 0.08, 0.1),
+        rise_limit=limit,
+        return_limit=limit,
     )
     assert max(found.largest_pressure_angle, -found.least_pressure_angle) == pytest.approx(limit, abs=1e-12)
     smaller = check(
@@ -97,12 +103,16 @@ def test_an_arm_keeps_its_limits_and_no_smaller_does() -> None:
 @pytest.mark.parametrize(
     ("code", "call"),
     [
-        ("limit", lambda: size.size(NOTHING, program=CYCLE, follower=size.Roller(0.006), rise_limit=0.0)),
+        ("limit", lambda: size.size(NOTHING, program=CYCLE, follower=records.Roller(0.006), rise_limit=0.0)),
         ("limit", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), rise_limit=-0.1)),
         ("limit", lambda: check(NOTHING, program=CYCLE, follower=followers.FlatFace(0.05), return_limit=2.0)),
         ("through-axis", lambda: export(NOTHING, program=CYCLE, follower=followers.KnifeEdge(0.0))),
-        ("through-axis", lambda: export(NOTHING, program=CYCLE, follower=followers.Roller(1e200, 0.006))),
-        ("limit-binds", lambda: size.size(NOTHING, program=SWING, follower=size.OscillatingRoller(0.006, 0.1, 0.05))),
+        ("range", lambda: export(NOTHING, program=CYCLE, follower=followers.Roller(1e200, 0.006))),
+        ("swing", lambda: check(
+            NOTHING, program="rise 1e9 deg in 90 deg; return",
+            follower=followers.OscillatingRoller(0.03, 0.008, 0.08, 0.1))),
+        ("limit-binds", lambda: size.size(
+            NOTHING, program=SWING, follower=records.OscillatingRoller(0.006, 0.1, 0.05))),
         ("offset", lambda: check(NOTHING, program=CYCLE, follower=followers.Roller(0.01, 0.005, 0.016))),
         ("no-triangle", lambda: check(NOTHING, program=SWING, follower=ARM)),
         ("pivot-inside", lambda: check(NOTHING, program=SWING, follower=followers.OscillatingFlat(0.05, 0.04))),
@@ -190,8 +200,8 @@ def test_a_conjugate_pair_holds_its_rollers_apart() -> None:
 def test_no_offset_beats_the_best_one_for_a_curvature_by_more_than_the_bound(least: float) -> None:
     limit = radians(30)
 
-    def smallest(offset: float | None) -> size.CamSize:
-        slide = size.Roller(0.006, offset)
+    def smallest(offset: float | None) -> records.CamSize:
+        slide = records.Roller(0.006, offset)
         return size.size(
             NOTHING, program=CYCLE, follower=slide, rise_limit=limit, return_limit=limit, least_radius=least
         )

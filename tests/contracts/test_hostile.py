@@ -225,7 +225,7 @@ def test_a_file_that_may_not_be_read_is_a_wrong_call(tmp_path: Path, monkeypatch
     def refused(*_: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr("dynamics_cli.core.hashes.entry_of_file", refused)
+    monkeypatch.setattr("dynamics_cli.core.inputs.sources.hashes.entry_of_file", refused)
     outcome = run("inertia", "mesh", str(mesh), "--length-unit", "mm", "--density", "1 kg/m^3", "--json")
     assert (outcome.status, outcome.error["code"]) == (2, "unreadable")
 

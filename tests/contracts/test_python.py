@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from harness import run
 from shell import ROOT
@@ -69,3 +70,42 @@ def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path
                     value = found[name]
                     # An empty cell is an empty text or, in a column of numbers, none.
                     assert ("" if value is None else value) == (float(text) if isinstance(value, int | float) else text)
+
+
+@pytest.mark.parametrize(
+    "option", [{"output": "a.json"}, {"rows": "-"}, {"format": "json"}, {"json": True}, {"digits": 3}, {"plot": "-"}]
+)
+def test_options_that_a_function_cannot_honour_are_refused(option: dict[str, object]) -> None:
+    with pytest.raises(UsageError, match="option of the command only"):
+        dynamics_cli.run("skid speed", distance="60 ft", friction=0.7, **option)
+
+
+@pytest.mark.parametrize("option", [{"explain": "no"}, {"units": True}, {"samples": [1]}, {"to": {"speed": "mph"}}])
+def test_options_of_another_type_are_refused(option: dict[str, object]) -> None:
+    with pytest.raises(UsageError):
+        dynamics_cli.run("skid speed", distance="60 ft", friction=0.7, **option)
+
+
+def test_input_and_sweep_mean_what_the_options_do(tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    file.write_text('distance = "60 ft"\nfriction = 0.5\n')
+    made = dynamics_cli.run("skid speed", input=str(file), friction=0.7, limit="50 mph")
+    argv = ("skid", "speed", "--input", str(file), "--friction", "0.7", "--limit", "50 mph")
+    assert made == run(*argv, "--json").document
+    swept = dynamics_cli.run("skid speed", distance="60 ft", sweep="friction=0.3:0.9:7", jobs=1)
+    argv = ("skid", "speed", "--distance", "60 ft", "--sweep", "friction=0.3:0.9:7")
+    assert swept == run(*argv, "--json").document
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    plain = dynamics_cli.run("skid speed", distance={"value": 60, "unit": "ft"}, friction=0.7)
+    numbers = {"distance": {"value": np.int64(60), "unit": "ft"}, "friction": np.float64(0.7)}
+    assert dynamics_cli.run("skid speed", **numbers) == plain
+    single = dynamics_cli.run("skid speed", distance="60 ft", friction=np.float32(0.5))
+    assert single == dynamics_cli.run("skid speed", distance="60 ft", friction=0.5)
+    readings = np.array([0.71, 0.74, 0.70])
+    assert dynamics_cli.run("skid speed", distance="60 ft", friction=readings) == dynamics_cli.run(
+        "skid speed", distance="60 ft", friction=(0.71, 0.74, 0.70)
+    )
+    with pytest.raises(UsageError, match="range of a double"):
+        dynamics_cli.run("skid speed", distance="60 ft", friction=10**5000)

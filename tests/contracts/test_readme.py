@@ -1,45 +1,66 @@
-"""Every command of the README and every example script, run and its output compared."""
+"""Every command of every page and every example script, run and its output compared."""
 
+import doctest
+import re
 import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
+from documents import (
+    IMAGES,
+    PAGES,
+    SCRIPTS,
+    drawn,
+    missing,
+    outputs,
+    pictures,
+    screens,
+    sessions,
+    with_fields,
+    with_screens,
+)
 from shell import ROOT, shell
 
-EXAMPLES = ROOT / "examples"
-TOOLS = ("jq", "sqlite3")
+RUNNABLE = [page for page in PAGES if sessions(page.read_text())]
+PICTURED = [page for page in PAGES if pictures(page.read_text())]
+LINK = re.compile(r"\]\((?!https?:|#)([^)#]+)")
 
 
-def sessions(text: str) -> list[tuple[str, str]]:
-    """Commands and their printed output, from the console blocks of a Markdown text."""
-    found: list[tuple[str, str]] = []
-    inside = False
-    for line in text.splitlines():
-        if line.startswith("```"):
-            inside = line == "```console"
-        elif inside and line.startswith("$ "):
-            found.append((line[2:], ""))
-        elif inside and found and found[-1][0].endswith("\\") and not found[-1][1]:
-            found[-1] = (f"{found[-1][0]}\n{line}", "")
-        elif inside and found:
-            found[-1] = (found[-1][0], f"{found[-1][1]}{line}\n")
-    return found
+def name(page: Path) -> str:
+    return str(page.relative_to(ROOT))
 
 
-README = sessions((ROOT / "README.md").read_text())
-SCRIPTS = sorted(EXAMPLES.glob("**/*.sh"))
+@pytest.mark.parametrize("page", RUNNABLE, ids=name)
+def test_commands_print_what_the_page_shows(page: Path, tmp_path: Path) -> None:
+    for session, printed in outputs(page.read_text(), tmp_path):
+        if printed is not None:
+            assert printed == session.output, f"$ {session.command} (python tests/contracts/refresh_documents.py)"
 
 
-def missing(text: str) -> list[str]:
-    return [tool for tool in TOOLS if tool in text and shutil.which(tool) is None]
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_fields_are_those_of_the_signatures(page: Path) -> None:
+    assert with_fields(page.read_text()) == page.read_text()
 
 
-@pytest.mark.parametrize(("command", "expected"), README, ids=[command[:60] for command, _ in README])
-def test_readme_commands_print_what_they_are_said_to(command: str, expected: str, tmp_path: Path) -> None:
-    if missing(command):
-        pytest.skip(f"{missing(command)} is not installed")
-    done = shell(command, EXAMPLES, tmp_path)
-    assert done.stdout + done.stderr == expected
+def test_screens_are_as_small_as_the_page_says() -> None:
+    page = ROOT / "docs" / "developers" / "screens.md"
+    assert with_screens(page.read_text()) == page.read_text()
+    assert [task.path for task, _, (lines, width) in screens() if task.headline and (lines > 24 or width > 80)] == []
+
+
+@pytest.mark.parametrize("page", PICTURED, ids=name)
+def test_pictures_are_drawn_and_kept(page: Path, tmp_path: Path) -> None:
+    for file, data in drawn(page.read_text(), tmp_path).items():
+        assert len(data) > 1000
+        assert (IMAGES / file).exists()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_links_lead_somewhere(page: Path) -> None:
+    prose = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for target in LINK.findall(prose):
+        assert (page.parent / target).exists(), target
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=[path.name for path in SCRIPTS])
@@ -55,10 +76,16 @@ def test_example_scripts_print_what_stands_beside_them(script: Path, tmp_path: P
 def test_example_scripts_pass_shellcheck(script: Path) -> None:
     if shutil.which("shellcheck") is None:
         pytest.skip("shellcheck is not installed")
-    import subprocess
-
     done = subprocess.run(["shellcheck", str(script)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
+
+
+def test_the_page_for_python_shows_what_happens() -> None:
+    page = (ROOT / "docs" / "python.md").read_text()
+    blocks = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "python.md", None, None)
+    assert test.examples
+    assert doctest.DocTestRunner().run(test).failed == 0
 
 
 def test_the_readme_leads_with_its_two_commands() -> None:
@@ -69,3 +96,9 @@ def test_the_readme_leads_with_its_two_commands() -> None:
     assert "-m pytest" in text
     assert "-e '.[test]'" in ci
     assert "-m pytest" in ci
+    assert len(text.splitlines()) <= 200
+
+
+def test_every_image_is_drawn_by_a_page() -> None:
+    kept = {file for page in PAGES for _, file in pictures(page.read_text())} | {"accuracy.svg"}
+    assert {path.name for path in IMAGES.iterdir()} == kept

@@ -8,7 +8,7 @@ import pytest
 from harness import run
 
 from dynamics_cli import cli
-from dynamics_cli.core.call import UNIVERSAL_OPTIONS
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 
 TASKS = [task for name in cli.FAMILIES for task in cli.family(name).tasks.values()]
 
@@ -17,7 +17,7 @@ def test_every_task_parameter_example_and_source_is_there() -> None:
     text = run("reference").out
     for task in TASKS:
         assert f"### dynamics {task.path}\n" in text
-        assert all(example in text for example in task.examples)
+        assert all(example in text for example in task.shown_examples)
         part = text.partition(f"### dynamics {task.path}\n")[2].partition("\n##")[0]
         for name in task.options:
             assert f"`--{name}" in part

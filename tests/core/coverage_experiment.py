@@ -18,8 +18,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import uncertain_models as m
 
-from dynamics_cli.core.uncertain.distributions import Distribution, Normal, Uniform
-from dynamics_cli.core.uncertainty import Spread, propagate
+from dynamics_cli.core.inputs.uncertain.distributions import Distribution, Normal, Uniform
+from dynamics_cli.core.uncertainty.propagation import Spread, propagate
 
 Maker = Callable[[np.random.Generator], dict[str, Distribution]]
 

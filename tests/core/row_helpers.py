@@ -4,10 +4,11 @@ import io
 from contextlib import ExitStack
 from unittest.mock import patch
 
-from dynamics_cli.core import stream
-from dynamics_cli.core.call import Call, Settings
-from dynamics_cli.core.rows import cells, groups, objects
-from dynamics_cli.core.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Family, Model, Task
+from dynamics_cli.core.batch import stream
+from dynamics_cli.core.batch.rows import groups
+from dynamics_cli.core.batch.text import cells, objects
+from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt, where

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.uncertain.carried import carried
+from dynamics_cli.core.uncertainty.carried_correlations import carried
+from dynamics_cli.errors import UsageError
 
 
 @pytest.fixture
@@ -82,3 +83,44 @@ def test_rounded_correlations_are_brought_back_to_what_can_be() -> None:
             assert rho == pytest.approx(stated, abs=1e-2 * abs(stated) + 1e-12)
             mended += rho != stated
     assert mended > 0
+
+
+NOT_READABLE = {
+    "a list": [1, 2],
+    "no names": {"results": None, "correlation": [[1.0]]},
+    "names that are none": {"results": [["speed"], {}], "correlation": [[1.0]]},
+    "a number for names": {"results": 5, "correlation": [[1.0]]},
+    "too few rows": {"results": ["speed", "distance"], "correlation": [[1.0, 0.5]]},
+    "rows too short": {"results": ["speed", "distance"], "correlation": [[1.0], [0.5]]},
+    "numbers for rows": {"results": ["speed", "distance"], "correlation": [1.0, 0.5]},
+    "no correlation": {"results": ["speed", "distance"]},
+    "null": {"results": ["speed", "distance"], "correlation": None},
+    "more than one": {"results": ["speed", "distance"], "correlation": [[1.0, 7.0], [7.0, 1.0]]},
+    "not finite": {"results": ["speed", "distance"], "correlation": [[1.0, "nan"], ["nan", 1.0]]},
+    "a list for copies": {"results": ["speed", "distance"], "correlation": [[1, 0], [0, 1]], "same": [1]},
+}
+
+
+@pytest.mark.parametrize("entry", NOT_READABLE.values(), ids=NOT_READABLE)
+def test_a_covariance_that_cannot_be_read_is_refused_by_name(skid: str, entry: object) -> None:
+    """It was an internal error, or the results counted as independent in silence."""
+    document = json.loads(Path(skid).read_text())
+    document["results"]["distance"] = document["results"].pop("total_distance")
+    document["covariance"] = entry
+    Path(skid).write_text(json.dumps(document))
+    calls = (
+        ("--input", skid),
+        ("--speed", f"@{skid}:speed", "--distance", f"@{skid}:distance"),
+    )
+    for call in calls:
+        outcome = run("skid", "friction", *call, "--json")
+        assert outcome.status == 2, outcome.err
+        assert json.loads(outcome.err)["error"]["code"] == "covariance"
+        assert skid in json.loads(outcome.err)["error"]["message"]
+
+
+def test_correlations_that_contradict_one_another_are_refused() -> None:
+    """Three results cannot all be opposite to one another."""
+    entry = {"results": list("abc"), "correlation": [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]]}
+    with pytest.raises(UsageError, match="contradict"):
+        carried({name: ("file", name, entry) for name in "abc"}, list("abc"))

@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dynamics_cli.core.units import from_exact_compound, from_si_compound, parse_compound, parse_unit, to_si
+from dynamics_cli.core.units.compound import from_exact_compound, from_si_compound, parse_compound
+from dynamics_cli.core.units.conversion import to_si
+from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.errors import UsageError
 
 FEET = parse_compound("ft;in")

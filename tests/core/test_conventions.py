@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.specification import SpecificationError, interpret
+from dynamics_cli.core.inputs.specification import SpecificationError, interpret
 from dynamics_cli.quantities import Length
 from dynamics_cli.records import record
 
@@ -83,7 +83,7 @@ class TestAlternatives:
             radius: Length
             more: Length = 0.0
 
-        with pytest.raises(SpecificationError, match="told apart"):
+        with pytest.raises(SpecificationError, match="distinguished"):
             interpret(Same | Other, {})
 
 
@@ -206,21 +206,21 @@ class TestVectorsAndTensors:
 
 
 class TestTables:
-    def test_columns_stand_under_one_unit_and_csv_writes_the_main_table(self) -> None:
+    def test_columns_stand_under_one_unit_and_csv_writes_the_table_asked_for(self) -> None:
         document = answer("toy", "curve", "--lift", "20 mm", "--count", "3")
         assert document["results"]["points"]["lift"] == {"value": [0.0, 10.0, 20.0], "unit": "mm"}
-        out = run("toy", "curve", "--lift", "20 mm", "--count", "2", "--format", "csv").out
+        out = run("toy", "curve", "--lift", "20 mm", "--count", "2", "--format", "csv", "--table", "points").out
         assert out.splitlines()[0] == "angle[deg],lift[mm]"
         assert len(out.splitlines()) == 3
 
     def test_few_rows_are_objects(self) -> None:
-        out = run("toy", "journey", "--distance", "10 m", "--format", "csv").out
+        out = run("toy", "journey", "--distance", "10 m", "--format", "csv", "--table", "rows").out
         assert out == "distance[m],work\n10.0,7.0\n"
 
     def test_checks_advice_and_stated_bounds_reach_the_document(self) -> None:
         document = answer("toy", "curve", "--lift", "20 mm")
         assert document["checks"][0]["passed"]
-        assert document["warnings"][0]["mend"] == "raise the span to 114.592 deg"
+        assert document["warnings"][0]["remedy"] == "raise the span to 114.592 deg"
         assert document["numerics"]["method"] == "sampling"
         assert document["numerics"]["error_bound"]["peak"]["relative"] >= 1e-15
 
@@ -269,7 +269,7 @@ class TestReserved:
     def test_a_parameter_may_not_take_the_name_of_a_universal_option(self) -> None:
         import toys
 
-        from dynamics_cli.core.task import Model, Task
+        from dynamics_cli.core.answering.task import Model, Task
 
         def clash(*, output: Length) -> toys.One:
             return toys.One(output)
@@ -335,7 +335,7 @@ class TestSchemas:
         import jsonschema
 
         from dynamics_cli import cli
-        from dynamics_cli.core.schema import schema
+        from dynamics_cli.core.command.schema import schema
 
         inputs = schema(cli.family("toy").tasks["say"])["properties"]["inputs"]["properties"]["teeth"]
         for value in ("365.2422/27.3217", {"value": "365.2422/27.3217"}):
@@ -346,8 +346,8 @@ class TestSchemas:
 
 class TestStatedBounds:
     def test_absolute_ones_are_shown_in_the_unit_of_their_result(self) -> None:
-        from dynamics_cli.core.document import _stated_bound, _Walk
-        from dynamics_cli.core.shown import Display
+        from dynamics_cli.core.output.document import _stated_bound, _Walk
+        from dynamics_cli.core.units.display import Display
         from dynamics_cli.quantities import Size
         from dynamics_cli.records import ErrorBound
 

@@ -7,8 +7,8 @@ import random
 import pytest
 from row_helpers import PROBE, Slow, run
 
-from dynamics_cli.core.rows import records as module
-from dynamics_cli.core.rows.records import cleared, first_record, records
+from dynamics_cli.core.batch.text import records as module
+from dynamics_cli.core.batch.text.records import cleared, first_record, records
 
 HEADER = b"marks.distance[ft],note\n"
 CELLS = ("plain", "two\nlines", 'a "word"', "blank\n\n\nlines", ",", "\n", 'x"y', "", '5 ft 6"')

@@ -21,11 +21,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli import run as run_python
-from dynamics_cli.core.drawing import write_drawing
-from dynamics_cli.core.drawing.scaled import FILE_UNITS, box, quartered, round_bound, scaled
-from dynamics_cli.core.schema import schema
-from dynamics_cli.core.specification import SpecificationError
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.core.answering.task import Model, Task
+from dynamics_cli.core.command.schema import schema
+from dynamics_cli.core.inputs.specification import SpecificationError
+from dynamics_cli.core.output.drawing import write_drawing
+from dynamics_cli.core.output.drawing.scaled import FILE_UNITS, box, quartered, round_bound, scaled
 from dynamics_cli.errors import OutputError, UsageError
 from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points, arc_about, circle
 
@@ -224,7 +224,7 @@ class TestFiles:
     def test_same_input_same_bytes_in_another_process_too(self, tmp_path: Path, form: str) -> None:
         data, _ = drawn(tmp_path, form)
         code = (
-            "from dynamics_cli.core.drawing import write_drawing; import toys;"
+            "from dynamics_cli.core.output.drawing import write_drawing; import toys;"
             f"write_drawing(toys.plate(width=0.3).shape, {str(tmp_path / 'b')!r} + '.{form}')"
         )
         path = os.pathsep.join([str(Path(toys.__file__).parent), str(Path(toys.__file__).parents[2])])
@@ -474,13 +474,13 @@ def test_files_are_within_the_deviation_they_state(
     start: tuple, end: tuple, bulge: float, clockwise: bool, units: str
 ) -> None:
     """The arc as DXF and SVG mean it, against the exact arc, in 50 digits."""
-    factor = mpmath.mpf(1000) if units == "si" else mpmath.mpf(10000) / 254
     if math.dist(start, end) < 1e-12:
         return
     arc = Arc(start, end, -bulge if clockwise else bulge)
     unit = FILE_UNITS[units]
     inside = scaled(Drawing((Outline((arc,), False, 0.0),)), unit)
     with mpmath.workdps(50):
+        factor = mpmath.mpf(1000) if units == "si" else mpmath.mpf(10000) / 254
         centre, radius = circle_of(
             *[[mpmath.mpf(p) * factor for p in point] for point in (arc.start, arc.end)], arc.bulge
         )

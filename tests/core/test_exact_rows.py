@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from row_helpers import run
 
 from dynamics_cli.cli import find_task
-from dynamics_cli.core.units import parse_pair
+from dynamics_cli.core.units.lookup import parse_pair
 from dynamics_cli.errors import UsageError
 
 CONVERT = find_task(["convert"])[0]
@@ -116,7 +116,7 @@ def test_fixed_words() -> None:
         assert json.loads(run(CONVERT, row, "mph", "ft/s")[1])["results"]["value"]["value"] == 88.0
     status, out, _ = run(CONVERT, b"60\n", "ft/s")
     assert status == 4
-    assert b"unit is missing" in out
+    assert b"has no unit" in out
 
 
 def test_csv_of_fixed_units() -> None:

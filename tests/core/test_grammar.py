@@ -2,16 +2,18 @@
 
 import math
 from collections.abc import Callable
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
+import mpmath as mp
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli import quantities as q
-from dynamics_cli.core import grammar
-from dynamics_cli.core.grammar import (
+from dynamics_cli.core.inputs import quantity_text
+from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
     read_amount,
     read_fraction,
@@ -132,6 +134,34 @@ READ = [
     ("1e3", q.Count, 1000.0, 1000, ""),
     ("9007199254740993", q.Ratio, 9007199254740992.0, 9007199254740992.0, ""),
     ("1e310 nm", q.Length, None, None, ""),
+    ("6'2\"", q.Length, 1.8796, 74, "in"),
+    ("6’ 2 1/2”", q.Length, 1.8923, 74.5, "in"),
+    ('5"', q.Length, 0.127, 5, "in"),
+    ('-3/8"', q.Length, -0.009525, -0.375, "in"),
+    ("1/2 in", q.Length, 0.0127, 0.5, "in"),
+    ("12 1/2 in", q.Length, 0.3175, 12.5, "in"),
+    ("-12-1/2 in", q.Length, -0.3175, -12.5, "in"),
+    ("5 ft 6 1/2 in", q.Length, 1.6891, 66.5, "in"),
+    ("1/3 ft", q.Length, 0.1016, 1 / 3, "ft"),
+    ("1/2", q.Friction, 0.5, 0.5, ""),
+    ("5 ft + 6.5 in", q.Length, 1.6891, 66.5, "in"),
+    ("5 ft +6 in", q.Length, 1.6764, 66, "in"),
+    ("2.5 ft + 14 in", q.Length, 1.1176, 44.0, "in"),
+    ("1e+2 m", q.Length, 100.0, 100.0, "m"),
+    ("1,234,567 m", q.Length, 1234567.0, 1234567, "m"),
+    ("1,234.5 m", q.Length, 1234.5, 1234.5, "m"),
+    ("45°30'", q.Angle, 0.7941248096574199, 2730, "arcmin"),
+    ("45°30'15\"", q.Angle, 0.7941975317095864, 163815, "arcsec"),
+    ("1h30m", q.Time, 5400.0, 90, "min"),
+    ("1h30m15s", q.Time, 5415.0, 5415, "s"),
+    ("5ft6in", q.Length, 1.6764, 66, "in"),
+    ("2:30:00", q.Time, 9000.0, 9000, "s"),
+    ("0:00:07.5", q.Time, 7.5, 7.5, "s"),
+    ("20 C", q.Temperature, 293.15, 20, "C"),
+    ("68 degrees Fahrenheit", q.Temperature, 293.15, 68, "degrees Fahrenheit"),
+    ("60 KM/H", q.Speed, 60 / 3.6, 60, "KM/H"),
+    ("5 Feet", q.Length, 1.524, 5, "Feet"),
+    ("60 M/S", q.Speed, 60.0, 60, "M/S"),
 ]
 
 
@@ -144,6 +174,24 @@ def test_scalars(text: str, kind: Kind, si: float | None, value: float, unit: st
     reading = read_scalar(text, kind)
     assert (reading.si, reading.value, reading.unit) == (si, value, unit)
     assert type(reading.value) is type(value)
+
+
+@pytest.mark.parametrize(("unit", "circle"), [("deg", 360), ("gon", 400), ("turn", 1), ("rev", 1), ("arcmin", 21600)])
+def test_parts_of_a_circle_are_the_doubles_nearest_to_them(unit: str, circle: int) -> None:
+    """Multiples of 30° and 45° up to three turns: against π in 60 digits, rounded once."""
+    for twelfths in (Fraction(k, 12) for k in range(-36, 37)):
+        for share in (twelfths, twelfths * 3 / 2):
+            written = Fraction(circle) * share
+            digits = str(Decimal(written.numerator) / Decimal(written.denominator))
+            with mp.workdps(60):
+                exact = 2 * mp.pi * Fraction(digits).numerator / Fraction(digits).denominator / circle
+            assert read_scalar(f"{digits} {unit}", q.Angle).si == float(exact)
+
+
+@pytest.mark.parametrize("text", ["90 deg", "100 gon", "0.25 turn", "90°", "90 deg 0 min", "5400 arcmin", "25e-2 rev"])
+def test_a_right_angle_is_one_double_however_it_is_written(text: str) -> None:
+    assert read_scalar(text, q.Angle).si == math.pi / 2
+    assert read_scalar(f"-{text}", q.Angle).si == -math.pi / 2
 
 
 def test_notes_say_how_a_unit_with_two_readings_was_read() -> None:
@@ -163,7 +211,7 @@ def test_a_default_unit_stands_in() -> None:
 
 
 REFUSED = [
-    ("60", q.Length, "missing-unit", "the unit is missing"),
+    ("60", q.Length, "missing-unit", "'60' has no unit"),
     ("60 %", q.Length, "kind", "% is a pure number, m is a length"),
     ("60 mph", q.Mass, "kind", "mph is a speed, kg is a mass"),
     ("0.7 m", q.Friction, "kind", "m is a length, a number without a unit is a pure number"),
@@ -173,7 +221,6 @@ REFUSED = [
     ("30 N*m", q.Energy, "kind", "N*m is a torque"),
     ("30 lbf", q.Mass, "kind", "lbf is a force, kg is a mass"),
     ("30 kg", q.Force, "kind", "kg is a mass, N is a force"),
-    ("20 C", q.Temperature, "kind", "C is an electric charge"),
     ("30 deg", q.Friction, "kind", "deg is an angle"),
     ("-5 kg", q.Mass, "bounds", "must be at least 0 kg"),
     ("0 N", q.Weight, "bounds", "must be greater than 0 N"),
@@ -187,25 +234,33 @@ REFUSED = [
     ("3.5", q.Count, "whole", "not a whole number"),
     ("3 %", q.Count, "whole", "not a whole number"),
     ("-3", q.Count, "bounds", "at least 0"),
-    ("1e17", q.Count, "whole", "not a whole number"),
+    ("1e17", q.Count, "bounds", "at most 9007199254740992"),
+    ("100000000000000000000", q.Teeth, "bounds", "at most 9007199254740992"),
     ("5 ft 6", q.Length, "missing-unit", "a number has no unit"),
     ("6 ft 2 kg", q.Length, "kind", "cannot be parts of one value"),
     ("5.5 ft 6 in", q.Length, "syntax", "the number of ft is not whole"),
-    ("5 ft 14 in", q.Length, "syntax", "that many in hold a whole ft"),
-    ("5 ft 12 in", q.Length, "syntax", "that many in hold a whole ft"),
+    ("5 ft 14 in", q.Length, "syntax", "that many in are more than one ft"),
+    ("5 ft 12 in", q.Length, "syntax", "that many in are more than one ft"),
     ("6 in 5 ft", q.Length, "syntax", "ft is not smaller than in"),
     ("5 ft 6 ft", q.Length, "syntax", "ft is not smaller than ft"),
     ("5 ft -6 in", q.Length, "syntax", "a sign inside"),
-    ("5 ft +6 in", q.Length, "syntax", "a sign inside"),
     ("20 degC 5 K", q.Temperature, "syntax", "a temperature has no parts"),
     ("1 m 1 m 1 m 1 m 1 m 1 m 1 m", q.Length, "number", "not a decimal number"),
-    ("5' 6\"", q.Length, "unit-syntax", "feet and inches"),
-    ("8 1/2 in", q.Length, "unit-syntax", "a number inside the unit"),
+    ("5' 6\"", q.Angle, "kind", "in is a length, rad is an angle"),
+    ("8 3/2 in", q.Length, "number", "3/2 is not less than one"),
+    ("8 1/0 in", q.Length, "number", "divides by zero"),
+    ("1/2/3 in", q.Length, "unit-syntax", "cannot read"),
+    ("5 ft + 6 kg", q.Length, "kind", "cannot be parts of one value"),
+    ("2:30", q.Time, "ambiguous", "may be hours and minutes or minutes and seconds"),
+    ("2:70:00", q.Time, "syntax", "are more than one h"),
+    ("12,34 m", q.Length, "number", "not a decimal number"),
+    ("0,500 m", q.Length, "number", "not a decimal number"),
+    ("5 KN", q.Length, "ambiguous-unit", "'KN' may be kN or kn"),
     ("3 kg/3 m", q.LinearDensity, "unit-syntax", "a number inside the unit"),
     ("3 kg/m s", q.Density, "ambiguous-unit", "two ways"),
-    ("60 ftt", q.Length, "unknown-unit", "no unit is called 'ftt'"),
+    ("60 ftt", q.Length, "unknown-unit", "unknown unit 'ftt'"),
     ("1,5 m", q.Length, "number", "'1,5' is not a decimal number"),
-    ("1,000 m", q.Length, "number", "'1,000' is not a decimal number"),
+    ("1,000 m", q.Length, "number", "'1,000' may be 1000 or 1"),
     ("1_000 m", q.Length, "number", "'1_000' is not a decimal number"),
     ("nan", q.Length, "number", "does not begin with a number"),
     ("inf m", q.Length, "number", "does not begin with a number"),
@@ -217,11 +272,11 @@ REFUSED = [
     ("1" * 500 + " m", q.Length, "number", "more than 400 characters"),
     ("1 " + "m" * 2000, q.Length, "syntax", "too long"),
     ("1 " + "m*" * 200, q.Length, "unit-syntax", "too long"),
-    ("", q.Length, "syntax", "nothing is written"),
-    (" \t", q.Length, "syntax", "nothing is written"),
+    ("", q.Length, "syntax", "the quantity is empty"),
+    (" \t", q.Length, "syntax", "the quantity is empty"),
     ("\x1b[31m5 m", q.Length, "number", "does not begin with a number"),
-    ("5 m\x00", q.Length, "unit-syntax", "has no place in a unit"),
-    ("30 mph @ 45 deg", q.Speed, "unit-syntax", "'@' has no place in a unit"),
+    ("5 m\x00", q.Length, "unit-syntax", "cannot stand in a unit"),
+    ("30 mph @ 45 deg", q.Speed, "unit-syntax", "'@' cannot stand in a unit"),
 ]
 
 
@@ -234,10 +289,10 @@ def test_refusals_say_what_was_read_what_was_wanted_and_how_to_mend_it(
     error = refusal.value
     assert error.code == code
     assert words in error.message
-    assert f"is no {kind.name}: " in error.message
+    assert f" {kind.name}: " in error.message or error.message.endswith("has no unit")
     assert error.message.startswith(repr(text[:60])[:-1])
     assert error.hint is not None
-    assert f"example: {kind.example}" in error.hint
+    assert kind.example in error.hint
     assert error.parameter is None
     assert error.message.isprintable()
     assert len(error.message) < 400
@@ -385,4 +440,4 @@ def test_what_is_quoted_is_cut_and_escaped() -> None:
         read_amount("\x07" * 900)
     assert len(refusal.value.message) < 350
     assert "\x07" not in refusal.value.message
-    assert grammar.LONGEST_TEXT < 10**4
+    assert quantity_text.LONGEST_TEXT < 10**4

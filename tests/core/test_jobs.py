@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from harness import run
 
-from dynamics_cli.core.jobs import spread
-from dynamics_cli.core.stream import _pieces
+from dynamics_cli.core.batch.jobs import spread
+from dynamics_cli.core.batch.stream import _pieces
 from dynamics_cli.errors import FaultError, ManyErrors, UsageError
 
 SPEED = ("skid", "speed")

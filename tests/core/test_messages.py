@@ -1,12 +1,14 @@
 """Refusals and advice speak in the units that the inputs were written in."""
 
 import json
+import re
 
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.bound import Fields, Several, Value
-from dynamics_cli.core.messages import in_written_units
+from dynamics_cli.core.answering.messages import in_written_units
+from dynamics_cli.core.inputs.values import Fields, Several, Value
+from dynamics_cli.errors import InadmissibleError, require
 from dynamics_cli.quantities import Angle, Distance, Friction, Mass, RoadSpeed
 
 MILE = 0.44704
@@ -18,10 +20,12 @@ def inputs(*values: Value) -> Fields:
 
 FEET = Value("distance", Distance, 18.288, 60.0, "ft")
 MPH = Value("speed", RoadSpeed, 30 * MILE, 30, "mph")
+MILLIMETRES = Value("lift", Distance, 0.015, 15, "mm")
 METRES = Value("distance", Distance, 0.25, 0.25, "m")
 DEGREES = Value("angle", Angle, 0.3490658503988659, 20, "deg")
 MINUTES = Value("angle", Angle, 0.35779249665883756, 1230, "arcmin")
 RADIANS = Value("angle", Angle, -0.349066, -0.349066, "rad")
+QUARTER = Value("distance", Distance, 0.25, 250, "mm")
 POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
 
 
@@ -32,6 +36,10 @@ POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
         ("from 13.4112 m/s it stops after 13.1 m", (FEET, MPH), "from 30 mph it stops after 42.98 ft"),
         ("0.25 m, not 250 mm", (METRES,), "0.25 m, not 0.25 m"),
         ("2.5 mm of 10 m", (METRES,), "2.5 mm of 10 m"),
+        ("0.0125 m of 0.015 m", (MILLIMETRES,), "12.5 mm of 15 mm"),
+        ("0.0125 m of 0.015 m", (MILLIMETRES, METRES), "0.0125 m of 15 mm"),
+        ("0.25 m and 0.0123456 m", (QUARTER,), "250 mm and 12.3456 mm"),
+        ("0.3 m", (QUARTER, METRES), "0.3 m"),
         ("a mass of 0.907 kg", (POUNDS,), "a mass of 2 lb"),
         ("it turns by 0.785398 rad", (), "it turns by 45 deg"),
         ("it turns by 0.5 rad", (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
@@ -59,30 +67,61 @@ def test_refusals_quote_what_was_written() -> None:
     call = ("skid", "distance", "--speed", "30 mph", "--end-speed", "40 mph", "--friction", "0.7", "--json")
     outcome = run(*call)
     assert outcome.status == 3
-    assert outcome.error["message"].startswith("the end speed 40 mph exceeds the speed 30 mph")
+    assert outcome.error["message"].startswith("the end speed of 40 mph exceeds the speed of 30 mph")
 
 
 def test_advice_quotes_what_was_written() -> None:
     call = ("skid", "yaw", "--chord", "60 ft", "--middle-ordinate", "1 in", "--friction", "0.7")
-    assert "the middle ordinate 1 in" in answer(*call)["warnings"][0]["message"]
+    assert "the middle ordinate of 1 in" in answer(*call)["warnings"][0]["message"]
 
 
 def test_rows_quote_what_was_written() -> None:
     rows = "speed[mph],end_speed[mph],friction\n30,40,0.7\n"
     outcome = run("skid", "distance", "--rows", "-", "--format", "ndjson", stdin=rows)
-    assert "the end speed 40 mph exceeds the speed 30 mph" in json.loads(outcome.out)["error"]["message"]
+    assert "the end speed of 40 mph exceeds the speed of 30 mph" in json.loads(outcome.out)["error"]["message"]
 
 
 def test_numbers_that_share_a_unit_are_all_turned() -> None:
     helices = ("--first-helix-angle", "20 deg", "--second-helix-angle", "-20 deg")
     teeth = ("--first-teeth", "15", "--second-teeth", "20", "--module", "3 mm")
     outcome = run("gear", "crossed", *teeth, *helices, "--json")
-    assert outcome.error["message"].startswith("the helices 20 and -20 deg cancel")
+    assert outcome.error["message"].startswith("the helices 20 deg and -20 deg cancel")
     outcome = run("inertia", "tensor", "--moments", "1, 2, 3.5 lb*ft^2", "--json")
-    assert "3.5 lb·ft² exceeds the sum of 1 and 2 lb·ft² by 0.143 of itself" in outcome.error["message"]
+    assert "3.5 lb·ft² exceeds the sum of 1 lb·ft² and 2 lb·ft² by a share of 0.1" in outcome.error["message"]
 
 
 def test_modules_of_a_series_stay_in_millimetres() -> None:
     warning = answer("gear", "spur", "--teeth", "20", "--module", "0.11 in")["warnings"][0]
     assert warning["message"].startswith("a module of 0.11 in is in neither series")
-    assert warning["mend"] == "the nearest is 3 mm of series I, or 2.75 mm of series II"
+    assert warning["remedy"] == "the nearest, in millimetres: 3 (series I), 2.75 (series II)"
+
+
+@pytest.mark.parametrize("name", ["{x}", "{}", "{0}", "{", "}", "{0:.6g}", "{{}}", "%s"])
+@pytest.mark.parametrize(
+    "argv",
+    [
+        ("gear", "train", "--mesh", "first=a, second=b, first-teeth=20, second-teeth=40", "--driver", "NAME"),
+        ("gear", "train", "--stages", "NAME:60"),
+        ("gear", "train", "--stages", "20:60, NAME"),
+        ("gear", "train", "--stages", "20:60", "--fixed", "NAME"),
+        ("inertia", "body", "NAME"),
+        ("skid", "speed", "--distance", "NAME", "--friction", "0.7"),
+        ("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--limit", "NAME=1"),
+        ("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--to", "speed=NAME"),
+        ("skid", "speed", "--NAME", "60 ft"),
+        ("convert", "60", "NAME", "ft/s"),
+        ("units", "show", "NAME"),
+    ],
+    ids=lambda argv: " ".join(argv[:3]),
+)
+def test_what_a_user_typed_is_no_template(argv: tuple[str, ...], name: str) -> None:
+    outcome = run(*(word.replace("NAME", name) for word in argv))
+    assert outcome.status in (2, 3), outcome.err
+    assert "internal error" not in outcome.err
+
+
+def test_values_fill_a_template_and_a_message_without_them_stands_as_it_is() -> None:
+    with pytest.raises(InadmissibleError, match=re.escape("no {0} here")):
+        require(False, "no {0} here")
+    with pytest.raises(InadmissibleError, match=re.escape("no {x} of 1.5 here")):
+        require(False, "no {0} of {1:.3g} here", "{x}", 1.5)

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from dynamics_cli.core.uncertain.axes import COARSE, FINE, Axis, points
-from dynamics_cli.core.uncertain.distributions import (
+from dynamics_cli.core.inputs.uncertain.distributions import (
     Distribution,
     Lognormal,
     Normal,
@@ -14,7 +13,8 @@ from dynamics_cli.core.uncertain.distributions import (
     Truncated,
     Uniform,
 )
-from dynamics_cli.core.uncertainty import propagate
+from dynamics_cli.core.uncertainty.axes import COARSE, FINE, Axis, points
+from dynamics_cli.core.uncertainty.propagation import propagate
 
 READINGS = (0.71, 0.74, 0.70, 0.69, 0.72, 0.75, 0.70)
 SHAPES: list[Distribution] = [

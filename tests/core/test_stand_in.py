@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from dynamics_cli.core.uncertain.distributions import Normal, Uniform
-from dynamics_cli.core.uncertainty import Propagation, propagate
-from dynamics_cli.numerics import normal
+from dynamics_cli.core.inputs.uncertain.distributions import Normal, Uniform
+from dynamics_cli.core.uncertainty.propagation import Propagation, propagate
+from dynamics_cli.numerics.distributions import normal
 
 P = (0.025, 0.5, 0.975)
 Z = [normal.quantile(p) for p in P]

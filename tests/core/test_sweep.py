@@ -10,10 +10,10 @@ from harness import answer, run
 from row_helpers import PROBE
 
 from dynamics_cli.cli import family, find_task
-from dynamics_cli.core import sweep as sweeping
-from dynamics_cli.core.call import Call, Settings
-from dynamics_cli.core.direct import read_plainly
-from dynamics_cli.core.gather import gather
+from dynamics_cli.core.answering.gather import gather
+from dynamics_cli.core.batch import sweep as sweeping
+from dynamics_cli.core.command.direct import read_plainly
+from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import UsageError
 

@@ -2,7 +2,7 @@
 
 from harness import answer as document_of
 
-from dynamics_cli.core.tightening import ROOM, tighten
+from dynamics_cli.core.answering.tightening import ROOM, tighten
 from dynamics_cli.numerics.elementary import only_in_doubles, sqrt
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 from dynamics_cli.records import record

@@ -1,12 +1,13 @@
 """Every skid task takes every one of its real inputs uncertain, in each documented example."""
 
+import math
 import shlex
 
 import pytest
 from harness import run
 
 from dynamics_cli import cli
-from dynamics_cli.core.uncertain.model import _FUNCTIONS
+from dynamics_cli.core.uncertainty.model import _FUNCTIONS
 from dynamics_cli.numerics.tracked import _RULES
 
 CASES = [
@@ -46,6 +47,43 @@ def test_a_result_that_varies_only_by_what_its_solver_may_err_does_not_vary() ->
     results = run(*call, "--centre-distance", "68.1 ± 0.01 mm", "--points", "100", "--json").document["results"]
     assert "interval" not in results["transmission_error"]
     assert results["first_in_second"]["interval"][0] < results["first_in_second"]["interval"][1]
+
+
+CAR = ("yaw-inertia", "--mass", "1500 kg", "--wheelbase", "3 ± 551 m")
+HARDLY_ADMISSIBLE = {
+    "one input": ("drop", "--height", "1 m", "--rebound-height", "0 ± 64 m"),
+    "a length of no sign": (*CAR, "--length", "4.6 m", "--width", "1.8 m"),
+    "three of them": (*CAR, "--length", "4.6 ± 55 m", "--width", "1.8 ± 20 m"),
+}
+
+
+@pytest.mark.parametrize("call", HARDLY_ADMISSIBLE.values(), ids=HARDLY_ADMISSIBLE)
+@pytest.mark.filterwarnings("error")
+def test_what_is_hardly_ever_admissible_shows_no_nan(call: tuple[str, ...]) -> None:
+    document = run("impact", *call, "--json").document
+    assert any(warning["code"] == "partly-inadmissible" for warning in document["warnings"])
+    for entry in document["sensitivity"].values():
+        shares = [row["share"] for row in entry["inputs"]]
+        assert all(math.isfinite(share) for share in shares)
+        assert len(shares) > 1 or shares == [1.0]
+    assert "nan" not in run("impact", *call).out
+
+
+def test_results_of_one_input_of_which_little_is_admissible_hang_together() -> None:
+    """A wheelbase within 0 and the length: both rules rise with it, and so does the gyration radius."""
+    made = run("impact", *HARDLY_ADMISSIBLE["a length of no sign"], "--json").document["covariance"]
+    names = made["results"]
+    assert made["correlation"][names.index("yaw_inertia")][names.index("radius_of_gyration")] > 0.98
+
+
+def test_a_cut_that_no_line_has_is_no_fault() -> None:
+    """Friction between slipping and sticking, and pieces of which none is on a line partly inadmissible."""
+    argv = ["--first-mass", "1500 kg", "--first-inertia", "2500 kg*m^2", "--first-velocity", "16.83, -7.31 m/s"]
+    argv += ["--first-lever", "0.54, 0.67 m", "--second-mass", "1200 kg", "--second-inertia", "1800 kg*m^2"]
+    argv += ["--second-velocity", "0, 0 m/s", "--second-lever", "-1.35, 0.52 m", "--normal", "-30 deg"]
+    outcome = run("impact", "planar", *argv, "--friction", "0.1..0.8", "--restitution", "0.15 ± 0.03", "--json")
+    assert outcome.status == 0, outcome.err
+    assert "energy_lost" in outcome.document["sensitivity"]
 
 
 def test_rounding_beside_a_naught_or_a_constant_is_no_variation() -> None:

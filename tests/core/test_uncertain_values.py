@@ -2,13 +2,17 @@
 
 import json
 import math
+from statistics import NormalDist
 from typing import Any
 
+import mpmath as mp
+import numpy as np
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.uncertain.text import read_uncertain
+from dynamics_cli.core.inputs.uncertain.values import read_uncertain
 from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.distributions.beta import log_odds
 from dynamics_cli.quantities import Friction, Kind, Length, Mass, Slope, Temperature
 
 SKID = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.72 ± 0.04")
@@ -62,12 +66,15 @@ def test_every_form_is_read(kind: Kind, raw: Any, wanted: tuple[str, float, floa
         (Friction, "0.72 ± 5 %", "a share of it or a difference"),
         (Friction, "0.7 ± -0.1", "negative"),
         (Friction, "-0.1..0.3", "at least 0"),
-        (Length, "20..25", "unit is missing"),
+        (Length, "20..25", "has no unit"),
         (Length, "25..20 m", "above the upper one"),
         (Mass, "1500 ± 50 m", "is a length"),
-        (Friction, "uniform(0.5)", "not made of low, high"),
+        (Friction, "uniform(0.5)", "does not consist of low, high"),
+        (Friction, "beta(2, 3)", "does not consist of alpha, beta, low, high"),
+        (Friction, "beta(2, 0, 0.6, 0.8)", "shape of 0"),
+        (Friction, "beta(2, 3 m, 0.6, 0.8)", "not a decimal"),
         (Friction, "lognormal(0.7", "closing"),
-        (Friction, "0.7 ±", "nothing is written"),
+        (Friction, "0.7 ±", "the quantity is empty"),
         (Friction, "[0.7]", "at least two"),
     ],
 )
@@ -115,8 +122,10 @@ def test_an_earlier_result_comes_with_its_distribution(tmp_path: Any) -> None:
 def test_the_table_shows_interval_and_drivers() -> None:
     outcome = run(*SKID, "--limit", "60 km/h", "--coverage", "90 %")
     assert outcome.status == 0, outcome.err
-    for fragment in ("60 ± 2 ft", "90 % within", "speed is driven by", "not an interval", "with a probability of 12"):
+    for fragment in ("60 ± 2 ft", "90 %: ", "are driven by", "60 km/h exceeded: 12 %"):
         assert fragment in outcome.out
+    for fragment in ("90 % within", "speed is driven by", "worst case", "with a probability of 12"):
+        assert fragment in run(*SKID, "--limit", "60 km/h", "--coverage", "90 %", "--all").out
 
 
 def test_csv_has_the_spread_in_columns() -> None:
@@ -173,3 +182,147 @@ def test_inputs_that_only_tables_depend_on_are_not_passed_over_in_silence() -> N
     codes = [warning["code"] for warning in answer(*argv, "--at", "35 ± 0.5 deg")["warnings"]]
     assert "nothing-varies" in codes
     assert "nothing-varies" not in [warning["code"] for warning in answer(*argv, "--at", "35 ± 0 deg")["warnings"]]
+
+
+def _speed(friction: Any, angle: Any) -> Any:
+    """km/h from 30 m of skid on a grade of this angle: v² = 2 g d (μ cos θ + sin θ)."""
+    return 3.6 * np.sqrt(2.0 * 9.80665 * 30.0 * (friction * np.cos(angle) + np.sin(angle)))
+
+
+@pytest.mark.parametrize(
+    ("grade", "ends"),
+    [
+        ("-0.03 ± 0.005 rad", (-0.03 - 1.959963984540054 * 0.005, -0.03 + 1.959963984540054 * 0.005)),
+        ("-20 ± 5 deg", tuple(math.radians(-20 + sign * 1.959963984540054 * 5) for sign in (-1, 1))),
+        ("-20..10 deg", (math.radians(-19.25), math.radians(9.25))),
+    ],
+)
+def test_an_uncertain_angle_of_a_grade_is_an_angle(grade: str, ends: tuple[float, float]) -> None:
+    """Quantiles are those of the angle, carried through the formula by themselves: the speed rises with the angle."""
+    speed = answer("skid", "speed", "--distance", "30 m", "--friction", "1.5", "--grade", grade)["results"]["speed"]
+    assert speed["interval"] == pytest.approx([_speed(1.5, end) for end in ends], rel=1e-11)
+
+
+def test_an_uncertain_angle_among_other_uncertain_inputs() -> None:
+    argv = ("--distance", "30 m", "--friction", "0.6..0.8", "--grade", "triangular(-12, -2, 4) deg")
+    speed = answer("skid", "speed", *argv)["results"]["speed"]
+    share = (np.arange(2000) + 0.5) / 2000
+    angle = np.where(share < 100 / 160, -12 + np.sqrt(share * 160), 4 - np.sqrt((1 - share) * 96))
+    values = _speed((0.6 + 0.2 * share)[:, None], np.radians(angle))
+    assert speed["interval"] == pytest.approx(np.quantile(values, (0.025, 0.975)).tolist(), abs=2e-3)
+    assert [speed["mean"], speed["std"]] == pytest.approx([values.mean(), values.std()], abs=1e-3)
+
+
+def test_an_uncertain_angle_reads_back_in_its_own_unit() -> None:
+    argv = ("skid", "speed", "--distance", "30 m", "--friction", "0.7", "--grade")
+    shown = answer(*argv, "-2 ± 0.5 deg")["inputs"]["grade"]
+    assert shown == {"value": -2, "unit": "deg", "distribution": "normal", "mean": -2, "std": 0.5}
+
+
+def test_angles_beyond_upright_are_inadmissible() -> None:
+    argv = ("skid", "speed", "--distance", "30 m", "--friction", "0.7", "--grade", "45 ± 20 deg")
+    entry = answer(*argv)["numerics"]["uncertainty"]["results"]["speed"]
+    beyond = math.erfc((90 - 45) / 20 / math.sqrt(2)) / 2
+    # below −34.99° the vehicle does not stop
+    short = math.erfc((45 + math.degrees(math.atan(0.7))) / 20 / math.sqrt(2)) / 2
+    assert entry["admissible"] == pytest.approx(1 - beyond - short, abs=2e-4)
+
+
+@pytest.mark.parametrize("grade", ["-2 deg ± 0.5 %", "-1 deg..3 %", "-2 deg ± 5 %"])
+def test_a_grade_is_an_angle_or_a_rise_throughout(grade: str) -> None:
+    outcome = run("skid", "speed", "--distance", "30 m", "--friction", "0.7", "--grade", grade)
+    assert outcome.status == 2
+    assert "mixes an angle with a rise over run" in outcome.err
+
+
+@pytest.mark.parametrize("shapes", [(2.0, 3.0), (0.2, 0.3), (0.5, 0.5), (1.0, 1.0), (100.0, 3.0), (1e4, 1e3)])
+def test_quantiles_of_beta_distributions(shapes: tuple[float, float]) -> None:
+    """Against mpmath's incomplete beta function: the probability below each quantile is that of its score."""
+    a, b = shapes
+    scores = (-8.3, -1.96, -0.31, 0.77, 6.5)
+    for z, odds in zip(scores, log_odds(np.array(scores), a, b).tolist(), strict=True):
+        with mp.workdps(50):
+            x, rest = 1 / (1 + mp.exp(-mp.mpf(odds))), 1 / (1 + mp.exp(mp.mpf(odds)))
+            ends = (a, b, 0, x) if z < 0 else (b, a, 0, rest)
+            wrong = mp.betainc(*ends, regularized=True) - mp.ncdf(-abs(mp.mpf(z)))
+            assert abs(wrong * mp.beta(a, b) / (x**a * rest**b)) < 2e-12 * max(1.0, abs(odds))
+
+
+@pytest.mark.parametrize(
+    ("by_name", "by_dots"), [("uniform(20, 25) m", "20..25 m"), ("triangular(20, 24, 25 m)", "20..24..25 m")]
+)
+def test_distributions_by_name_and_by_dots(by_name: str, by_dots: str) -> None:
+    argv = ("skid", "speed", "--friction", "0.7", "--distance")
+    assert answer(*argv, by_name) == answer(*argv, by_dots)
+
+
+def test_a_beta_distribution_in_a_document(tmp_path: Any) -> None:
+    document = answer("skid", "speed", "--distance", "beta(2, 1, 20, 30) m", "--friction", "0.7")
+    shown = document["inputs"]["distance"]
+    assert shown | {"value": 0} == {
+        "value": 0, "unit": "m", "distribution": "beta", "alpha": 2.0, "beta": 1.0, "low": 20, "high": 30,
+    }  # fmt: skip
+    # of shapes 2 and 1 the distribution function is a square
+    ends = [3.6 * math.sqrt(2 * 9.80665 * 0.7 * (20 + 10 * math.sqrt(p))) for p in (0.025, 0.975)]
+    assert document["results"]["speed"]["interval"] == pytest.approx(ends, rel=1e-12)
+    file = tmp_path / "again.json"
+    file.write_text(json.dumps(document["inputs"]))
+    assert answer("skid", "speed", "--input", str(file))["results"] == document["results"]
+
+
+def test_a_beta_distribution_among_other_uncertain_inputs() -> None:
+    argv = ("--distance", "20..30 m", "--friction", "beta(2, 1, 0.6, 0.8)", "--method")
+    speed = answer("skid", "speed", *argv, "auto")["results"]["speed"]
+    share = (np.arange(2000) + 0.5) / 2000
+    values = _speed((0.6 + 0.2 * np.sqrt(share))[:, None], 0.0) * np.sqrt((20 + 10 * share) / 30)
+    assert speed["interval"] == pytest.approx(np.quantile(values, (0.025, 0.975)).tolist(), abs=2e-3)
+    assert speed["std"] == pytest.approx(values.std(), abs=1e-3)
+
+
+def test_quantiles_and_limits_of_named_results_as_often_as_asked() -> None:
+    """A distance is normal, so its quantiles are known; a limit at a quantile has the rest of the probability."""
+    call = ("skid", "speed", "--distance", "20 ± 0.5 m", "--friction", "0.7 ± 0.03")
+    levels = [0.001, 0.05, 0.3, 0.025, 0.9]
+    asked = [word for p in levels for name in ("total_distance", "speed") for word in ("--quantile", f"{name}={p}")]
+    document = answer(*call, *asked)
+    found = {(item["result"], item["probability"]): item["value"] for item in document["quantiles"]}
+    assert len(found) == 2 * len(levels)
+    for p in levels:
+        assert found["total_distance", p] == pytest.approx(20.0 + 0.5 * NormalDist().inv_cdf(p), rel=1e-9)
+    assert found["speed", 0.025] == pytest.approx(document["results"]["speed"]["interval"][0], rel=1e-9)
+    limits = [word for p in levels for word in ("--limit", f"speed={found['speed', p]} km/h")]
+    limits += ["--limit", "time=2.4 s"]
+    beyond = answer(*call, *limits)["limits"]
+    assert [item["result"] for item in beyond] == ["speed"] * 5 + ["time"]
+    for p, item in zip(levels, beyond, strict=False):
+        assert item["probability"] == pytest.approx(1.0 - p, abs=2e-5)
+
+
+@pytest.mark.parametrize("method", ["linear", "lattice", "monte-carlo", "quadrature"])
+def test_quantiles_come_from_every_method(method: str) -> None:
+    call = ("skid", "speed", "--distance", "20 ± 0.5 m", "--friction", "0.6..0.7..0.8", "--method", method)
+    document = answer(*call, "--samples", "200000", "--quantile", "speed=90 %", "--quantile", "speed=97.5 %")
+    first, second = (item["value"] for item in document["quantiles"])
+    assert second == pytest.approx(document["results"]["speed"]["interval"][1], rel=1e-12)
+    assert document["results"]["speed"]["median"] < first < second
+
+
+@pytest.mark.parametrize(
+    ("argument", "code"),
+    [
+        ("speed=0", "bounds"),
+        ("speed=1", "bounds"),
+        ("speed=3 m", "kind"),
+        ("nosuch=0.5", "unknown-result"),
+        ("0.5", "usage"),
+    ],
+)
+def test_a_quantile_is_of_a_result_at_a_probability(argument: str, code: str) -> None:
+    outcome = run("skid", "speed", "--distance", "20 ± 0.5 m", "--friction", "0.7", "--quantile", argument, "--json")
+    assert outcome.status == 2
+    assert (outcome.error["parameter"], outcome.error["code"]) == ("quantile", code)
+
+
+def test_certain_results_have_no_quantiles() -> None:
+    outcome = run("skid", "speed", "--distance", "20 m", "--friction", "0.7", "--quantile", "speed=0.5", "--json")
+    assert (outcome.status, outcome.error["parameter"]) == (2, "quantile")

@@ -102,7 +102,7 @@ def test_copies_are_named_beside_the_covariance() -> None:
 
 
 def test_tables_show_the_components() -> None:
-    out = run(*OBLIQUE, "--first-velocity", "3 ± 0.1, 0.2 m/s", *SI).out
+    out = run(*OBLIQUE, "--first-velocity", "3 ± 0.1, 0.2 m/s", *SI, "--all").out
     assert "first.velocity   [3 ± 0.1, 0.2] m/s" in out
     assert "95 % each within [0.626001, 0.2] to [0.723999, 0.2], σ [0.025, 0]" in out
     assert "first.velocity[0] is driven by" not in out

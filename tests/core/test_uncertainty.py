@@ -9,7 +9,7 @@ import pytest
 import uncertain_models as m
 from scipy import integrate, optimize, stats
 
-from dynamics_cli.core.uncertain.distributions import (
+from dynamics_cli.core.inputs.uncertain.distributions import (
     Distribution,
     Empirical,
     Lognormal,
@@ -18,7 +18,7 @@ from dynamics_cli.core.uncertain.distributions import (
     Truncated,
     Uniform,
 )
-from dynamics_cli.core.uncertainty import METHODS, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty.propagation import METHODS, Propagation, Spread, propagate
 from dynamics_cli.errors import InadmissibleError, UsageError
 
 Problem = tuple[Callable[[dict[str, Any]], Any], dict[str, Distribution]]

@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
-from dynamics_cli.core import units
-from dynamics_cli.core.unit_table import NAMES, UNITS
+from dynamics_cli.core.units import conversion, lookup, names
+from dynamics_cli.core.units.table import NAMES, UNITS
+from dynamics_cli.core.units.unit import Unit, conformable
 
 GENERATOR = Path(__file__).resolve().parents[1] / "references" / "generate_unit_table.py"
 
@@ -35,7 +36,7 @@ def pint_registry() -> Any:
     return generator.registry()
 
 
-def meaning(unit: units.Unit) -> tuple[Any, ...]:
+def meaning(unit: Unit) -> tuple[Any, ...]:
     return Fraction(unit.numerator, unit.denominator), unit.pi, unit.dimension, Fraction(*unit.offset)
 
 
@@ -51,7 +52,7 @@ def test_every_name_means_what_pint_means_but_for_the_listed_differences(pint_re
     different = set()
     for name, _ in WRITTEN:
         theirs = meaning_in_pint(pint_registry, name)
-        if theirs is not None and theirs != meaning(units.lookup(name)[0]):
+        if theirs is not None and theirs != meaning(lookup.lookup(name)[0]):
             different.add(name)
     assert different <= set(generator.DIFFERENCES)
     # Newer releases of pint have come round to these.
@@ -64,7 +65,7 @@ def test_names_that_pint_lacks_mean_what_their_expression_means(pint_registry: A
     for name, entry in WRITTEN:
         if meaning_in_pint(pint_registry, name) is None:
             own += 1
-            assert meaning(units.lookup(name)[0]) == tuple(generator.define(pint_registry, entry.expression)), name
+            assert meaning(lookup.lookup(name)[0]) == tuple(generator.define(pint_registry, entry.expression)), name
     assert own > 40
 
 
@@ -73,9 +74,9 @@ def test_every_prefixed_name_is_its_power_of_ten_and_agrees_with_pint(pint_regis
     agreed, different = 0, set()
     for entry in ENTRIES:
         for name, flags, _ in entry.names:
-            factor, pi, dimension, offset = meaning(units.lookup(name)[0])
+            factor, pi, dimension, offset = meaning(lookup.lookup(name)[0])
             for prefix, exponent in (item for flag in flags for item in tables[flag].items()):
-                ours = meaning(units.lookup(prefix + name)[0])
+                ours = meaning(lookup.lookup(prefix + name)[0])
                 if prefix + name != "PS":
                     assert ours == (factor * Fraction(10) ** exponent, pi, dimension, offset), prefix + name
                 theirs = meaning_in_pint(pint_registry, prefix + name)
@@ -100,12 +101,12 @@ def test_the_table_is_whole() -> None:
         numerator, denominator = int(fields[1]), int(fields[2])
         assert numerator > 0
         assert denominator > 0
-        assert units.lowest(numerator, denominator) == (numerator, denominator)
+        assert conversion.lowest(numerator, denominator) == (numerator, denominator)
 
 
-def test_only_temperatures_have_a_shifted_zero() -> None:
-    shifted = {symbol for symbol, _, unit, _ in units.all_units() if units.is_offset(unit)}
-    assert shifted == {"degC", "degF"}
+def test_only_temperatures_and_gauge_pressures_have_a_shifted_zero() -> None:
+    shifted = {symbol for symbol, _, unit, _ in names.all_units() if conversion.is_offset(unit)}
+    assert shifted == {"degC", "degF", "psig", "barg", "kPag"}
 
 
 @pytest.mark.parametrize(
@@ -127,5 +128,40 @@ def test_only_temperatures_have_a_shifted_zero() -> None:
     ],
 )
 def test_definitions_by_hand(name: str, factor: Fraction) -> None:
-    unit = units.lookup(name)[0]
+    unit = lookup.lookup(name)[0]
     assert Fraction(unit.numerator, unit.denominator) == factor
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        # ISO 80000-5 and NIST SP 811, appendix B: units with several definitions
+        ("BTU", ("Btu_it", Fraction("1055.05585262"))), ("BTU", ("Btu_th", Fraction(23722880951, 22500000))),
+        ("therm", ("US_therm", Fraction(105480400))), ("cal", ("cal_it", Fraction("4.1868"))),
+        ("year", ("gregorian_year", Fraction(31556952))), ("hp", ("electrical_horsepower", Fraction(746))),
+        ("hp", ("PS", Fraction("735.49875"))), ("barrel", ("oil_bbl", 42 * 231 * Fraction(254, 10000) ** 3)),
+        ("gal", ("imp_gal", Fraction("0.00454609"))), ("ton", ("long_ton", 2240 * Fraction(45359237, 10**8))),
+        ("cwt", ("long_hundredweight", 112 * Fraction(45359237, 10**8))), ("pt", ("dry_pint", None)),
+        ("qt", ("imperial_quart", 2 * Fraction("0.00056826125"))), ("tonf", ("UK_force_ton", None)),
+        ("bushel", ("imperial_bushel", 8 * Fraction("0.00454609"))), ("inH2O", ("inch_H2O_60F", None)),
+        ("floz", ("imperial_fluid_ounce", Fraction("0.0000284130625"))), ("inHg", ("inch_Hg_60F", None)),
+        ("kcal", ("cal_it", None)),
+    ],
+)  # fmt: skip
+def test_a_unit_of_several_definitions_names_the_one_used_and_the_others(
+    name: str, other: tuple[str, Fraction | None]
+) -> None:
+    (note,) = lookup.parse_unit(name).notes
+    assert f"{other[0]}" in note
+    assert note.startswith(name)
+    found = lookup.parse_unit(other[0])
+    assert conformable(found, lookup.parse_unit(name))
+    assert other[1] in (None, Fraction(found.numerator, found.denominator))
+
+
+def test_every_unit_that_a_description_names_exists() -> None:
+    for symbol, _, unit, description in names.all_units():
+        _, several, others = description.partition("; ")
+        named = [word.strip(",()") for word in others.split() if "_" in word]
+        assert several or not lookup.lookup(symbol)[0].notes
+        assert all(conformable(lookup.parse_unit(word), unit) for word in named)

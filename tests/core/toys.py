@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.core.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Family, Model, Task
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points, circle
@@ -383,7 +383,7 @@ def curve(*, lift: Size, count: Count = 5) -> Curve:
         lift,
         points,
         (Check("ends at the lift", True, 0.0, 0.0),),
-        (Advice("steep", "the rise is steep", mend="raise the span to 2 rad"),),
+        (Advice("steep", "the rise is steep", remedy="raise the span to 2 rad"),),
         Numerics("sampling", (ErrorBound("peak", 1e-15),)),
     )
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from dynamics_cli.core.uncertain.distributions import (
+from dynamics_cli.core.inputs.uncertain.distributions import (
     Distribution,
     Lognormal,
     Normal,

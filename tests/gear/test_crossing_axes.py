@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.bevel import Flank, Kind, bevel
-from dynamics_cli.gear.crossed import Screw, crossed
-from dynamics_cli.gear.hypoid import hypoid
-from dynamics_cli.gear.wheels import Drive, wheels
-from dynamics_cli.gear.worm import AxialModule, DiameterFactor, LeadAngle, WormDiameter, WormNormalModule, worm
+from dynamics_cli.gear.crossing.bevel import bevel
+from dynamics_cli.gear.crossing.bevel_records import Flank, Kind
+from dynamics_cli.gear.crossing.crossed import Screw, crossed
+from dynamics_cli.gear.crossing.hypoid import hypoid
+from dynamics_cli.gear.crossing.worm import AxialModule, DiameterFactor, LeadAngle, WormDiameter, WormNormalModule, worm
+from dynamics_cli.gear.trains.wheels import Drive, wheels
 
 STANDARD = Kind("standard")
 

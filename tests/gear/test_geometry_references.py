@@ -8,14 +8,15 @@ import pytest
 from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import DATA
-from dynamics_cli.gear.bevel import Kind, bevel
-from dynamics_cli.gear.crossed import Screw, crossed
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.pair import pair
-from dynamics_cli.gear.pair_data import Mate
-from dynamics_cli.gear.single import helical, spur
-from dynamics_cli.gear.split import Tips
-from dynamics_cli.gear.worm import AxialModule, WormDiameter, worm
+from dynamics_cli.gear.crossing.bevel import bevel
+from dynamics_cli.gear.crossing.bevel_records import Kind
+from dynamics_cli.gear.crossing.crossed import Screw, crossed
+from dynamics_cli.gear.crossing.worm import AxialModule, WormDiameter, worm
+from dynamics_cli.gear.pair.pair import pair
+from dynamics_cli.gear.pair.records import Mate
+from dynamics_cli.gear.pair.shift_split import Tips
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.cylindrical import helical, spur
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.tracked import Tracked
 

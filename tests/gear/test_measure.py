@@ -7,10 +7,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.gear import NormalCircularPitch, NormalDiametralPitch, NormalModule, Sign, TransverseModule
-from dynamics_cli.gear.identify import SpanRead, identify
-from dynamics_cli.gear.measure import Measurements, measure
-from dynamics_cli.gear.sizes import standard_pins
+from dynamics_cli.gear.measure.identify import SpanRead, identify
+from dynamics_cli.gear.measure.measurement import Measurements, measure
+from dynamics_cli.gear.measure.pins import standard_pins
+from dynamics_cli.gear.pitch import NormalCircularPitch, NormalDiametralPitch, NormalModule, TransverseModule
+from dynamics_cli.gear.single.gear import Sign
 
 MM = 1e-3
 M3 = NormalModule(3 * MM)
@@ -281,3 +282,27 @@ def test_an_allowance_greater_than_the_tooth_is_refused(internal: bool) -> None:
                 upper_allowance=upper,
                 lower_allowance=lower,
             )
+
+
+@pytest.mark.parametrize(
+    "reading",
+    [
+        {"measured_span": 60e-3, "over": 3},
+        {"measured_span": 1e-3, "over": 3},
+        {"measured_pins": 120e-3, "pin": 5e-3},
+        {"measured_chord": 9e-3},
+    ],
+)
+def test_a_reading_that_no_gear_gives_is_refused(reading: dict) -> None:
+    with pytest.raises(InadmissibleError, match="would mean a profile shift of") as refused:
+        measure(teeth=24, pitch=NormalModule(3e-3), **reading)
+    assert refused.value.code == "measured"
+
+
+def test_a_reading_of_a_thick_tooth_is_taken_up_to_where_its_tips_are_pointed() -> None:
+    """The span of a gear is read back for every shift below the pointed one, here 1.4."""
+    for shift in (-0.5, 0.0, 1.0, 1.3):
+        nominal = measure(teeth=24, pitch=NormalModule(3e-3), over=4).span
+        size = nominal.span + 6e-3 * shift * math.sin(math.radians(20.0))
+        read = measure(teeth=24, pitch=NormalModule(3e-3), over=4, measured_span=size)
+        assert read.from_span.profile_shift == pytest.approx(shift, abs=1e-12)

@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear import room
-from dynamics_cli.gear.flanks import ToothForm, flank
-from dynamics_cli.gear.gear import NormalModule, Sign
-from dynamics_cli.gear.mesh import FULL, MeshProof, forms_of, mesh
-from dynamics_cli.gear.outline import chain_points
+from dynamics_cli.gear.mesh import flank_clearance
+from dynamics_cli.gear.mesh.mesh import FULL, MeshProof, forms_of, mesh
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.flanks import ToothForm, flank
+from dynamics_cli.gear.single.gear import Sign
+from dynamics_cli.gear.single.outline import chain_points
 
 MM = 1e-3
 M2 = NormalModule(2 * MM)
@@ -239,10 +240,10 @@ def test_room_is_the_least_of_many_more_points(internal: bool) -> None:
     first = form_at(*teeth, internal=internal)
     for one, two in (first, first[::-1]):
         distance = 24.3 * MM if internal else 36.2 * MM
-        found = room.flank_gap(one, two, distance, 0.0)
-        turn, reach = room._Turn(one, two, distance, 0.0), room._reach(one, two, distance)
+        found = flank_clearance.flank_gap(one, two, distance, 0.0)
+        turn, reach = flank_clearance._Turn(one, two, distance, 0.0), flank_clearance._reach(one, two, distance)
         chord = 1e-5
-        points = room._tooth_points(one, chord, 33)
+        points = flank_clearance._tooth_points(one, chord, 33)
         many = np.inf
         for part in np.array_split(np.linspace(-reach, reach, 2001), 20):
             many = min(many, float(turn.gaps(*points, part)[0].min()))
@@ -380,16 +381,16 @@ def test_the_stated_bounds_hold(z1: int, z2: int, x1: float, x2: float, internal
 
 
 def test_full_tips_are_named_with_those_of_the_pair() -> None:
-    from dynamics_cli.gear.pair import pair
-    from dynamics_cli.gear.pair_data import Mate
+    from dynamics_cli.gear.pair.pair import pair
+    from dynamics_cli.gear.pair.records import Mate
 
     common = {"first_teeth": 12, "second_teeth": 24, "pitch": NormalModule(0.003)}
     shifts = {"first_profile_shift": 0.6, "second_profile_shift": 0.36}
     (note,) = (one for one in mesh(**common, **shifts, points=100).advice if one.code == "full-tips")
     shortened = pair(first=Mate(12, 0.6), second=Mate(24, 0.36), pitch=NormalModule(0.003))
-    assert note.mend is not None
+    assert note.remedy is not None
     for tip in (shortened.first_tip_diameter, shortened.second_tip_diameter):
-        assert f'"{1e3 * tip:.9g} mm"' in note.mend
+        assert f'"{tip:.9g} m"' in note.remedy
     tips = {"first_tip_diameter": shortened.first_tip_diameter, "second_tip_diameter": shortened.second_tip_diameter}
     same = mesh(**common, **shifts, **tips, points=100)
     assert same.contact_ratio == pytest.approx(shortened.transverse_contact_ratio, rel=1e-13)

@@ -8,16 +8,18 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.alternatives.gear.own import data_block, mesh
 from dynamics_cli.accuracy.cases import DATA, Case, build, flat, leaves, load
-from dynamics_cli.accuracy.rivals import gear_meshes
-from dynamics_cli.core.tightening import tighten
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.identify import SpanRead
+from dynamics_cli.core.answering.tightening import tighten
+from dynamics_cli.gear.measure.identify import SpanRead, identify
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.profile import profile
 from dynamics_cli.numerics.tracked import Tracked
 
 HERE = Path(__file__).parents[1] / "references"
 FILE = "gear_meshes.json"
 CASES = load(FILE)
+FUNCTIONS: dict[str, Any] = {"mesh": mesh, "identify": identify, "data_block": data_block, "profile": profile}
 GROUPS = {"NormalModule": NormalModule, "SpanRead": SpanRead}
 UNIT_ROUNDOFF = mpf(2) ** -53
 ROOM = 100
@@ -30,7 +32,7 @@ def answers(case: Case) -> dict[str, tuple[float, float]]:
     numbers: list[Any] = list(leaves(case.inputs))
 
     def call(own: list[Any]) -> Any:
-        return getattr(gear_meshes, case.task)(**build(case.inputs, iter(own), GROUPS))
+        return FUNCTIONS[case.task](**build(case.inputs, iter(own), GROUPS))
 
     answer = call(Tracked.inputs(numbers) if case.task == "identify" else numbers)
     values = answer if isinstance(answer, dict) else flat(answer)

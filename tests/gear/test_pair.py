@@ -8,12 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.forces import Bearings
-from dynamics_cli.gear.gear import Hand, NormalDiametralPitch, NormalModule, Sign, TransverseModule
-from dynamics_cli.gear.interference import extremum
-from dynamics_cli.gear.pair import pair
-from dynamics_cli.gear.pair_data import Mate
-from dynamics_cli.gear.split import Split, Tips
+from dynamics_cli.gear.pair.forces import Bearings
+from dynamics_cli.gear.pair.interference import extremum
+from dynamics_cli.gear.pair.pair import pair
+from dynamics_cli.gear.pair.records import Mate
+from dynamics_cli.gear.pair.shift_split import Split, Tips
+from dynamics_cli.gear.pitch import NormalDiametralPitch, NormalModule, TransverseModule
+from dynamics_cli.gear.single.gear import Hand, Sign
 
 TWO = NormalModule(0.002)
 FULL = Tips("full")
@@ -148,9 +149,10 @@ def test_extremum_inside_and_at_an_end() -> None:
 @pytest.mark.parametrize(("z1", "z2", "x1", "x2"), [(16, 24, 0.0, 0.5), (60, 64, 0.0, 0.0), (20, 90, 0.3, -0.2)])
 def test_slopes_of_an_internal_pairs_clearances(z1: int, z2: int, x1: float, x2: float) -> None:
     """Against differences of the clearances themselves."""
-    from dynamics_cli.gear.engagement import at_tight_distance
-    from dynamics_cli.gear.gear import BasicRack, Gear
-    from dynamics_cli.gear.interference import _Corner, _last_turn
+    from dynamics_cli.gear.pair.engagement import at_tight_distance
+    from dynamics_cli.gear.pair.interference import _Corner, _last_turn
+    from dynamics_cli.gear.single.gear import Gear
+    from dynamics_cli.gear.single.rack import BasicRack
 
     made = at_tight_distance(Gear(z1, 0.003, BasicRack(), 0.0, x1), Gear(-z2, 0.003, BasicRack(), 0.0, -x2))
     corner = _Corner(made)
@@ -259,8 +261,11 @@ def test_the_refusal_says_by_how_much() -> None:
 def test_a_tooth_cannot_be_thinned_away() -> None:
     thickness = 0.5 * pi * 0.002
     assert pair(first=Mate(17, thinning=0.99 * thickness), second=Mate(40), pitch=TWO).circumferential_backlash > 0.0
-    with pytest.raises(InadmissibleError, match="cannot be"):
-        pair(first=Mate(17, thinning=1.01 * thickness), second=Mate(40), pitch=TWO)
+    # nothing is left where the involute begins: m_n·z·(ψ_b − inv α_Ff), 3.648 mm
+    pair(first=Mate(17, thinning=3.6e-3), second=Mate(40), pitch=TWO)
+    with pytest.raises(InadmissibleError, match=r"could be 0\.00364834 m thinner") as refused:
+        pair(first=Mate(17, thinning=3.7e-3), second=Mate(40), pitch=TWO)
+    assert refused.value.code == "thinning"
 
 
 def test_a_distance_that_only_absurd_shifts_reach_is_refused_by_their_sum() -> None:

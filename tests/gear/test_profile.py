@@ -9,11 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.flanks import ToothForm, flank, trochoid_points
-from dynamics_cli.gear.gear import NormalModule, Profile, Sign
-from dynamics_cli.gear.outline import chain_points
-from dynamics_cli.gear.profile import GearProfile, gear_of, profile, tooth_form
-from dynamics_cli.gear.trochoid import trochoid_point
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.flanks import ToothForm, flank, trochoid_points
+from dynamics_cli.gear.single.gear import Sign
+from dynamics_cli.gear.single.outline import chain_points
+from dynamics_cli.gear.single.profile import GearProfile, gear_of, profile, tooth_form
+from dynamics_cli.gear.single.rack import Profile
+from dynamics_cli.gear.single.trochoid import trochoid_point
 from dynamics_cli.outlines import Arc, Line, Points
 
 MM = 1e-3
@@ -110,7 +112,7 @@ def test_the_trochoid_lies_within_its_triangles() -> None:
         exact[0] * np.cos(exact[1]),
         exact[0] * np.sin(exact[1]),
     )
-    from dynamics_cli.gear.flanks import _triangles
+    from dynamics_cli.gear.single.flanks import _triangles
 
     bound = float(np.max(_triangles(*sampled)))
     assert 0.3 * bound <= off <= bound
@@ -294,3 +296,25 @@ def test_circles_state_tight_bounds() -> None:
         bounds = profile(pitch=PITCH, **arguments).numerics.bounds
         assert {one.result for one in bounds} == {f"{name}_diameter" for name in ("tip", "root", "base", "form")}
         assert all(one.relative and one.bound < 25 * 2.0**-53 for one in bounds)
+
+
+def test_a_rack_is_drawn_up_to_a_number_of_teeth_and_whatever_gear_it_meets() -> None:
+    """No gear of so many teeth has to exist: few teeth of a deep rack are drawn, and far too many refused at once."""
+    assert profile(teeth=3, pitch=NormalModule(1e-3), rack=True, dedendum_factor=1.6, pressure_angle=0.3).pieces > 0
+    with pytest.raises(InadmissibleError) as refused:
+        profile(teeth=9007199254740993, pitch=NormalModule(1e-3), rack=True)
+    assert refused.value.code == "too-many-points"
+
+
+def test_layers_of_a_gear_s_drawing() -> None:
+    answer = profile(teeth=20, pitch=PITCH, bore=0.01)
+    assert answer.drawing is not None
+    assert [outline.name for outline in answer.drawing.outlines] == ["profile", "bore"]
+    pitch_circle, *centre_lines = answer.drawing.construction
+    assert pitch_circle.name == "pitch circle"
+    assert pitch_circle.pieces[0].start[0] == pytest.approx(10.0 * PITCH.module, rel=1e-15)
+    assert {line.name for line in centre_lines} == {"centre lines"}
+    with pytest.raises(InadmissibleError, match="below the root diameter"):
+        profile(teeth=20, pitch=PITCH, bore=0.05)
+    with pytest.raises(InadmissibleError, match="no bore"):
+        profile(teeth=72, pitch=PITCH, internal=True, bore=0.01)

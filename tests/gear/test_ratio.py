@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.ratio import RatioFound, ratio
+from dynamics_cli.gear.trains.ratio import RatioFound, ratio
 
 
 def pairs_of(stages: str) -> list[tuple[int, int]]:

@@ -7,25 +7,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.curve import AtAngle, AtDiameter, AtInvolute, AtRoll, involute_point
-from dynamics_cli.gear.data_block import data_block
-from dynamics_cli.gear.gear import (
-    Hand,
+from dynamics_cli.gear.glossary import glossary
+from dynamics_cli.gear.measure.data_block import data_block
+from dynamics_cli.gear.pair.rack import rack
+from dynamics_cli.gear.pitch import (
     NormalCircularPitch,
     NormalDiametralPitch,
     NormalModule,
-    Profile,
-    Sign,
     TransverseCircularPitch,
     TransverseDiametralPitch,
     TransverseModule,
-    basic_rack,
     module_advice,
-    signed_gear,
 )
-from dynamics_cli.gear.glossary import glossary
-from dynamics_cli.gear.rack import rack
-from dynamics_cli.gear.single import helical, spur
+from dynamics_cli.gear.single.cylindrical import helical, spur
+from dynamics_cli.gear.single.gear import Hand, Sign, signed_gear
+from dynamics_cli.gear.single.involute_curve import AtAngle, AtDiameter, AtInvolute, AtRoll, involute_point
+from dynamics_cli.gear.single.rack import Profile, basic_rack
 from dynamics_cli.gear.terms import TERMS
 
 THREE = NormalModule(0.003)
@@ -76,7 +73,7 @@ def test_least_and_greatest_shift_of_few_teeth() -> None:
         assert answer.least_shift == pytest.approx(least, abs=5.1e-4)
         assert answer.pointed_shift == pytest.approx(most, abs=5.1e-5)
         if z <= 7:
-            with pytest.raises(InadmissibleError, match="no shift serves"):
+            with pytest.raises(InadmissibleError, match="no profile shift is possible"):
                 spur(teeth=z, pitch=THREE, avoid_undercut=True)
         else:
             chosen = spur(teeth=z, pitch=THREE, avoid_undercut=True)
@@ -130,8 +127,8 @@ def test_profiles_and_their_corners() -> None:
 
 def test_module_series() -> None:
     assert module_advice(THREE, 0.003) == ()
-    mend = module_advice(NormalModule(0.0036), 0.0036)[0].mend or ""
-    assert "4\u00a0mm of series I, or 3.5\u00a0mm of series II" in mend
+    mend = module_advice(NormalModule(0.0036), 0.0036)[0].remedy or ""
+    assert "4 (series I), 3.5 (series II)" in mend
     assert module_advice(NormalDiametralPitch(300.0), 1 / 300.0) == ()
 
 
@@ -195,9 +192,9 @@ def test_thickness_at_any_diameter_is_that_of_the_gear() -> None:
 
 
 def test_rack_as_the_limit_of_a_large_gear() -> None:
-    from dynamics_cli.gear.pair import pair
-    from dynamics_cli.gear.pair_data import Mate
-    from dynamics_cli.gear.split import Tips
+    from dynamics_cli.gear.pair.pair import pair
+    from dynamics_cli.gear.pair.records import Mate
+    from dynamics_cli.gear.pair.shift_split import Tips
 
     on_rack = rack(teeth=20, pitch=THREE, profile_shift=0.3)
     large = pair(first=Mate(20, 0.3), second=Mate(2_000_000, 0.0), pitch=THREE, tips=Tips("full"))

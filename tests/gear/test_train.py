@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.train import TrainMotion, train
-from dynamics_cli.gear.train_scene import Mesh, Network, Planetary, Shaft, Stages
+from dynamics_cli.gear.trains.scene import Mesh, Network, Planetary, Shaft, Stages
+from dynamics_cli.gear.trains.train import TrainMotion, train
 
 TEETH = st.integers(6, 300)
 RPM = math.pi / 30.0
@@ -203,9 +203,13 @@ def test_parallel_ways_leave_torques_open() -> None:
                 "driver": "a",
             },
             "locked",
-            "leave 3 shafts no motion",
+            "leave no motion for 3 shafts",
         ),
-        ({"arrangement": Planetary(sun=24, ring=72), "fixed": "none"}, "indeterminate", "2 speeds may be chosen, 1"),
+        (
+            {"arrangement": Planetary(sun=24, ring=72), "fixed": "none"},
+            "indeterminate",
+            "2 speeds can be chosen and 1 are given",
+        ),
         ({"arrangement": Planetary(sun=24, ring=72), "driver": "moon"}, "unknown-shaft", "no shaft 'moon'"),
         ({"arrangement": Planetary(sun=24, ring=72), "driver": "ring", "fixed": "ring"}, "fixed-driver", "also held"),
         ({"arrangement": Planetary(sun=24, ring=71)}, "planet", r"47/2 is not whole"),
@@ -213,7 +217,7 @@ def test_parallel_ways_leave_torques_open() -> None:
         ({"arrangement": Planetary(sun=72, ring=24)}, "no-planet", "24 teeth has no room"),
         ({"arrangement": Stages("20:-20")}, "no-room", "20 teeth has no room for a gear of 20"),
         ({"arrangement": Stages("-20:-30")}, "two-internal-gears", "-20 and -30"),
-        ({"arrangement": Stages("20")}, "stage", "'20' is no stage"),
+        ({"arrangement": Stages("20")}, "stage", "the stage '20', wanted two"),
         ({"arrangement": Stages("20:0")}, "teeth", "'0' is not"),
         ({"arrangement": Stages("20:6.5")}, "teeth", "'6.5' is not"),
         ({"arrangement": Stages("20:60"), "power": 5.0}, "speed", "needs the speed"),
@@ -273,8 +277,8 @@ def test_the_nearest_ring_really_spreads_the_planets() -> None:
         ring = sun + 2 * planet
         answer = train(arrangement=Planetary(sun=sun, ring=ring, planets=planets))
         uneven = [one for one in answer.advice if one.code == "uneven-planets"]
-        if uneven and "ring of" in uneven[0].mend:
-            better = int(uneven[0].mend.rpartition("ring of ")[2].split()[0])
+        if uneven and "ring of" in uneven[0].remedy:
+            better = int(uneven[0].remedy.rpartition("ring of ")[2].split()[0])
             again = train(arrangement=Planetary(sun=sun, ring=better, planets=planets))
             assert again.assembly is not None
             assert again.assembly.equal_spacing
@@ -297,4 +301,4 @@ def test_only_planets_that_have_room_are_offered() -> None:
     (uneven,) = (one for one in answer.advice if one.code == "uneven-planets")
     assert answer.assembly is not None
     assert answer.assembly.most_planets == 5
-    assert uneven.mend.startswith("2, 3, 4 planets fit")
+    assert uneven.remedy.startswith("2, 3, 4 planets fit")

@@ -4,12 +4,14 @@ import math
 
 import pytest
 
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.mesh import mesh
-from dynamics_cli.gear.pictures_trains import mesh_picture, profile_picture, train_picture
-from dynamics_cli.gear.profile import profile
-from dynamics_cli.gear.train import train
-from dynamics_cli.gear.train_scene import Mesh, Network, Planetary, Shaft, Stages
+from dynamics_cli.gear.mesh.mesh import mesh
+from dynamics_cli.gear.mesh.pictures import mesh_picture
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.pictures import profile_picture
+from dynamics_cli.gear.single.profile import profile
+from dynamics_cli.gear.trains.pictures import train_picture
+from dynamics_cli.gear.trains.scene import Mesh, Network, Planetary, Shaft, Stages
+from dynamics_cli.gear.trains.train import train
 from dynamics_cli.pictures import Bars, Curve, Picture
 
 MM = 1e-3
@@ -27,7 +29,7 @@ def curves(picture: Picture) -> list[Curve]:
 def test_pitch_circles_in_mesh_touch(arrangement: Stages) -> None:
     found = curves(train_picture(train(arrangement=arrangement), arrangement=arrangement))
     for index, one in enumerate(arrangement.meshes()):
-        circles = [curve for curve in found if curve.role == index]
+        circles = [curve for curve in found if curve.role == index and curve.style == "centre"]
         centres = [0.5 * (max(curve.x) + min(curve.x)) for curve in circles]
         radii = [0.5 * (max(curve.x) - min(curve.x)) for curve in circles]
         assert sorted(2 * radius for radius in radii) == pytest.approx(sorted((one.first_teeth, one.second_teeth)))
@@ -39,7 +41,7 @@ def test_pitch_circles_in_mesh_touch(arrangement: Stages) -> None:
 def test_planets_touch_sun_and_ring() -> None:
     arrangement = Planetary(sun=24, ring=72, planets=5)
     picture = train_picture(train(arrangement=arrangement), arrangement=arrangement)
-    planets = [curve for curve in curves(picture) if curve.role == 1]
+    planets = [curve for curve in curves(picture) if curve.role == 1 and curve.style == "centre"]
     assert len(planets) == 5
     for planet in planets:
         away = [math.hypot(x, y) for x, y in zip(planet.x, planet.y, strict=True)]
@@ -74,12 +76,13 @@ def test_profiles_stay_between_root_and_tips(options: dict) -> None:
 def test_meshing_teeth_are_drawn_apart(internal: bool) -> None:
     given = {"first_teeth": 18, "second_teeth": 60, "pitch": NormalModule(2 * MM), "internal": internal}
     answer = mesh(**given, points=100)
-    found = curves(mesh_picture(answer, **given))
-    one, two = found[0], found[1]
+    one, two = (curve for curve in curves(mesh_picture(answer, **given)) if curve.style in ("filled", "outline"))
     centre = -answer.centre_distance if internal else answer.centre_distance
     tip = max(math.hypot(x, y) for x, y in zip(one.x, one.y, strict=True))
     assert tip == pytest.approx(20 * MM, rel=1e-9)
     away = [math.hypot(x - centre, y) for x, y in zip(two.x, two.y, strict=True)]
     assert (min(away) if internal else max(away)) == pytest.approx((58 if internal else 62) * MM, rel=1e-9)
-    # gear 1's tooth on the line of centres meets gear 2's space there: no point of gear 2 within its tip
-    assert not any(x < tip * 0.995 and abs(y) < 0.2 * MM for x, y in zip(two.x, two.y, strict=True))
+    # both flanks pass the pitch point, to what a line on paper shows
+    pitch_point = 18 * MM
+    for curve in (one, two):
+        assert min(math.hypot(x - pitch_point, y) for x, y in zip(curve.x, curve.y, strict=True)) < 0.2 * MM

@@ -11,9 +11,9 @@ from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.measure import measure
-from dynamics_cli.gear.trochoid import Cutter, root
+from dynamics_cli.gear.measure.measurement import measure
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.trochoid import Cutter, root
 from dynamics_cli.numerics.tracked import Tracked
 
 HERE = Path(__file__).parents[1] / "references"

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.trochoid import SERIES_LIMIT, Cutter, roll_less_arc, root, trochoid_point
+from dynamics_cli.gear.single.trochoid import SERIES_LIMIT, Cutter, roll_less_arc, root, trochoid_point
 from dynamics_cli.numerics.tracked import Tracked
 
 TWENTY = math.radians(20.0)

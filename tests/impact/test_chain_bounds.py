@@ -11,7 +11,7 @@ from references.impact_particles_tasks import TASKS
 
 from dynamics_cli.accuracy.cases import leaves
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.impact.chain import Body, ChainLaw, chain
+from dynamics_cli.impact.particles.chain import Body, ChainLaw, chain
 
 UNIT_ROUNDOFF = Fraction(1, 2**53)
 EVERY = cases("impact_particles.json", "chain")

@@ -8,11 +8,11 @@ import pytest
 from mpmath import mp, mpf
 from references.impact_events import brach, follow, kudlich_slibar
 
-from dynamics_cli.impact.bodies import ByInertia, Lever, RigidBody, RigidTarget
 from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
-from dynamics_cli.impact.envelope import envelope
-from dynamics_cli.impact.envelope_records import Envelope
-from dynamics_cli.impact.laws import LAWS, Law
+from dynamics_cli.impact.planar.bodies import ByInertia, Lever, RigidBody, RigidTarget
+from dynamics_cli.impact.planar.envelope import envelope
+from dynamics_cli.impact.planar.envelope_records import Envelope
+from dynamics_cli.impact.planar.laws import LAWS, Law
 
 UNIT_ROUNDOFF = 2.0**-53
 Pair = tuple[float, float]

@@ -8,14 +8,15 @@ from pathlib import Path
 import pytest
 from harness import run
 
-from dynamics_cli.core.task import Task
-from dynamics_cli.impact import particle_pictures
+from dynamics_cli.core.answering.task import Task
 from dynamics_cli.impact.commands.particles import TASKS
 from dynamics_cli.impact.conventions import Axes, ByMass, Restituted
-from dynamics_cli.impact.crush import Damaged, MeanCrush, Stations, crush
-from dynamics_cli.impact.crush_stiffness import Coefficients
-from dynamics_cli.impact.drop import drop
-from dynamics_cli.impact.momentum import Vehicle, momentum
+from dynamics_cli.impact.particles import pictures
+from dynamics_cli.impact.particles.drop import drop
+from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, Stations, crush
+from dynamics_cli.impact.reconstruction.crush_stiffness import Coefficients
+from dynamics_cli.impact.reconstruction.momentum import Vehicle, momentum
+from dynamics_cli.impact.scene_pictures import LENGTH, WIDTH, apart
 from dynamics_cli.pictures import Arrow, Band, Curve, Mark, Picture
 
 PICTURED = [task for task in TASKS if task.plot]
@@ -49,18 +50,29 @@ def arrows(picture: Picture, panel: int) -> list[tuple[float, float]]:
 def test_arrows_of_momentum_add_up(axes: str) -> None:
     first = Vehicle(ByMass(1500.0), None, 0.2, 8.0, 0.9)
     second = Vehicle(ByMass(1200.0), None, 1.7, 9.0, 0.8)
-    picture = particle_pictures.momentum(momentum(first=first, second=second, axes=Axes(axes)))
+    made = momentum(first=first, second=second, axes=Axes(axes))
+    picture = pictures.momentum(made, first=first, second=second, gravity=9.80665)
     assert all(math.isfinite(number) for number in numbers(picture))
-    before, after, changes = (arrows(picture, panel) for panel in range(3))
-    for old, new, change in zip(before, after, changes, strict=True):
-        assert old[0] + change[0] == pytest.approx(new[0], abs=1e-12)
-        assert old[1] + change[1] == pytest.approx(new[1], abs=1e-12)
-    for axis in (0, 1):
-        assert 1500.0 * changes[0][axis] == pytest.approx(-1200.0 * changes[1][axis], rel=1e-12)
+    *parts, total = arrows(picture, 1)
+    for two in (parts[:2], parts[2:]):
+        assert [sum(part) for part in zip(*two, strict=True)] == pytest.approx(total, rel=1e-12)
+    # one scale for all velocities of the scene: before and after of the first, then of the second
+    speeds = [speed for one in (made.first, made.second) for speed in (one.approach_speed, one.exit_speed)]
+    lengths = [math.hypot(*arrow) for arrow in arrows(picture, 0)[:4]]
+    scale = lengths[0] / speeds[0]
+    assert lengths == pytest.approx([scale * speed for speed in speeds], rel=1e-12)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.2, 1.0, 1.5707963267948966, 2.5, 3.141592653589793])
+def test_outlines_at_an_impact_do_not_overlap(turn: float) -> None:
+    ways = (1.0, 0.0), (math.cos(turn), math.sin(turn))
+    first, second = apart(*ways)
+    assert math.dist(first, second) >= WIDTH * (1.0 - 1e-12)
+    assert math.dist(first, second) <= 1.5 * LENGTH
 
 
 def test_bounces_end_on_the_floor_and_reach_their_heights() -> None:
-    picture = particle_pictures.drop(drop(evidence=Restituted(0.8), height=1.0, bounces=3))
+    picture = pictures.drop(drop(evidence=Restituted(0.8), height=1.0, bounces=3))
     curve = next(item for item in picture.panels[0].items if isinstance(item, Curve))
     assert min(curve.y) == 0.0
     assert curve.y[-1] == 0.0
@@ -71,7 +83,7 @@ def test_crush_profiles_close() -> None:
     stiff = Coefficients(6e4, 5e5)
     for profile in (Stations((0.1, 0.4, 0.2), 1.4), MeanCrush(0.3, 1.2)):
         car = Damaged(ByMass(1500.0), stiff, profile)
-        picture = particle_pictures.crush(crush(first=car), first=car)
+        picture = pictures.crush(crush(first=car), first=car)
         outline = picture.panels[0].items[0]
         assert isinstance(outline, Curve)
         assert (outline.x[0], outline.y[0]) == (outline.x[-1], outline.y[-1]) == (0.0, 0.0)
@@ -85,3 +97,10 @@ def test_every_example_draws(task: Task, tmp_path: Path) -> None:
         outcome = run(*shlex.split(example)[1:], "--plot", str(file))
         assert outcome.status == 0, outcome.err
         assert file.stat().st_size > 2000
+
+
+def test_damage_given_by_its_energy_is_a_bar(tmp_path: Path) -> None:
+    file = tmp_path / "energy.svg"
+    outcome = run("impact", "crush", "--first-mass", "1500 kg", "--first-energy", "62 kJ", "--plot", str(file))
+    assert outcome.status == 0, outcome.err
+    assert "energy of deformation" in file.read_text()

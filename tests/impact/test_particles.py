@@ -9,8 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.impact.central import Collinear, Struck, central
-from dynamics_cli.impact.chain import Body, ChainLaw, chain
 from dynamics_cli.impact.conventions import (
     Axes,
     ByMass,
@@ -24,13 +22,15 @@ from dynamics_cli.impact.conventions import (
     delta_v,
     direction_of,
 )
-from dynamics_cli.impact.drop import FlightTimes, ReboundHeight, RestTime, drop
-from dynamics_cli.impact.hunt_crossley import HuntCrossley
-from dynamics_cli.impact.oblique import Met, Moving, Normal, Offset, oblique
-from dynamics_cli.impact.pendulum import Block, Hinged, Rise, Swing, pendulum
-from dynamics_cli.impact.seize import AnyBody, seize
-from dynamics_cli.impact.springs import Hertz, Spring
-from dynamics_cli.impact.step import Factor, step
+from dynamics_cli.impact.held.seize import AnyBody, seize
+from dynamics_cli.impact.held.step import Factor, step
+from dynamics_cli.impact.particles.central import Collinear, Struck, central
+from dynamics_cli.impact.particles.chain import Body, ChainLaw, chain
+from dynamics_cli.impact.particles.drop import FlightTimes, ReboundHeight, RestTime, drop
+from dynamics_cli.impact.particles.hunt_crossley import HuntCrossley
+from dynamics_cli.impact.particles.oblique import Met, Moving, Normal, Offset, oblique
+from dynamics_cli.impact.particles.pendulum import Block, Hinged, Rise, Swing, pendulum
+from dynamics_cli.impact.particles.springs import Hertz, Spring
 from dynamics_cli.numerics.tracked import Tracked
 
 MASS = st.floats(0.01, 1e4)
@@ -236,7 +236,7 @@ def test_a_point_on_a_massless_rod_is_the_simple_pendulum(m: float, big: float, 
 def test_an_inertia_about_the_mass_centre_is_refused() -> None:
     with pytest.raises(InadmissibleError, match="about the hinge"):
         pendulum(shot_mass=0.01, block=Block(ByMass(3.0)), swing=Hinged(0.3, 0.1, 0.6, 0.6))
-    with pytest.raises(InadmissibleError, match="rises 0 m"):
+    with pytest.raises(InadmissibleError, match="rise of the block must be above zero"):
         pendulum(shot_mass=0.01, block=Block(ByMass(3.0)), swing=Rise(0.0))
 
 
@@ -276,7 +276,7 @@ def test_a_thin_rod_held_on_its_own_line_is_refused() -> None:
     rod = ((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     with pytest.raises(InadmissibleError, match="no inertia"):
         seize(body=AnyBody(1.0, rod, (1.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
-    with pytest.raises(InadmissibleError, match="belong to no body"):
+    with pytest.raises(InadmissibleError, match="belongs to no body"):
         seize(body=AnyBody(1.0, ((5.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), (1.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
 
 
@@ -319,7 +319,7 @@ def test_two_bodies_need_no_law() -> None:
 def test_hunt_crossley_by_marching_the_contact(e: float) -> None:
     from scipy.integrate import solve_ivp
 
-    from dynamics_cli.impact.hunt_crossley import loss, shape
+    from dynamics_cli.impact.particles.hunt_crossley import loss, shape
 
     x = loss(e)
 
@@ -363,7 +363,7 @@ def test_hunt_crossley_without_loss_is_hertz_and_knows_its_slope() -> None:
 def test_sizes_no_calculation_can_carry_are_refused_by_name() -> None:
     with pytest.raises(InadmissibleError, match=r"swing\.impact_distance is 1e-150"):
         pendulum(shot_mass=0.01, block=Block(ByMass(3.0)), swing=Hinged(0.3, 1.1, 0.5, 1e-150))
-    with pytest.raises(InadmissibleError, match=r"first\.bulk\.mass is 1e\+60"):
+    with pytest.raises(InadmissibleError, match=r"first\.mass is 1e\+60"):
         hit(1e60, 1.0, 1.0, 0.0, 0.5)
     # an angle may be as small as it likes
     tiny = oblique(

@@ -7,12 +7,12 @@ from typing import Any
 import pytest
 from harness import answer, run
 
-from dynamics_cli.impact.bodies import ByInertia, Lever, OnBody, Placed, RigidBody, RigidTarget
 from dynamics_cli.impact.conventions import Axes, ByMass, BySpeed, ByVelocity, Energetic, Fixed, Restituted
-from dynamics_cli.impact.laws import LAWS, Law
-from dynamics_cli.impact.planar import planar
-from dynamics_cli.impact.planar_results import PlanarImpact
-from dynamics_cli.impact.springs import Hertz, Spring
+from dynamics_cli.impact.particles.springs import Hertz, Spring
+from dynamics_cli.impact.planar.bodies import ByInertia, Lever, OnBody, Placed, RigidBody, RigidTarget
+from dynamics_cli.impact.planar.impact import planar
+from dynamics_cli.impact.planar.laws import LAWS, Law
+from dynamics_cli.impact.planar.results import PlanarImpact
 
 HALF = 0.5 * math.pi
 
@@ -253,7 +253,7 @@ class TestStiffness:
 
 def marched(scene: dict[str, Any], force: Spring | Hertz, found: PlanarImpact) -> tuple[float, float]:
     """Impulse and duration by explicit steps of the normal deflection."""
-    from dynamics_cli.impact.bodies import contact_velocity, dot, mobility, solid
+    from dynamics_cli.impact.planar.bodies import contact_velocity, dot, mobility, solid
 
     axes = Axes("mathematical")
     one = solid(RigidBody(ByMass(scene["m"][0]), ByInertia(scene["j"][0]), Lever(scene["r"][0]),

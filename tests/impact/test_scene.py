@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from harness import answer, run
 
-from dynamics_cli.impact.envelope import envelope
-from dynamics_cli.impact.laws import Law
-from dynamics_cli.impact.planar import planar
+from dynamics_cli.impact.planar.envelope import envelope
+from dynamics_cli.impact.planar.impact import planar
+from dynamics_cli.impact.planar.laws import Law
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -136,8 +136,8 @@ class TestRefusals:
 
 
 def crash() -> dict[str, Any]:
-    from dynamics_cli.impact.bodies import ByInertia, Lever, RigidBody, RigidTarget
     from dynamics_cli.impact.conventions import ByMass, ByVelocity
+    from dynamics_cli.impact.planar.bodies import ByInertia, Lever, RigidBody, RigidTarget
 
     return {
         "first": RigidBody(ByMass(1500.0), ByInertia(2500.0), Lever((2.0, -0.4)), ByVelocity((15.0, 0.0))),
@@ -180,8 +180,8 @@ class TestEnvelope:
         assert found.slip_share == pytest.approx(full / 63.0)
 
     def test_points_that_gain_energy_are_left_out(self) -> None:
-        from dynamics_cli.impact.bodies import ByInertia, Lever, RigidBody, RigidTarget
         from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
+        from dynamics_cli.impact.planar.bodies import ByInertia, Lever, RigidBody, RigidTarget
 
         rod = RigidBody(ByMass(1.0), ByInertia(1.0 / 12.0), Lever((0.25, -0.433)), ByVelocity((-0.5, -1.0)))
         given = {"first": rod, "second": RigidTarget(Fixed(True)), "normal": -1.5707963267948966}
@@ -229,9 +229,15 @@ def test_one_point_does_not_cover_a_side_of_an_envelope() -> None:
 
 def test_a_normal_that_passes_a_mass_centre_by_turns_the_body_though_nothing_couples() -> None:
     from dynamics_cli.impact.conventions import ByMass, Fixed
-    from dynamics_cli.impact.scene import central_suffices, oblique_suffices, planar_suffices, solve, solve_planar
-    from dynamics_cli.impact.scene_records import ByComponents, ByTensor, Scene, SceneBody, SceneContact
-    from dynamics_cli.impact.spatial import LeverInSpace
+    from dynamics_cli.impact.spatial.impact import LeverInSpace
+    from dynamics_cli.impact.spatial.scene import (
+        central_suffices,
+        oblique_suffices,
+        planar_suffices,
+        solve,
+        solve_planar,
+    )
+    from dynamics_cli.impact.spatial.scene_records import ByComponents, ByTensor, Scene, SceneBody, SceneContact
 
     tensor = ((40.0, 0.0, 0.0), (0.0, 40.0, 0.0), (0.0, 0.0, 30.0))
     block = SceneBody(ByMass(250.0), ByTensor(tensor), LeverInSpace((0.5, 0.0, 0.0)), ByComponents((0.0, 0.0, -1.0)))

@@ -23,14 +23,16 @@ import generate_inertia_sections_references as sections
 import numpy as np
 from mpmath import mp, mpf, nstr
 
+from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
+from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
+from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
 from dynamics_cli.accuracy.cases import Case
-from dynamics_cli.accuracy.rivals import inertia_bodies, inertia_mesh, inertia_sections
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.inertia.lump import tensor_of
-from dynamics_cli.inertia.mesh.lift import Lift
-from dynamics_cli.inertia.mesh.measured import Measured, require_closed
+from dynamics_cli.inertia.bodies.mass_moments import tensor_of
+from dynamics_cli.inertia.mesh.measurement import Measured, require_closed
 from dynamics_cli.inertia.mesh.stl import Corners
 from dynamics_cli.inertia.mesh.surface import LengthUnit
+from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
 # A result's address, its true value to 40 digits, and the program's with its bound.
 Result = tuple[str, str, Any]

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf, nstr
 
+from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
+from dynamics_cli.accuracy.alternatives.inertia.table import scale
 from dynamics_cli.accuracy.cases import flat, load
-from dynamics_cli.accuracy.rivals import inertia_bodies
-from dynamics_cli.accuracy.rivals.inertia_table import scale
-from dynamics_cli.inertia.torque import torque
+from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics.tracked import Tracked
 
 CASES = load("inertia_bodies.json")

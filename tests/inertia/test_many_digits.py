@@ -5,19 +5,19 @@ from typing import Any
 
 import pytest
 
+from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
 from dynamics_cli.accuracy.cases import build, flat, leaves, load
-from dynamics_cli.accuracy.rivals import inertia_bodies
-from dynamics_cli.inertia.amount import OfMass
-from dynamics_cli.inertia.assembly import Assembly, body
-from dynamics_cli.inertia.parts import Part
-from dynamics_cli.inertia.principal import principal, principal_of_many_digits
-from dynamics_cli.inertia.properties import Axes
+from dynamics_cli.inertia.assembly.assembly import Assembly, body
+from dynamics_cli.inertia.assembly.parts import Part
+from dynamics_cli.inertia.bodies.amount import OfMass
+from dynamics_cli.inertia.bodies.principal import principal, principal_of_many_digits
+from dynamics_cli.inertia.bodies.properties import Axes
 from dynamics_cli.inertia.shapes.unit import PI
-from dynamics_cli.inertia.torque import torque
+from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics import arcs
-from dynamics_cli.numerics.constant import Constant
-from dynamics_cli.numerics.many_digits import CONTEXT, ManyDigits, run
-from dynamics_cli.numerics.symmetric_digits import eigen_of_many_digits
+from dynamics_cli.numerics.eigen3.jacobi_digits import eigen_of_many_digits
+from dynamics_cli.numerics.exact.constants import Constant
+from dynamics_cli.numerics.exact.many_digits import CONTEXT, ManyDigits, run
 
 CASES = load("inertia_bodies.json")
 FUNCTIONS: dict[str, Any] = {

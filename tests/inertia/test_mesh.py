@@ -12,17 +12,18 @@ from harness import answer, run
 from references.inertia_solids import SOLIDS, ball, prism, write_stl
 
 from dynamics_cli.errors import DynamicsError, ExitStatus, InadmissibleError, UsageError
-from dynamics_cli.inertia.amount import OfArealDensity, OfDensity, OfLinearDensity, OfMass
-from dynamics_cli.inertia.mesh import measured as reading
-from dynamics_cli.inertia.mesh.closure import vertex_hashes
+from dynamics_cli.inertia.bodies.amount import OfArealDensity, OfDensity, OfLinearDensity, OfMass
+from dynamics_cli.inertia.bodies.properties import Axes, MassProperties
+from dynamics_cli.inertia.bodies.records import Shaft
+from dynamics_cli.inertia.mesh import measurement as reading
+from dynamics_cli.inertia.mesh.faults.closure import vertex_hashes
 from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
-from dynamics_cli.inertia.mesh.lift import Lift
 from dynamics_cli.inertia.mesh.opening import open_mesh
 from dynamics_cli.inertia.mesh.pictures import DRAWN, mesh_picture, outlines
 from dynamics_cli.inertia.mesh.stl import BLOCK, BinaryStl, Corners
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.task import mesh
-from dynamics_cli.inertia.properties import Axes, MassProperties, Shaft
+from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
 BOX = prism([(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)], 1.0)
 
@@ -187,11 +188,13 @@ class TestFiles:
 
 class TestSurfaces:
     def test_open(self, tmp_path: Path) -> None:
-        name = stl(tmp_path, BOX[:-1])
-        error = refused(name)
+        error = refused(stl(tmp_path, BOX[:-1]))
         assert error.code == "open"
+        assert "3 open edges" in error.message
+        large = ball(4)
+        error = refused(stl(tmp_path, large[:-1]))
         assert "--diagnose" in str(error.hint)
-        assert "3 open edges" in refused(name, diagnose=True).message
+        assert "3 open edges" in refused(stl(tmp_path, large[:-1]), diagnose=True).message
 
     def test_open_allowed(self, tmp_path: Path) -> None:
         made = solid(stl(tmp_path, BOX[:-1]), allow_open=True)
@@ -557,7 +560,7 @@ class TestPicture:
         name = stl(tmp_path, BOX)
         made = solid(name)
         picture = mesh_picture(made, name, length_unit=LengthUnit("m"))
-        assert [panel.title for panel in picture.panels] == ["xy", "xz", "yz"]
+        assert [panel.title for panel in picture.panels] == ["top view", "front view", "side view"]
         lines = picture.panels[0].items[0]
         finite = [x for x in lines.x if x == x]  # type: ignore[union-attr]
         assert (min(finite), max(finite), len(finite)) == (0.0, 3.0, 4 * len(BOX))

@@ -12,8 +12,8 @@ from references.inertia_solids import triangles, write_stl
 
 from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.inertia.amount import OfArealDensity, OfDensity
-from dynamics_cli.inertia.mesh import measured as reading
+from dynamics_cli.inertia.bodies.amount import OfArealDensity, OfDensity
+from dynamics_cli.inertia.mesh import measurement as reading
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.task import mesh
 from dynamics_cli.numerics.tracked import Tracked

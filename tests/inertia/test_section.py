@@ -211,10 +211,10 @@ def test_the_picture_shows_contours_axes_and_mohrs_circle() -> None:
     marks = {item.label: item for item in mohr.items if isinstance(item, Mark)}
     circle = mohr.items[0]
     assert isinstance(circle, Curve)
-    assert max(circle.x) == pytest.approx(marks["I1"].x)
+    assert max(circle.x) == pytest.approx(marks["I₁"].x)
     middle = 0.5 * (marks["x"].x + marks["y"].x)
     reach = math.hypot(marks["x"].x - middle, marks["x"].y)
-    assert reach == pytest.approx(marks["I1"].x - middle, rel=1e-14)
+    assert reach == pytest.approx(marks["I₁"].x - middle, rel=1e-14)
 
 
 @pytest.mark.parametrize("units", ["si", "us", "base"])
@@ -231,3 +231,37 @@ def test_bounds_hold_in_the_units_shown(units: str) -> None:
             ):
                 bound = found["numerics"]["error_bound"][name]["relative"]
                 assert abs(mpf(found["results"][name]["value"]) / true - 1) <= bound
+
+
+class TestReading:
+    """What was typed is a decimal; the doubles it is read into are not."""
+
+    @staticmethod
+    def exact(corners: list[tuple[Fraction, Fraction]]) -> dict[str, Fraction]:
+        """Area and central moments of a polygon in rationals."""
+        a = x = y = xx = yy = Fraction(0)
+        for (x0, y0), (x1, y1) in zip(corners, corners[1:] + corners[:1], strict=True):
+            c = x0 * y1 - x1 * y0
+            a, x, y = a + c / 2, x + c * (x0 + x1) / 6, y + c * (y0 + y1) / 6
+            xx, yy = xx + c * (x0 * x0 + x0 * x1 + x1 * x1) / 12, yy + c * (y0 * y0 + y0 * y1 + y1 * y1) / 12
+        ix, iy = yy - y * y / a, xx - x * x / a
+        return {"area": a, "centroidal.ix": ix, "centroidal.iy": iy, "centroidal.polar": ix + iy}
+
+    @pytest.mark.parametrize(("x", "y"), [(0, 0), (1, 2), (450, 560), (4500000, 5600000), (-33333.3, 77777.7)])
+    def test_an_angle_anywhere_keeps_within_what_is_stated_of_its_reading(self, x: float, y: float) -> None:
+        outline = [(0, 0), (90, 0), (90, 9), (9, 9), (9, 60), (0, 60)]
+        typed = [(Fraction(str(x)) + dx, Fraction(str(y)) + dy) for dx, dy in outline]
+        text = ", ".join(str(float(part)) for corner in typed for part in corner)
+        document = answer("inertia", "section", "--polygon", text + " mm", "--units", "base")
+        true = self.exact([(px / 1000, py / 1000) for px, py in typed])
+        stated = document["numerics"]
+        for name, value in true.items():
+            shown = document["results"]
+            for part in name.split("."):
+                shown = shown[part]
+            error = abs(Fraction(shown["value"]) / value - 1)
+            bound = stated["error_bound"][name]["relative"] + stated["input_rounding"][name]["relative"]
+            assert error <= bound, name
+            assert bound <= max(1e-14, 200 * float(error)), name
+        far = abs(x) > 100
+        assert ("coordinates-rounded" in [w["code"] for w in document["warnings"]]) is far

@@ -9,12 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.inertia.amount import OfArealDensity, OfDensity, OfLinearDensity, OfMass, OfMaterial
-from dynamics_cli.inertia.listing import shapes as listed
-from dynamics_cli.inertia.materials import TABLE, density_of, materials
-from dynamics_cli.inertia.properties import Axes, ProductSign, Shaft
-from dynamics_cli.inertia.rotation import AxisAngle
-from dynamics_cli.inertia.shape import shape
+from dynamics_cli.inertia.bodies.amount import OfArealDensity, OfDensity, OfLinearDensity, OfMass, OfMaterial
+from dynamics_cli.inertia.bodies.materials import TABLE, density_of, materials
+from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
+from dynamics_cli.inertia.bodies.records import Shaft
+from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import (
     PLATES,
     RODS,
@@ -56,8 +55,10 @@ from dynamics_cli.inertia.shapes import (
     Triangle,
     Wedge,
 )
+from dynamics_cli.inertia.shapes.listing import shapes as listed
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
+from dynamics_cli.inertia.shapes.task import shape
 
 SIZE = st.floats(0.05, 5.0)
 ONE = OfMass(1.0)
@@ -251,7 +252,7 @@ def test_mass_by_density(own: Any, amount: Any, mass: float) -> None:
 @pytest.mark.parametrize(
     ("own", "amount", "message"),
     [
-        (Disk(1.0), OfDensity(1000.0), "an area and no volume, and the density given is one per volume"),
+        (Disk(1.0), OfDensity(1000.0), "an area and no volume, but the density given is per volume"),
         (Rod(1.0), OfMaterial("steel"), "a length and no area"),
         (Sphere(1.0), OfArealDensity(2.0), "a volume"),
         (Sphere(1.0), OfMaterial("unobtainium"), "no material 'unobtainium'"),
@@ -259,14 +260,14 @@ def test_mass_by_density(own: Any, amount: Any, mass: float) -> None:
         (Sphere(0.0), OfDensity(1000.0), "mass of the sphere is zero"),
         (HollowSphere(1.0, 1.5), ONE, "wall of 1.5 m does not fit in a radius of 1 m"),
         (HollowBlock(1.0, 1.0, 0.1, 0.06), ONE, "two walls of 0.06 m do not fit in 0.1 m"),
-        (HollowSphere(0.0, 0.0), ONE, "radius of zero"),
+        (HollowSphere(0.0, 0.0), ONE, "outer radius is zero"),
         (Torus(0.1, 0.2), ONE, "overlaps itself"),
         (Frustum(0.0, 0.0, 1.0), ONE, "needs a base or a top"),
         (ArcRod(1.0, 7.0), ONE, "more than a full turn"),
-        (Sector(1.0, 0.0), ONE, "has no arc"),
-        (Sector(1.0, -1.0), ONE, "has no arc"),
-        (RegularPrism(2, 1.0, 1.0), ONE, "a polygon of 2 sides"),
-        (Polygon((Vertex(0.0, 0.0), Vertex(1.0, 0.0))), ONE, "a polygon of 2 corners"),
+        (Sector(1.0, 0.0), ONE, "an arc needs an angle"),
+        (Sector(1.0, -1.0), ONE, "an arc needs an angle"),
+        (RegularPrism(2, 1.0, 1.0), ONE, "at least 3 sides; read 2"),
+        (Polygon((Vertex(0.0, 0.0), Vertex(1.0, 0.0))), ONE, "at least 3 corners; read 2"),
         (Polygon((Vertex(0.0, 0.0), Vertex(1.0, 1.0), Vertex(1.0, 0.0), Vertex(0.0, 1.0))), ONE, "sides 1 and 3"),
         (Polygon((Vertex(0.0, 0.0), Vertex(1.0, 1.0), Vertex(2.0, 2.0))), ONE, "has no area"),
     ],

@@ -1,25 +1,27 @@
 """Given tensors: principal moments, what no body has, extremes, other axes; inertia torques; files for simulators."""
 
+import json
 import math
 import random
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+import numpy as np
 import pytest
 from harness import answer, run
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.inertia.amount import OfMass
-from dynamics_cli.inertia.assembly import Assembly, body
-from dynamics_cli.inertia.lump import second_of, tensor_of
-from dynamics_cli.inertia.parts import Part
-from dynamics_cli.inertia.properties import Axes, ProductSign
-from dynamics_cli.inertia.rotation import AxisAngle
-from dynamics_cli.inertia.shape import shape
+from dynamics_cli.inertia.assembly.assembly import Assembly, body
+from dynamics_cli.inertia.assembly.parts import Part
+from dynamics_cli.inertia.assembly.writers import markdown, mjcf, sdf, urdf
+from dynamics_cli.inertia.bodies.amount import OfMass
+from dynamics_cli.inertia.bodies.mass_moments import second_of, tensor_of
+from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
+from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import QuarterDisk, Wedge
-from dynamics_cli.inertia.tensor import Parts, Whole, tensor
-from dynamics_cli.inertia.torque import torque
-from dynamics_cli.inertia.writers import markdown, mjcf, sdf, urdf
+from dynamics_cli.inertia.shapes.task import shape
+from dynamics_cli.inertia.tensors.tensor import Parts, Whole, tensor
+from dynamics_cli.inertia.tensors.torque import torque
 
 ROOT = Path(__file__).parents[2]
 FULL = ((10.0, -2.0, 1.0), (-2.0, 12.0, 3.0), (1.0, 3.0, 14.0))
@@ -83,7 +85,7 @@ def test_a_lamina_is_a_body_and_so_is_a_rod() -> None:
 @pytest.mark.parametrize(
     ("given", "message", "hint"),
     [
-        (Parts((1.0, 2.0, 3.001)), "exceeds the sum of 1 and 2", "larger tolerance"),
+        (Parts((1.0, 2.0, 3.001)), "exceeds the sum of 1 kg.m.2 and 2 kg.m.2", "larger tolerance"),
         (Parts((1.0, 1.0, 1.0), (1.5, 0.0, 0.0)), "is negative: -0.5", None),
         (Parts((2.0, 2.0, 2.0), (0.7, 0.7, 0.7)), "exceeds the sum", "other sign"),
         (Parts((0.0, 0.0, 0.0)), "no positive moment", None),
@@ -219,3 +221,81 @@ def test_a_lamina_keeps_its_plane_in_every_file() -> None:
     link = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
     inertia = {k: float(v) for k, v in link.find("inertia").attrib.items()}  # type: ignore[union-attr]
     assert inertia["izz"] == inertia["ixx"] + inertia["iyy"]
+
+
+class TestReading:
+    @pytest.mark.parametrize("text", [True, False])
+    def test_products_of_matrices_are_symmetric_to_rounding(self, text: bool) -> None:
+        """R I Rᵀ as numpy makes it differs across the diagonal in the last bits, in most cases."""
+        draw = np.random.default_rng(11)
+        apart = 0
+        for _ in range(60):
+            turn, _ = np.linalg.qr(draw.normal(size=(3, 3)))
+            full = (turn @ np.diag(draw.uniform(1.0, 1.9, 3) * 10.0 ** draw.integers(-3, 4)) @ turn.T).tolist()
+            apart += any(full[i][j] != full[j][i] for i in range(3) for j in range(i))
+            if text:
+                document = answer("inertia", "tensor", "--tensor", f"{full} kg*m^2")
+            else:
+                given = json.dumps({"tensor": {"value": full, "unit": "kg*m^2"}})
+                document = answer("inertia", "tensor", "--input", "-", stdin=given)
+            wanted = np.linalg.eigvalsh(np.array(full))
+            found = [document["results"]["principal_moments"][name]["value"] for name in ("first", "second", "third")]
+            assert found == pytest.approx(wanted.tolist(), rel=1e-12)
+        assert apart > 30
+        assert run("inertia", "tensor", "--tensor", "[[2, 0.1, 0], [0.1000001, 2, 0], [0, 0, 2]] kg*m^2").status == 2
+
+    @pytest.mark.parametrize(
+        "given", ["[[1, 2, 3], [4, 5, 6]] kg*m^2", "[[1, 2], [3, 4], [5, 6]] kg*m^2", "[[1, 2, 3]] kg*m^2"]
+    )
+    def test_rows_that_are_not_three_by_three_are_refused(self, given: str) -> None:
+        outcome = run("inertia", "tensor", "--tensor", given, "--json")
+        assert outcome.status == 2
+        assert "wanted 3 rows of 3" in outcome.error["message"]
+        value = json.loads(given.removesuffix(" kg*m^2"))
+        again = run(
+            "inertia", "tensor", "--input", "-", "--json",
+            stdin=json.dumps({"tensor": {"value": value, "unit": "kg*m^2"}}),
+        )  # fmt: skip
+        assert "wanted 3 rows of 3" in again.error["message"]
+
+    def test_one_list_of_six_is_moments_and_products(self) -> None:
+        one = answer("inertia", "tensor", "--tensor", "[2, 3, 4, 0.1, 0.2, 0.3] kg*m^2")
+        other = answer("inertia", "tensor", "--tensor", "[[2, 0.1, 0.3], [0.1, 3, 0.2], [0.3, 0.2, 4]] kg*m^2")
+        assert one["results"] == other["results"]
+
+
+class TestBodiesThatNoTensorHas:
+    """Each diagonal element is less than the others together; of the principal moments 0.0105, 0.02, 0.0595 not."""
+
+    TENSOR = "[[0.02, 0, 0], [0, 0.03, 0.024], [0, 0.024, 0.04]] kg*m^2"
+
+    @pytest.mark.parametrize(
+        "call",
+        [("tensor", "--tensor", TENSOR), ("torque", "--tensor", TENSOR, "--angular-velocity", "1, 0, 0 rad/s")],
+        ids=["tensor", "torque"],
+    )
+    def test_by_options(self, call: tuple[str, ...]) -> None:
+        outcome = run("inertia", *call, "--json")
+        assert (outcome.status, outcome.error["code"]) == (3, "triangle-inequality")
+
+    def test_of_parts(self, tmp_path: Path) -> None:
+        part = {"mass": "2 kg", "tensor": self.TENSOR}
+        body = tmp_path / "body.json"
+        body.write_text(json.dumps({"parts": [part]}))
+        outcome = run("inertia", "body", str(body), "--json")
+        assert (outcome.status, outcome.error["code"]) == (3, "triangle-inequality")
+        pair = tmp_path / "pair.json"
+        pair.write_text(json.dumps({"first": {"parts": [{"mass": "1 kg"}]}, "second": {"parts": [part]}}))
+        outcome = run("inertia", "compare", str(pair), "--json")
+        assert (outcome.status, outcome.error["code"]) == (3, "triangle-inequality")
+
+
+def test_second_moments_are_half_the_trace_less_the_tensor() -> None:
+    """Of a solid block of 2 × 3 × 4 and mass 12 they are a², b², c², and they turn as a tensor does."""
+    block = "[[25, 0, 0], [0, 20, 0], [0, 0, 13]] kg*m^2"
+    found = answer("inertia", "tensor", "--tensor", block)
+    assert found["results"]["second_moments"]["value"] == [[4.0, 0.0, 0.0], [0.0, 9.0, 0.0], [0.0, 0.0, 16.0]]
+    assert found["results"]["second_moments"]["unit"] == "kg·m²"
+    turned = answer("inertia", "tensor", "--tensor", block, "--rotation-axis", "0, 0, 1", "--rotation-angle", "90 deg")
+    second = np.array(turned["results"]["second_moments"]["value"])
+    assert second == pytest.approx(np.diag([9.0, 4.0, 16.0]), abs=1e-13)

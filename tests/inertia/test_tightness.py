@@ -11,17 +11,15 @@ from typing import Any
 import pytest
 from mpmath import mp, mpf
 
+from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
+from dynamics_cli.accuracy.alternatives.inertia import eigen as inertia_eigen
+from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
+from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
+from dynamics_cli.accuracy.alternatives.inertia import table as inertia_table
 from dynamics_cli.accuracy.cases import build, flat, leaves, load
 from dynamics_cli.accuracy.measure import Errors
-from dynamics_cli.accuracy.rivals import (
-    inertia_bodies,
-    inertia_eigen,
-    inertia_mesh,
-    inertia_sections,
-    inertia_table,
-)
-from dynamics_cli.core.tightening import tighten
-from dynamics_cli.inertia.torque import torque
+from dynamics_cli.core.answering.tightening import tighten
+from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics.tracked import Tracked
 
 ROOM = 100.0
@@ -42,7 +40,7 @@ def of_bodies(task: str) -> Callable[..., Any]:
             tighten(answer, numbers, call)
             found = flat(answer)
             stated = answer.numerics.bounds if getattr(answer, "numerics", None) else ()
-            angle = {one.result: Tracked(found[one.result], one.bound, ()) for one in stated if not one.relative}
+            angle = {one.result: Tracked(found[one.result], one.bound, ()) for one in stated if one.result in found}
             note(case, found | angle)
 
     return compare
@@ -101,8 +99,8 @@ def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple
     patch.setattr(Errors, "note", of_size)
     patch.setattr(Errors, "add", of_itself)
     # the report's rows are of errors that it has noted
-    patch.setattr("dynamics_cli.accuracy.rivals.inertia_table.row", lambda *_, **__: None)
-    patch.setattr("dynamics_cli.accuracy.rivals.inertia_eigen.row", lambda *_, **__: None)
+    patch.setattr("dynamics_cli.accuracy.alternatives.inertia.table.row", lambda *_, **__: None)
+    patch.setattr("dynamics_cli.accuracy.alternatives.inertia.eigen.row", lambda *_, **__: None)
     mp.dps = 60
     compare("", hard=False, full=False, timed=False)
     return kept

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from dynamics_cli.numerics.chebyshev import Proxies, extremes, proxies
-from dynamics_cli.numerics.remainders import proved_proxies
+from dynamics_cli.numerics.chebyshev.proxies import Proxies, extremes, proxies
+from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
 
 MAKERS = (proxies, proved_proxies)
 

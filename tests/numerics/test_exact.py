@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.core.units import from_si, parse_unit, to_si
+from dynamics_cli.core.units.conversion import from_si, to_si
+from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.errors import UsageError
-from dynamics_cli.numerics.exact import Decimals, Factor, scale
+from dynamics_cli.numerics.exact.factors import Decimals, Factor, scale
 
 NAN = float("nan")
 COMMON = ("ft", "in", "mi", "mph", "km/h", "ft/s", "lb", "lbf", "slug", "psi", "hp", "ft*lbf", "deg", "rpm", "degF",

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from dynamics_cli.numerics.gauss import legendre
+from dynamics_cli.numerics.quadrature.gauss import legendre
 
 
 @pytest.mark.parametrize("count", [2, 3, 5, 12, 28, 40])

@@ -7,9 +7,9 @@ from decimal import Decimal, localcontext
 import pytest
 from mpmath import mp, mpf
 
-from dynamics_cli.numerics import decimal_functions as functions
 from dynamics_cli.numerics import elementary
-from dynamics_cli.numerics.many_digits import CONTEXT, DIGITS, ManyDigits, measured_error, run
+from dynamics_cli.numerics.exact import decimal_functions as functions
+from dynamics_cli.numerics.exact.many_digits import CONTEXT, DIGITS, ManyDigits, measured_error, run
 
 RNG = random.Random(11)
 SIGNED = [sign * 10.0**exponent for sign in (1.0, -1.0) for exponent in (-300, -150, -40, -12, -3, -1)]

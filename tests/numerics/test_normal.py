@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.numerics import normal, normal_arrays, student
+from dynamics_cli.numerics.distributions import normal, normal_arrays, student
 
 mp.mp.dps = 50
 RNG = np.random.default_rng(20)

@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from dynamics_cli.numerics import hermite, smolyak
-from dynamics_cli.numerics.lattice import lattice
+from dynamics_cli.numerics.quadrature import hermite, smolyak
+from dynamics_cli.numerics.quadrature.lattice import lattice
 
 REFERENCES = Path(__file__).parents[1] / "references"
 

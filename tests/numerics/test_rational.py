@@ -6,7 +6,7 @@ from fractions import Fraction
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dynamics_cli.numerics.rational import Solved, exact, lowest, nearest, product, reduce_rows, total, written
+from dynamics_cli.numerics.exact.rational import Solved, exact, lowest, nearest, product, reduce_rows, total, written
 
 WHOLE = st.integers(-(10**30), 10**30)
 NOT_ZERO = WHOLE.filter(bool)

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from mpmath import findroot, mp, mpf
 
+from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
+from dynamics_cli.numerics.chebyshev.summits import doubtful, settled, summits
 from dynamics_cli.numerics.discs import Disc
-from dynamics_cli.numerics.remainders import proved_proxies
-from dynamics_cli.numerics.summits import doubtful, settled, summits
 
 U = 2.0**-53
 
@@ -91,7 +91,7 @@ def test_a_constant_is_known_on_still_pieces() -> None:
 
 def test_what_is_not_proved_has_no_gain() -> None:
     """Without a bound of its slope a proxy keeps its whole error."""
-    from dynamics_cli.numerics.chebyshev import proxies
+    from dynamics_cli.numerics.chebyshev.proxies import proxies
 
     made = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
     found = summits(made)[0]

@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 from mpmath import eigsy, matrix, mp, mpf
 
-from dynamics_cli.numerics.symmetric import eigen
+from dynamics_cli.numerics.eigen3.jacobi import eigen
 
 Rows = tuple[tuple[float, float, float], ...]
 

@@ -1,4 +1,4 @@
-"""Derives the embedded Genz–Keister rules 1 ⊂ 3 ⊂ 9 ⊂ 19 ⊂ 35 of dynamics_cli/numerics/hermite.py with 80 digits.
+"""Derives the embedded Genz–Keister rules 1 ⊂ 3 ⊂ 9 ⊂ 19 ⊂ 35 of dynamics_cli/numerics/quadrature/hermite.py with 80 digits.
 
 Genz & Keister, J. Comput. Appl. Math. 71 (1996): given the nodes so far, the roots of P, the m new ones are the roots of
 the monic E for which P·E is orthogonal to every power below m under the normal density. By symmetry E is even and P odd,

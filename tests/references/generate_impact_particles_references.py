@@ -844,6 +844,29 @@ def given(x: dict[str, Any]) -> tuple[list[Any], list[Any], list[Any]]:
 
 
 def momentum(x: dict[str, Any]) -> dict[str, Any]:
+    found = solved(x)
+    for side in ("first", "second"):
+        blank = [f"{part}_speed" for part in ("approach", "exit") if f"{part}_speed" not in x[side]]
+        if blank:
+            found[f"{side}.determined.heading_tolerance"] = min(tolerance(x, side, name, found) for name in blank)
+    return found
+
+
+def tolerance(x: dict[str, Any], side: str, name: str, found: dict[str, Any]) -> Any:
+    """The error of a heading that changes a speed by a tenth, from differences of whole solutions."""
+    step, steepest = mpf(10) ** -60, mpf(0)
+    for other in ("first", "second"):
+        for turn in ("approach_heading", "exit_heading"):
+            if turn in x[other]:
+                ends = [
+                    solved({**x, other: {**x[other], turn: x[other][turn] + off}})[f"{side}.{name}"]
+                    for off in (step, -step)
+                ]
+                steepest = max(steepest, abs(ends[0] - ends[1]) / (2 * step))
+    return min(found[f"{side}.{name}"] / steepest / 10, pi) if steepest else +pi
+
+
+def solved(x: dict[str, Any]) -> dict[str, Any]:
     speeds, headings, masses = given(x)
     signs = [1, 1, -1, -1]
     weights = [s * m for s, m in zip(signs, masses * 2, strict=True)]

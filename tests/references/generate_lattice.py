@@ -1,4 +1,4 @@
-"""Derives the generating vector of dynamics_cli/numerics/lattice.py: component by component, for all 2^m points at once.
+"""Derives the generating vector of dynamics_cli/numerics/quadrature/lattice.py: component by component, for all 2^m points at once.
 
 The figure of merit is the worst-case error P₂ in the weighted Korobov space, weights γ_j = 0.9/j (later axes of a
 problem matter less: axes are used in any order, so they must not fade faster); each component takes the odd candidate whose

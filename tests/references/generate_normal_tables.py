@@ -1,4 +1,4 @@
-"""Derives the Chebyshev coefficients of dynamics_cli/numerics/normal_arrays.py with 60 digits.
+"""Derives the Chebyshev coefficients of dynamics_cli/numerics/distributions/normal_arrays.py with 60 digits.
 
 With t = (x − K)/(x + K), the function (1 + 2x)·R(x), R(x) = Q(x)·exp(x²/2) the upper tail over its Gaussian factor, is
 analytic on −1 ≤ t ≤ 1 (Shepherd & Laframboise 1981 do so for erfc), so one short polynomial in t serves every x ≥ 0.

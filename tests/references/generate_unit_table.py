@@ -1,4 +1,4 @@
-"""Write `dynamics_cli/core/unit_table.py` from pint's definitions, exactly.
+"""Write `dynamics_cli/core/units/table.py` from pint's definitions, exactly.
 
     python tests/references/generate_unit_table.py
 
@@ -12,13 +12,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
-TARGET = Path(__file__).resolve().parents[2] / "dynamics_cli" / "core" / "unit_table.py"
+TARGET = Path(__file__).resolve().parents[2] / "dynamics_cli" / "core" / "units" / "table.py"
 BASES = ("meter", "gram", "second", "kelvin", "ampere", "mole", "candela", "radian")
 PINT_PI = Fraction("3.1415926535897932384626433832795028841971693993751")
 
+# An expression may end in `above N`: the SI value at its zero.
 # symbol | expression for pint | names | tag | description
 # A name may be followed by `:s` (takes the prefix symbols k, M, m, …), `:w` (takes the prefix words kilo, mega, …)
-# and `+other` (also reads as the unit `other`, where that is what is wanted).
+# and `+other` (also reads as the unit `other`, where that is what is wanted). A description with a semicolon
+# is that of a unit with several definitions: the one used, and the others' names. It is reported with every reading.
 UNITS = """
 rad | radian | rad:s radian:w radians:w | | radian
 deg | degree | deg degs degree degrees ° arcdeg | | degree of arc
@@ -38,7 +40,13 @@ ft | foot | ft foot feet | | foot
 yd | yard | yd yds yard yards | | yard
 mi | mile | mi mile miles | | statute mile
 nmi | nautical_mile | nmi nautical_mile nautical_miles | | nautical mile, 1852 m
-thou | thou | thou thous mil mils | | thousandth of an inch
+survey_foot | 1200 / 3937 * meter | survey_foot survey_feet US_survey_foot US_survey_feet ftUS sft | | US survey foot, 1200/3937 m; retired in 2022, the foot is now 0.3048 m
+survey_mile | 5280 * 1200 / 3937 * meter | survey_mile survey_miles US_survey_mile US_survey_miles | | US survey mile, 5280 survey feet; retired in 2022
+au | astronomical_unit | au astronomical_unit astronomical_units | | astronomical unit, 149597870700 m
+100km | 100 * kilometer | 100km | | hundred kilometres, as in L/100km
+100mi | 100 * mile | 100mi | | hundred miles, as in gal/100mi
+thou | thou | thou thous | | thousandth of an inch
+mil | thou | mil mils | | thousandth of an inch; the angle of that name is 0.05625 deg
 \u00b5in | 1e-6 * inch | \u00b5in \u03bcin uin microinch microinches | | millionth of an inch
 micron | 1e-6 * meter | micron microns | | micrometre
 \u00c5 | 1e-10 * meter | \u00c5 \u212b angstrom angstroms | | ångström
@@ -59,24 +67,35 @@ cuin | inch ** 3 | cuin cu_in | | cubic inch
 cuyd | yard ** 3 | cuyd cu_yd | | cubic yard
 L | liter | L:s l:s ℓ:s liter:w liters:w litre:w litres:w | | litre
 cc | centimeter ** 3 | cc | | cubic centimetre
-gal | gallon | gal gals gallon gallons | | US gallon
-qt | quart | qt qts quart quarts | | US quart
-pt | pint | pt pts pint pints | | US pint
-cup | cup | cup cups | | US cup
-floz | fluid_ounce | floz fl_oz fluid_ounce fluid_ounces | | US fluid ounce
-tbsp | tablespoon | tbsp tablespoon tablespoons | | US tablespoon
-tsp | teaspoon | tsp teaspoon teaspoons | | US teaspoon
-imp_gal | imperial_gallon | imp_gal imperial_gallon imperial_gallons UK_gallon UK_gallons | | imperial gallon
+gal | gallon | gal gals gallon gallons | | US gallon; the imperial one is imp_gal
+US_gal | gallon | US_gal US_gallon US_gallons | | US gallon, 231 in³
+qt | quart | qt qts quart quarts | | US quart; the imperial one is imperial_quart, the dry one dry_quart
+pt | pint | pt pts pint pints | | US pint; the imperial one is imperial_pint, the dry one dry_pint
+cup | cup | cup cups | | US cup; the imperial one is imperial_cup, a metric cup 250 mL
+floz | fluid_ounce | floz fl_oz fluid_ounce fluid_ounces | | US fluid ounce; the imperial one is imperial_fluid_ounce
+tbsp | tablespoon | tbsp tablespoon tablespoons | | US tablespoon; a metric one is 15 mL
+tsp | teaspoon | tsp teaspoon teaspoons | | US teaspoon; a metric one is 5 mL
+imp_gal | imperial_gallon | imp_gal imperial_gallon imperial_gallons UK_gal UK_gallon UK_gallons | | imperial gallon
+imp_pt | imperial_pint | imp_pt imperial_pint imperial_pints UK_pint UK_pints | | imperial pint
+imp_floz | imperial_fluid_ounce | imp_floz imp_fl_oz imperial_fluid_ounce imperial_fluid_ounces UK_floz UK_fl_oz | | imperial fluid ounce
+mpg | mile / gallon | mpg MPG mpg_US US_mpg | | mile per US gallon; the imperial one is imp_mpg
+imp_mpg | mile / imperial_gallon | imp_mpg mpg_imp mpg_UK UK_mpg | | mile per imperial gallon
+bbl | barrel | bbl bbls barrel barrels | | US barrel, 31.5 gal; others are oil_bbl (petroleum, 42 gal) and beer_bbl
+oil_bbl | oil_barrel | oil_bbl oil_bbls oil_barrel oil_barrels | | petroleum barrel, 42 US gal
+bushel | bushel | bushel bushels bu | | US bushel; the imperial one is imperial_bushel
+peck | peck | peck pecks | | US peck; the imperial one is imperial_peck
 s | second | s:s sec:s secs second:w seconds:w | | second
 min | minute | min mins minute minutes | | minute
 h | hour | h hr hrs hour hours | | hour
 d | day | d day days | | day
 week | week | week weeks | | week
 fortnight | fortnight | fortnight fortnights | | fortnight
-year | year | year years yr yrs | | Julian year, 365.25 d
+month | month | month months | | twelfth of a Julian year, 30.4375 d; otherwise write days, such as 30 d
+year | year | year years yr yrs | | Julian year, 365.25 d; others are gregorian_year, tropical_year, 365 d
 mph | mile / hour | mph MPH | | mile per hour
 kph | kilometer / hour | kph KPH kmh kmph | | kilometre per hour
 fps | foot / second | fps | | foot per second
+fpm | foot / minute | fpm FPM | | foot per minute
 DP | 1 / inch | DP | | diametral pitch, teeth per inch
 knot | knot | knot knots kn kt kts | | knot, 1852 m/h
 gn | g_0 | gn g_n g_0 g0 gee gees | | standard gravity, 9.80665 m/s^2
@@ -90,22 +109,24 @@ slinch | slinch | slinch slinches blob blobs | | slinch, 1 lbf·s²/in
 stone | stone | stone stones | | stone, 14 lb
 gr | grain | gr grain grains | | grain
 ct | carat | ct carat carats | | metric carat
-cwt | hundredweight | cwt hundredweight | | US hundredweight, 100 lb
-ton | ton | ton tons short_ton short_tons | | short ton, 2000 lb
-long_ton | long_ton | long_ton long_tons | | long ton, 2240 lb
+cwt | hundredweight | cwt hundredweight | | US hundredweight, 100 lb; the British one of 112 lb is long_hundredweight
+ton | ton | ton tons | | short ton, 2000 lb; others are long_ton (2240 lb) and t (1000 kg)
+short_ton | short_ton | short_ton short_tons US_ton US_tons | | short ton, 2000 lb
+long_ton | long_ton | long_ton long_tons UK_ton UK_tons imperial_ton imperial_tons | | long ton, 2240 lb
 N | newton | N:s newton:w newtons:w | | newton
 lbf | force_pound | lbf lbfs pound_force pounds_force force_pound | | pound-force
 ozf | force_ounce | ozf ounce_force ounces_force force_ounce | | ounce-force
 kip | kip | kip kips klbf | | thousand pounds-force
-tonf | force_ton | tonf ton_force short_ton_force | | short ton-force, 2000 lbf
+tonf | force_ton | tonf ton_force short_ton_force | | short ton-force, 2000 lbf; others are UK_force_ton and tf
 kgf | force_kilogram | kgf kp kilopond kiloponds kilogram_force | | kilogram-force
 gf | force_gram | gf gram_force pond | | gram-force
 tf | force_metric_ton | tf tonne_force metric_ton_force | | tonne-force
 dyn | dyne | dyn dyne dynes | | dyne
 pdl | poundal | pdl poundal poundals | | poundal
 J | joule | J:s joule:w joules:w | energy | joule
-cal | calorie | cal:s calorie:w calories:w | energy | thermochemical calorie, 4.184 J
-BTU | british_thermal_unit | BTU BTUs Btu btu | energy | British thermal unit (ISO), 1055.056 J
+cal | calorie | cal:s calorie:w calories:w | energy | thermochemical calorie, 4.184 J; another is cal_it (4.1868 J)
+BTU | british_thermal_unit | BTU BTUs Btu btu | energy | British thermal unit, 1055.056 J (ISO); others: Btu_it, Btu_th
+therm | therm | therm therms | energy | therm, 105.5056 MJ; the US one of 105.4804 MJ is US_therm
 Wh | watt_hour | Wh:s watt_hour:w watt_hours:w watthour:w watthours:w | energy | watt-hour
 eV | electron_volt | eV:s electron_volt:w electron_volts:w electronvolt:w electronvolts:w | energy | electronvolt
 erg | erg | erg ergs | energy | erg
@@ -115,11 +136,17 @@ Nm | newton * meter | Nm:s newton_meter newton_meters newton_metre newton_metres
 lbft | foot * force_pound | lbft lbfft lb_ft lbf_ft pound_foot pound_feet | torque | pound-foot
 lbin | inch * force_pound | lbin lbfin lb_in lbf_in pound_inch pound_inches | torque | pound-inch
 W | watt | W:s watt:w watts:w | | watt
-hp | horsepower | hp HP horsepower horsepowers | | mechanical horsepower, 550 ft·lbf/s
-PS | metric_horsepower | PS metric_hp metric_horsepower | | metric horsepower, 75 kgf·m/s
+hp | horsepower | hp HP bhp BHP horsepower horsepowers | | horsepower, 550 ft·lbf/s; others: PS, electrical_horsepower
+boiler_horsepower | boiler_horsepower | boiler_horsepower | | 33475 BTU/h, 9810.555 W; otherwise write 9809.5 W
+refrigeration_ton | 200 * Btu / minute | refrigeration_ton ton_of_refrigeration tons_of_refrigeration | | 12000 BTU/h; or write 12000 Btu_it/h
+PS | metric_horsepower | PS CV metric_hp metric_horsepower | | metric horsepower, 75 kgf·m/s
 Pa | pascal | Pa:s pascal:w pascals:w | | pascal
 bar | bar | bar:s bars | | bar
 psi | psi | psi:s | | pound-force per square inch
+psia | psi | psia | | pound-force per square inch, absolute
+psig | psi above 101325 | psig | | psi above 1 atm (101325 Pa); a difference is in psi
+barg | bar above 101325 | barg | | bar above 1 atm (101325 Pa); a difference is in bar
+kPag | kilopascal above 101325 | kPag | | kPa above 1 atm (101325 Pa); a difference is in kPa
 ksi | ksi | ksi | | kip per square inch
 psf | force_pound / foot ** 2 | psf | | pound-force per square foot
 ksf | kip / foot ** 2 | ksf | | kip per square foot
@@ -127,35 +154,39 @@ atm | atm | atm atms atmosphere atmospheres | | standard atmosphere
 at | technical_atmosphere | at technical_atmosphere | | technical atmosphere, 1 kgf/cm²
 torr | torr | torr Torr | | torr, 1/760 atm
 mHg | mHg | mHg:s | | metre of mercury
-inHg | inHg | inHg | | inch of mercury
+inHg | inHg | inHg | | inch of mercury, conventional (0 °C); at 60 °F it is inch_Hg_60F
 mH2O | mH2O | mH2O:s | | metre of water
-inH2O | inH2O | inH2O | | inch of water
+inH2O | inH2O | inH2O | | inch of water, conventional (4 °C); at 60 °F it is inch_H2O_60F
 ftH2O | ftH2O | ftH2O | | foot of water
 Hz | hertz | Hz:s hertz:w | | hertz, 1/s
 K | kelvin | K:s kelvin:w kelvins:w | | kelvin
-degC | degC | degC °C ℃ celsius Celsius degreeC | | degree Celsius
-degF | degF | degF °F ℉ fahrenheit Fahrenheit degreeF | | degree Fahrenheit
+degC | degC | degC °C ℃ celsius Celsius degreeC deg_C degrees_C degree_celsius degrees_celsius | | degree Celsius
+degF | degF | degF °F ℉ fahrenheit Fahrenheit degreeF deg_F degrees_F degree_fahrenheit degrees_fahrenheit | | degree Fahrenheit
 degR | degR | degR °R rankine Rankine degreeR R | | degree Rankine
 delta_degC | delta_degC | delta_degC Δ°C | | Celsius degree of difference
 delta_degF | delta_degF | delta_degF Δ°F | | Fahrenheit degree of difference
 A | ampere | A:s ampere:w amperes:w amp:w amps:w | | ampere
 Ah | ampere_hour | Ah:s ampere_hour ampere_hours | | ampere-hour
-C | coulomb | C:s coulomb:w coulombs:w | | coulomb
+C | coulomb | C:s+degC coulomb:w coulombs:w | | coulomb
 V | volt | V:s volt:w volts:w | | volt
 ohm | ohm | ohm:sw ohms:sw \u03a9:s \u2126:s | | ohm
 S | siemens | S:s siemens:w | | siemens
-F | farad | F:s farad:w farads:w | | farad
+F | farad | F:s+degF farad:w farads:w | | farad
 H | henry | H:s henry:w henries:w henrys:w | | henry
 Wb | weber | Wb:s weber:w webers:w | | weber
 T | tesla | T:s tesla:w teslas:w | | tesla
 mol | mole | mol:s mole:w moles:w | | mole
+lbmol | 453.59237 * mole | lbmol lbmols lb_mol pound_mole pound_moles | | pound-mole, 453.59237 mol
 cd | candela | cd:s candela:w candelas:w | | candela
 P | poise | P:s poise:w | | poise
 St | stokes | St:s stokes:w | | stokes
-gpm | gallon / minute | gpm | | US gallon per minute
-cfm | foot ** 3 / minute | cfm | | cubic foot per minute
+gpm | gallon / minute | gpm GPM | | US gallon per minute; the imperial one is imp_gal/min
+cfm | foot ** 3 / minute | cfm CFM | | cubic foot per minute
+cfs | foot ** 3 / second | cfs CFS | | cubic foot per second
+pcf | pound / foot ** 3 | pcf | | pound-mass per cubic foot; a weight density is in lbf/ft^3
+pci | pound / inch ** 3 | pci | | pound-mass per cubic inch; a weight density is in lbf/in^3
 lpm | liter / minute | lpm | | litre per minute
-"""
+"""  # noqa: E501
 
 # Names that some release of pint from 0.24 on reads otherwise, and why this program does not follow.
 DIFFERENCES = {
@@ -257,6 +288,7 @@ def without_pi(factor: Fraction) -> tuple[Fraction, int]:
 
 def define(ureg: Any, expression: str) -> Definition:
     """Take one unit from pint, in kg rather than pint's root gram."""
+    expression, _, above = expression.partition(" above ")
     name = ureg.parse_unit_name(expression)
     if name:
         factor, root = ureg.get_root_units(ureg.UnitsContainer({name[0][0] + name[0][1]: 1}))
@@ -270,6 +302,7 @@ def define(ureg: Any, expression: str) -> Definition:
         raise ValueError(f"{expression}: {powers} is no dimension of ours")
     factor, pi = without_pi(Fraction(factor) / Fraction(1000) ** dimension[1])
     offset = Fraction(getattr(ureg._units[name[0][1]].converter, "offset", 0)) if name else Fraction(0)
+    offset += Fraction(above or 0)
     return Definition(factor, pi, dimension, offset)
 
 

@@ -1,6 +1,8 @@
 """The particle tasks of impact by name."""
 
-from dynamics_cli.impact import central, chain, crush, drop, momentum, oblique, pendulum, seize, step, yaw_inertia
+from dynamics_cli.impact.held import seize, step
+from dynamics_cli.impact.particles import central, chain, drop, oblique, pendulum
+from dynamics_cli.impact.reconstruction import crush, momentum, yaw_inertia
 
 TASKS = {
     "central": central.central,

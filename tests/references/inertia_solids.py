@@ -7,7 +7,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from dynamics_cli.accuracy.rivals.inertia_solids import SOLIDS, ball, prism, triangles
+from dynamics_cli.accuracy.alternatives.inertia.solids import SOLIDS, ball, prism, triangles
 
 __all__ = ["SOLIDS", "ball", "prism", "triangles", "write_stl"]
 

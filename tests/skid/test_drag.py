@@ -81,12 +81,12 @@ def test_rear_wheels_that_just_stay_down_carry_nothing() -> None:
 @pytest.mark.parametrize(
     ("measurement", "message"),
     [
-        (Axles(0.75, 0.75, 2.5, 0.75, 1.01), "lifts the rear axle: friction 0.75 .* height 1.01 m .* 0.75 m behind"),
+        (Axles(0.75, 0.75, 2.5, 0.75, 1.01), "lifts the rear axle: friction of 0.75 .* height 1.01 m .* 0.75 m behind"),
         (Axles(0.75, 0.75, 2.5, 2.6, 0.5), "2.6 m behind the front axle, is not between axles 2.5 m apart"),
         (Axles(0.75, 0.75, 2.5, 0.0, 0.5), "is not between axles"),
-        (Surface(0.1, -0.2), "drag factor -0.0980581 is not above zero"),
-        (Surface(0.7, 0.0, 0.0), "drag factor 0 is not above zero"),
-        (Sled(200.0, 100.0, 1.0), "lifts the sled: it leaves -68.2942 N"),
+        (Surface(0.1, -0.2), "drag factor of -0.09806 is not above zero"),
+        (Surface(0.7, 0.0, 0.0), "drag factor of 0 is not above zero"),
+        (Sled(200.0, 100.0, 1.0), "lifts the sled: it leaves -68.29 N"),
         (Sled(10.0, 100.0, 0.0, 0.2), "friction would be -0.098"),
         (Sled(10.0, 100.0, 1.6), "along the road, not at 1.6 rad"),
     ],

@@ -53,9 +53,9 @@ def test_order_does_not_matter(lengths: list[float]) -> None:
 @pytest.mark.parametrize(
     ("skid", "message"),
     [
-        (subject.TestSkid(10.0, 0.0), "a test skid of 0 m"),
-        (subject.TestSkid(0.0, 10.0), "a test skid from 0 m/s"),
-        (subject.TestSkid(10.0, 10.0, 0.0, 0.0), "braking of 0"),
+        (subject.TestSkid(10.0, 0.0), "the distance of a skid must be more than zero"),
+        (subject.TestSkid(0.0, 10.0), "the speed of a skid must be more than zero"),
+        (subject.TestSkid(10.0, 10.0, 0.0, 0.0), "the braking of a test skid must be more than zero"),
         (subject.TestSkid(10.0, 50.0, 0.2), "friction would be -0.096"),
     ],
 )

@@ -73,7 +73,7 @@ def test_greatest_angle_from_the_ground(friction: float) -> None:
         assert bounds.greatest_angle == pytest.approx(limit, rel=1e-15)
         (told,) = bounds.advice
         assert (told.code, told.severity) == ("may-stop-at-landing", "note")
-        assert f"above {90.0 - math.degrees(math.atan(friction)):.4g} degrees" in told.message
+        assert f"above {0.5 * math.pi - math.atan(friction):.4g} rad" in told.message
 
 
 def test_a_flight_that_landing_stops_can_need_more_than_a_slide() -> None:
@@ -90,6 +90,77 @@ def test_a_throw_short_of_twice_friction_times_height_is_a_level_fall() -> None:
     bounds = pedestrian(throw_distance=1.0, friction=0.66, launch_height=1.0)
     assert bounds.greatest_speed == pytest.approx(math.sqrt(G / 2.0), rel=1e-15)
     assert bounds.greatest_angle == pytest.approx(math.pi / 4, rel=1e-15)
+
+
+def needed(distance: float, angle: float, height: float, friction: float) -> float:
+    """Speed whose simulated throw ends at the distance, by bisection; infinite when no speed reaches it."""
+    low, high = 0.0, 1.0
+    while reached_by(high, angle, height, friction)[0] < distance:
+        high *= 2.0
+        if high > 1e6:
+            return math.inf
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if reached_by(middle, angle, height, friction)[0] < distance else (low, middle)
+    return high
+
+
+@given(st.floats(0.1, 1.2), st.floats(0.2, 1.5), st.floats(0.01, 0.999), st.floats(-0.7, 0.99))
+def test_a_short_throw_ends_where_it_lands(friction: float, height: float, share: float, part: float) -> None:
+    distance = share * friction * height
+    bounds = pedestrian(throw_distance=distance, friction=friction, launch_height=height)
+    assert [one.code for one in bounds.advice] == ["stops-where-it-lands"]
+    lowest = -math.atan2(height, distance)
+    angle = part * (bounds.greatest_angle if part > 0.0 else -lowest)
+    answer = pedestrian(throw_distance=distance, friction=friction, launch_height=height, launch_angle=angle)
+    assert answer.speed == pytest.approx(needed(distance, angle, height, friction), rel=1e-11)
+    assert answer.speed is not None
+    reached, left = reached_by(answer.speed, angle, height, friction)
+    assert left <= 0.0
+    assert reached == pytest.approx(distance, rel=1e-12)
+    assert (answer.slide_time, answer.slide_distance) == (0.0, 0.0)
+    assert answer.flight_distance == pytest.approx(distance, rel=1e-14)
+    assert answer.least_speed <= answer.speed * (1.0 + 1e-14)
+    if part >= 0.0:
+        assert answer.speed <= answer.greatest_speed * (1.0 + 1e-14)
+    assert all(check.passed for check in answer.checks)
+
+
+@pytest.mark.parametrize(("distance", "height", "friction"), [(0.5, 1.0, 0.66), (0.66, 1.0, 0.66), (0.05, 1.2, 0.4)])
+def test_bounds_of_a_short_throw_are_those_of_a_search_over_angles(
+    distance: float, height: float, friction: float
+) -> None:
+    bounds = pedestrian(throw_distance=distance, friction=friction, launch_height=height)
+    angles = [math.radians(0.1 * step) for step in range(-880, 890)]
+    assert bounds.least_speed == pytest.approx(
+        min(needed(distance, angle, height, friction) for angle in angles), rel=1e-5
+    )
+    level = needed(distance, 0.0, height, friction)
+    assert bounds.greatest_speed == pytest.approx(level, rel=1e-12)
+    assert needed(distance, bounds.greatest_angle, height, friction) == pytest.approx(level, rel=1e-12)
+    assert needed(distance, bounds.greatest_angle + 1e-3, height, friction) > level
+
+
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_both_sides_of_friction_times_height(sign: float) -> None:
+    at, angle = 0.66 * 1.2 * (1.0 - 1e-12), 0.1
+    beside = pedestrian(throw_distance=at * (1.0 + sign * 1e-9), friction=0.66, launch_height=1.2)
+    limit = pedestrian(throw_distance=at, friction=0.66, launch_height=1.2, launch_angle=angle)
+    assert beside.greatest_speed == pytest.approx(limit.greatest_speed, rel=1e-8)
+    assert beside.greatest_angle == pytest.approx(limit.greatest_angle, rel=1e-8)
+    assert ("stops-where-it-lands" in [one.code for one in beside.advice]) is (sign < 0.0)
+    assert limit.speed == pytest.approx(needed(at, angle, 1.2, 0.66), rel=1e-12)
+
+
+def test_rows_on_both_sides_are_answered_as_single_throws() -> None:
+    import numpy as np
+
+    distances = np.array([0.5, 0.66, 0.7, 5.0])
+    rows = pedestrian(throw_distance=distances, friction=0.66, launch_height=1.0)  # type: ignore[arg-type]
+    for index, distance in enumerate(distances.tolist()):
+        alone = pedestrian(throw_distance=distance, friction=0.66, launch_height=1.0)
+        for name in ("least_speed", "greatest_speed", "greatest_angle"):
+            assert np.broadcast_to(getattr(rows, name), 4)[index] == pytest.approx(getattr(alone, name), rel=1e-15)
 
 
 @given(st.floats(5.0, 60.0), FRICTION)
@@ -125,11 +196,12 @@ def test_launch_height_zero_and_level_launch_are_limits() -> None:
 @pytest.mark.parametrize(
     ("inputs", "message"),
     [
-        ({"friction": 0.0}, "friction 0 cannot stop"),
-        ({"throw_distance": 0.6, "launch_height": 1.0}, "throw distance 0.6 m must exceed .* 0.66 m"),
-        ({"launch_angle": math.pi / 2}, "at 90 degrees goes nowhere"),
+        ({"friction": 0.0}, "friction of 0 does not stop"),
+        ({"throw_distance": 0.0, "launch_height": 1.0}, "throw distance of zero"),
+        ({"throw_distance": 0.6, "launch_height": 1.0, "launch_angle": -1.1}, "-1.1 rad points below .* 1 m lower"),
+        ({"launch_angle": math.pi / 2}, "at 1.5708 rad does not move"),
         ({"launch_angle": 1.2}, "landing stops the body at once: its horizontal speed 6.6.* less than .* 11"),
-        ({"launch_angle": -1.2}, "is -0.252.* at the launch angle -68.7549 degrees: landing stops"),
+        ({"launch_angle": -1.2}, "is -0.252.* at the launch angle -1.2 rad: landing stops"),
     ],
 )
 def test_refusals_give_the_deciding_number(inputs: dict[str, float], message: str) -> None:

@@ -59,10 +59,10 @@ def test_a_level_road_is_met_from_both_sides(step: float) -> None:
 @pytest.mark.parametrize(
     ("inputs", "message"),
     [
-        ({"path": Radius(0.0)}, "a radius of 0 m is no curve"),
-        ({"path": Chord(0.0, 1.0)}, "a chord of 0 m"),
-        ({"path": Chord(30.0, 0.0)}, "middle ordinate of 0 m shows no curve: the mark is straight"),
-        ({"track_width": 120.0}, "half the track width 120 m .* radius 60 m"),
+        ({"path": Radius(0.0)}, "the radius of the mark must be more than zero"),
+        ({"path": Chord(0.0, 1.0)}, "the chord must be more than zero"),
+        ({"path": Chord(30.0, 0.0)}, "middle ordinate must be more than zero"),
+        ({"track_width": 120.0}, "half the track width of 120 m exceeds the radius of the mark, 60 m"),
         ({"superelevation": -0.9}, "sum to -0.1: the vehicle slides off"),
         ({"superelevation": 1.25}, "1 - friction × superelevation is -"),
         ({"superelevation": 2.0}, "1 - friction × superelevation is -0.6"),

@@ -8,11 +8,11 @@ import math
 
 import pytest
 
-from dynamics_cli.gear.gear import NormalModule
-from dynamics_cli.gear.measure import measure
-from dynamics_cli.gear.mesh import mesh
-from dynamics_cli.gear.sizes import shift_from_chord
-from dynamics_cli.gear.toothing import Toothing
+from dynamics_cli.gear.measure.measurement import measure
+from dynamics_cli.gear.measure.sizes import shift_from_chord
+from dynamics_cli.gear.mesh.mesh import mesh
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.toothing import Toothing
 
 MM = 1e-3
 FOUR_DIGITS = 5.1e-5

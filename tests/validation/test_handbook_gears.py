@@ -10,15 +10,16 @@ from typing import Any
 
 import pytest
 
-from dynamics_cli.gear.bevel import bevel
-from dynamics_cli.gear.crossed import Screw, crossed
-from dynamics_cli.gear.gear import NormalModule, Sign
-from dynamics_cli.gear.pair import pair
-from dynamics_cli.gear.pair_data import Mate, PairData
-from dynamics_cli.gear.rack import rack
-from dynamics_cli.gear.single import helical, spur
-from dynamics_cli.gear.split import Tips
-from dynamics_cli.gear.worm import AxialModule, WormDiameter, worm
+from dynamics_cli.gear.crossing.bevel import bevel
+from dynamics_cli.gear.crossing.crossed import Screw, crossed
+from dynamics_cli.gear.crossing.worm import AxialModule, WormDiameter, worm
+from dynamics_cli.gear.pair.pair import pair
+from dynamics_cli.gear.pair.rack import rack
+from dynamics_cli.gear.pair.records import Mate, PairData
+from dynamics_cli.gear.pair.shift_split import Tips
+from dynamics_cli.gear.pitch import NormalModule
+from dynamics_cli.gear.single.cylindrical import helical, spur
+from dynamics_cli.gear.single.gear import Sign
 
 THREE = NormalModule(0.003)
 

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from dynamics_cli.impact.conventions import ByMass, ByVelocity, Restituted
-from dynamics_cli.impact.oblique import Met, Moving, Normal, oblique
-from dynamics_cli.impact.seize import SeizedPart, SquarePlate, seize
+from dynamics_cli.impact.held.seize import SeizedPart, SquarePlate, seize
+from dynamics_cli.impact.particles.oblique import Met, Moving, Normal, oblique
 
 # Printed to four figures.
 PRINTED = 5e-4

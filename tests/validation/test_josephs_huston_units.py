@@ -10,7 +10,8 @@ import pytest
 from harness import answer, run
 
 from dynamics_cli.convert.unit_lists import Table, TableRow, book_table
-from dynamics_cli.core.units import convert, parse_pair
+from dynamics_cli.core.units.conversion import convert
+from dynamics_cli.core.units.lookup import parse_pair
 
 ROWS = book_table(Table("josephs-huston")).rows
 # The book's g is 32.2 ft/s², ours standard gravity.

@@ -10,11 +10,11 @@ import math
 
 import pytest
 
-from dynamics_cli.inertia.amount import OfMass
-from dynamics_cli.inertia.assembly import Assembly, body
-from dynamics_cli.inertia.parts import Part
-from dynamics_cli.inertia.properties import MassProperties, ProductSign
-from dynamics_cli.inertia.report import bare
+from dynamics_cli.inertia.assembly.assembly import Assembly, body
+from dynamics_cli.inertia.assembly.parts import Part
+from dynamics_cli.inertia.assembly.report import bare
+from dynamics_cli.inertia.bodies.amount import OfMass
+from dynamics_cli.inertia.bodies.properties import MassProperties, ProductSign
 
 PRINTED = 2.5e-3
 # mass; mass centre; xx, yy, zz; xy, xz, yz; and the standard uncertainties of all these in the same order

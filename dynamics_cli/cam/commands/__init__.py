@@ -1,7 +1,7 @@
 """The tasks of `dynamics cam`."""
 
 from dynamics_cli.cam.commands import geometry, motion
-from dynamics_cli.core.task import Family
+from dynamics_cli.core.answering.task import Family
 
 FAMILIES = {
     "cam": Family(

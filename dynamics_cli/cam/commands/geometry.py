@@ -1,14 +1,14 @@
 """Tasks of `dynamics cam`: geometry."""
 
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.cam.commands.notes import PROGRAM_NOTES
+from dynamics_cli.core.answering.task import Model, Task
 
-HERE = "dynamics_cli.cam."
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8"
 RIGID = "cam and follower are rigid and stay in contact"
 RADIAL = "a radial (plate) cam at uniform speed; barrel cams are out of scope"
-CYCLE = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
-STEEP = "rise 20 mm in 45 deg cycloidal; dwell 90 deg; return in 45 deg cycloidal; dwell"
-SWING = "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"
+CYCLE = "rise 10 mm in 90 deg ms; dwell 90 deg; return in 90 deg; dwell"
+STEEP = "rise 20 mm in 45 deg; dwell 90 deg; return in 45 deg; dwell"
+SWING = "rise 15 deg in 120 deg; dwell 60 deg; return in 120 deg; dwell"
 
 PROFILE = Task(
     "profile",
@@ -16,7 +16,7 @@ PROFILE = Task(
     "--plot draws it, --drawing turn.svg shows it turning.",
     Model(
         "exact envelope",
-        HERE + "profile:profile",
+        "dynamics_cli.cam.geometry.profile:profile",
         source=BOOK,
         formula="p = centre of the roller, u = p′ − ip, n = iu/|u|: cam = (p − R·n)·e^(−iθ); "
         "φ = angle from the follower's way to n",
@@ -31,11 +31,24 @@ PROFILE = Task(
         f'dynamics cam profile --program "{SWING}" --follower oscillating-roller --base-radius "30 mm" '
         '--roller-radius "8 mm" --arm "80 mm" --pivot-distance "100 mm" --points 12',
     ),
+    headline=(
+        "largest_pressure_angle: maximum pressure angle α",
+        "least_pressure_angle: minimum pressure angle α",
+        "least_convex_radius: minimum convex radius ρ",
+        "least_concave_radius: minimum concave radius ρ",
+        "face_width: face width touched",
+        "smallest_radius: smallest radius of the cam",
+        "largest_radius: largest radius of the cam",
+        "mass: mass of the plate m",
+        "inertia: moment of inertia J",
+        "points: cam | cam_angle=θ, x, y, pressure_angle=α, radius_of_curvature=ρ",
+    ),
     table="points",
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
-    writers={"svg": HERE + "turning:animation"},
-    plot=HERE + "geometry_pictures:profile_picture",
+    writers={"svg": "dynamics_cli.cam.geometry.animation:animation"},
+    plot="dynamics_cli.cam.geometry.pictures:profile_picture",
 )
 
 SIZE = Task(
@@ -43,12 +56,27 @@ SIZE = Task(
     "Smallest base circle, best offset or nearest pair, for limits of pressure angle and curvature.",
     Model(
         "certified extremes of closed forms",
-        HERE + "size:size",
-        source="Flocke's construction of the smallest cam, done in numbers",
+        "dynamics_cli.cam.sizing.size:size",
+        source="Flocke's construction of the smallest cam",
         formula="A = max(s′·cot φ₁ − s), B = max(−s′·cot φ₂ − s), e = (A − B)/(cot φ₁ + cot φ₂), "
         "d = A − e·cot φ₁, R = √(d² + e²) − R_r",
         assumptions=(RADIAL, RIGID),
     ),
+    headline=(
+        "base_radius: base circle radius R_b",
+        "offset: offset e",
+        "arm_start_angle: arm starts at ψ₀",
+        "roller_distance: roller distance",
+        "arm_angle: angle between the arms",
+        "face_width: face width",
+        "largest_pressure_angle: maximum pressure angle α",
+        "least_pressure_angle: minimum pressure angle α",
+        "least_convex_radius: minimum convex radius ρ",
+        "least_concave_radius: minimum concave radius ρ",
+        "in_line_base_radius: R_b without offset",
+        "binding: decided by",
+    ),
+    plot="dynamics_cli.cam.geometry.pictures:size_picture",
     examples=(
         f'dynamics cam size --program "{CYCLE}" --follower roller --roller-radius "6 mm" --rise-limit "25 deg" '
         '--return-limit "35 deg"',
@@ -60,6 +88,7 @@ SIZE = Task(
         f'dynamics cam size --program "{CYCLE}" --follower conjugate-roller --roller-radius "6 mm" '
         '--least-radius "10 mm"',
     ),
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
 )
@@ -69,13 +98,27 @@ CHECK = Task(
     "Certified verdicts: undercut and the lift it costs, pressure angle, curvature, face width, jump.",
     Model(
         "certified extremes",
-        HERE + "check:check",
+        "dynamics_cli.cam.forces.check:check",
         source=BOOK,
         formula="undercut where w·(1 − R_r·κ) ≤ 0 or the curve crosses itself; "
         "lift lost = s − (lift resting on the corner left); ω² = min k·(s + δ)/(−m·s″)",
         assumptions=(RADIAL, RIGID),
         method="Chebyshev proxies; crossings of the envelope by halving and Newton",
     ),
+    headline=(
+        "fits: all limits kept",
+        "binding: limits not kept",
+        "undercut",
+        "lift_lost: lift lost to undercut",
+        "swing_lost: swing lost to undercut",
+        "largest_pressure_angle: maximum pressure angle α",
+        "least_pressure_angle: minimum pressure angle α",
+        "least_convex_radius: minimum convex radius ρ",
+        "least_concave_radius: minimum concave radius ρ",
+        "face_width: face width touched",
+        "jump_speed: jump speed n",
+    ),
+    plot="dynamics_cli.cam.geometry.pictures:check_picture",
     examples=(
         f'dynamics cam check --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
         '--least-radius "10 mm"',
@@ -83,6 +126,7 @@ CHECK = Task(
         f'dynamics cam check --program "{CYCLE}" --follower flat-face --base-radius "45 mm" --face-width "25 mm" '
         '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N" --shaft-speed "1500 rpm"',
     ),
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
 )
@@ -92,8 +136,8 @@ EXPORT = Task(
     "The cam as arcs, splines or points for a machine, with a proved deviation from the exact curve.",
     Model(
         "fewest pieces within a proved tolerance",
-        HERE + "export:export",
-        source="pairing of curve and pieces on cells, enclosed by interval arithmetic on the exact envelope",
+        "dynamics_cli.cam.export.export:export",
+        source="curve and pieces paired on cells, interval arithmetic on the exact envelope",
         formula="|e| ≤ max(|e₀|, |e₁|) + w²/8·(max|z″| + max|b″|·(Δt/w)²) on every cell",
         assumptions=(RADIAL, "pieces end at every joint of the laws"),
         method="biarcs or cubics, equal errors; deviation proved by interval arithmetic",
@@ -104,13 +148,19 @@ EXPORT = Task(
         f'dynamics cam export --program "{CYCLE}" --follower roller --base-radius "25 mm" --roller-radius "6 mm" '
         '--form cubics --curve cutter --cutter-radius "10 mm" --points 12',
     ),
+    headline=(
+        "deviation: proved deviation",
+        "tolerance",
+        "pieces: pieces of the curve",
+    ),
     table="points",
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
     writers={
-        "polar": HERE + "writers:polar",
-        "st": HERE + "writers:codesys",
-        "mc": HERE + "writers:twincat",
+        "polar": "dynamics_cli.cam.export.writers:polar",
+        "st": "dynamics_cli.cam.export.writers:codesys",
+        "mc": "dynamics_cli.cam.export.writers:twincat",
     },
 )
 

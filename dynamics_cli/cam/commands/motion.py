@@ -1,16 +1,16 @@
 """Tasks of `dynamics cam`: motion."""
 
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.cam.commands.notes import PROGRAM_NOTES
+from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 16"
-HERE = "dynamics_cli.cam."
 
 LAWS = Task(
     "laws",
     "Rise laws, their peak factors and where they occur, and how smooth they are.",
     Model(
         "normalised rise laws",
-        HERE + "law_table:laws",
+        "dynamics_cli.cam.laws.table:laws",
         source=BOOK + ", sections 16.9 and 16.11 to 16.14; laws and names of VDI 2143 as commonly published",
         formula="v = C_v·h/β, a = C_a·h/β², j = C_j·h/β³",
         assumptions=("the rise goes from rest to rest, half rises from rest to full speed",),
@@ -22,7 +22,9 @@ LAWS = Task(
         'dynamics cam laws --law polynomial --condition "place=0, lift=0, velocity=0, acceleration=0" '
         '--condition "place=0.5, lift=0.6" --condition "place=1, lift=1, velocity=0, acceleration=0"',
     ),
+    headline=("laws: peak factors | law, velocity=C_v, acceleration=C_a, jerk=C_j, continuity, jumps=first jump",),
     table="laws",
+    listing=True,
     arrays=False,
     tracked=False,
 )
@@ -32,7 +34,7 @@ RISE = Task(
     "Lift, velocity, acceleration and jerk of one rise, per radian and in time.",
     Model(
         "rise law",
-        HERE + "rises:rise",
+        "dynamics_cli.cam.laws.rise:rise",
         source=BOOK + ", sections 16.9 and 16.11 to 16.14",
         formula="s = {lift|h}·f(θ/{span|β}), ds/dθ = ({lift|h}/{span|β})·f′, ds/dt = ω·ds/dθ",
         assumptions=("the cam shaft turns at a constant speed",),
@@ -42,34 +44,63 @@ RISE = Task(
         'dynamics cam rise --law modified-sine --lift "0.5 in" --span "120 deg" --shaft-speed "1200 rpm" --units us',
         'dynamics cam rise --law 3-4-5 --lift "8 mm" --span "60 deg" --at "0, 15, 30, 45, 60 deg" --falling',
     ),
+    headline=(
+        "peak_velocity: peak velocity v",
+        "peak_velocity_at: at cam angle θ",
+        "peak_acceleration: peak acceleration a",
+        "peak_acceleration_at: at cam angle θ",
+        "peak_jerk: peak jerk j",
+        "peak_jerk_at: at cam angle θ",
+        "points: motion | angle=θ, lift=s, velocity=v, acceleration=a, jerk=j",
+    ),
     table="points",
-    plot=HERE + "motion_pictures:one_rise",
+    plot="dynamics_cli.cam.program.pictures:one_rise",
     arrays=False,
     tracked=False,
 )
 
-LINE = '--program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"'
-SWING = '--program "rise 15 deg in 120 deg 3-4-5; dwell 60 deg; return in 120 deg 3-4-5; dwell"'
+LINE = '--program "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg ms; dwell"'
+SWING = '--program "rise 15 deg in 120 deg; dwell 60 deg; return in 120 deg; dwell"'
 
 MOTION = Task(
     "motion",
     "A whole revolution of cam motion: extremes, continuity at every joint, and the table of s, v, a, j.",
     Model(
         "segments joined over one turn",
-        HERE + "revolution:motion",
+        "dynamics_cli.cam.program.revolution:motion",
         source=BOOK + ", sections 16.9 to 16.14 (singularity functions: 16.10)",
         formula="s(θ) = s_i + h_i·f_i((θ − θ_i)/β_i)",
         assumptions=("the follower follows", "the cam shaft turns at a constant speed"),
     ),
     examples=(
         f"dynamics cam motion {LINE}",
+        'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
         "dynamics cam motion examples/cam.toml --shaft-speed '1000 rpm' --count 13",
         'dynamics cam motion --program "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell" '
         "--singularity --units us",
-        'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
+    ),
+    headline=(
+        "lift.greatest: maximum lift s",
+        "velocity.greatest: maximum velocity v",
+        "velocity.least: minimum velocity v",
+        "acceleration.greatest: maximum acceleration a",
+        "acceleration.least: minimum acceleration a",
+        "in_time.speed: maximum speed ds/dt",
+        "in_time.acceleration: maximum acceleration d²s/dt²",
+        "swing.greatest: maximum swing ψ",
+        "swing.greatest_velocity: maximum velocity ψ′",
+        "swing.least_velocity: minimum velocity ψ′",
+        "swing.greatest_acceleration: maximum acceleration ψ″",
+        "swing.least_acceleration: minimum acceleration ψ″",
+        "swing_in_time.speed: maximum speed dψ/dt",
+        "swing_in_time.acceleration: maximum acceleration d²ψ/dt²",
+        "continuity",
+        "table: motion | angle=θ, lift=s, velocity=v, acceleration=a, jerk=j",
+        "swing_table: motion | angle=θ, swing=ψ, velocity=ψ′, acceleration=ψ″, jerk=ψ‴",
     ),
     table="table swing_table",
-    plot=HERE + "motion_pictures:svaj",
+    plot="dynamics_cli.cam.program.pictures:svaj",
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
 )
@@ -79,9 +110,8 @@ FORCE = Task(
     "Contact force, torque, jump speed, Hertz stress, spring surge and valve durations of a follower on a spring.",
     Model(
         "rigid follower on a spring",
-        HERE + "forces:force",
-        source="Newton's law along the follower's way, virtual work for the torque; Hertz's line contact; motion: "
-        + BOOK,
+        "dynamics_cli.cam.forces.forces:force",
+        source="Newton's law, virtual work, Hertz's line contact; motion: " + BOOK,
         formula=(
             "F = {spring_rate|k}·s + {preload|P} + {load|L} + {mass|m}·{shaft_speed|ω}²·s″, T = F·s′, N = F/cos φ, "
             "ω_jump² = min ({spring_rate|k}·s + {preload|P} + {load|L})/(−{mass|m}·s″)",
@@ -112,8 +142,21 @@ FORCE = Task(
         '--spring-rate "4 N/mm" --preload "40 N" --follower oscillating-flat --base-radius "40 mm" '
         '--pivot-distance "120 mm" --face-offset "4 mm" --count 13',
     ),
+    headline=(
+        "greatest_force: maximum axial force F",
+        "least_force: minimum axial force F",
+        "greatest_arm_torque: maximum arm torque M",
+        "least_arm_torque: minimum arm torque M",
+        "greatest_contact_force: maximum contact force N",
+        "stress: Hertz pressure p_H",
+        "greatest_torque: maximum shaft torque T",
+        "greatest_power: maximum power P",
+        "jump_speed: jump speed n",
+        "surge_order: spring surges at harmonic",
+    ),
     table="table arm_table",
-    plot=HERE + "force_pictures:forces",
+    plot="dynamics_cli.cam.forces.pictures:forces",
+    notes=PROGRAM_NOTES,
     arrays=False,
     tracked=False,
 )

@@ -1,6 +1,6 @@
 """The tasks of `dynamics impact`."""
 
-from dynamics_cli.core.task import Family
+from dynamics_cli.core.answering.task import Family
 from dynamics_cli.impact.commands import particles, rigid
 
 FAMILIES = {

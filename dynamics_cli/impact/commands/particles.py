@@ -1,11 +1,10 @@
 """Tasks of `dynamics impact`: particles, momentum and crush."""
 
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
-HERE = "dynamics_cli.impact."
-SWINGS = "dynamics_cli.impact.body_pictures:"
-PICTURES = HERE + "particle_pictures:"
+SWINGS = "dynamics_cli.impact.held.pictures:"
+PICTURES = "dynamics_cli.impact.particles.pictures:"
 SHORT = "the impact is short: forces other than that of contact have no impulse"
 
 CENTRAL = Task(
@@ -13,7 +12,7 @@ CENTRAL = Task(
     "Two bodies that meet head on: velocities after, impulse, energy lost.",
     Model(
         "central impact",
-        HERE + "central:central",
+        "dynamics_cli.impact.particles.central:central",
         source=BOOK + "9.10",
         formula="{impulse|p} = (1 + {restitution|e})·{reduced_mass|m_r}·{closing_speed|u}; "
         "{first.velocity|v₁'} = v₁ − p/{first.mass|m₁}; {second.velocity|v₂'} = v₂ + p/{second.mass|m₂}; "
@@ -30,6 +29,16 @@ CENTRAL = Task(
         '--contact-radius "20 mm" --contact-modulus "2 GPa" --hunt-crossley',
     ),
     plot=PICTURES + "central",
+    headline=(
+        "first.velocity: first velocity after v₁′",
+        "second.velocity: second velocity after v₂′",
+        "first.delta_v: first Δv₁",
+        "second.delta_v: second Δv₂",
+        "impulse: impulse p",
+        "energy_lost: energy lost E",
+        "push.duration: contact time",
+        "push.peak_force: peak force",
+    ),
 )
 
 OBLIQUE = Task(
@@ -37,7 +46,7 @@ OBLIQUE = Task(
     "Two particles or smooth spheres that meet at an angle.",
     Model(
         "oblique impact of smooth bodies",
-        HERE + "oblique:oblique",
+        "dynamics_cli.impact.particles.oblique:oblique",
         source=BOOK + "9.11",
         formula="{impulse|p} = (1 + {restitution|e})·m_r·{closing_speed|u}, u = (v₁ − v₂)·n; "
         "{energy_lost|E} = ½·m_r·(1 − e²)·u²",
@@ -55,6 +64,16 @@ OBLIQUE = Task(
         '--second-mass "1200 kg" --second-velocity "-20 ± 2, 5 km/h" --normal "0 deg" --restitution "0.15 ± 0.02"',
     ),
     plot=PICTURES + "oblique",
+    headline=(
+        "first.speed: first speed after v₁′",
+        "second.speed: second speed after v₂′",
+        "first.heading: first heading after",
+        "second.heading: second heading after",
+        "first.delta_v.magnitude: first Δv₁",
+        "second.delta_v.magnitude: second Δv₂",
+        "impulse: impulse p",
+        "energy_lost: energy lost E",
+    ),
 )
 
 # With masses that were given, and with those of given weights.
@@ -71,16 +90,16 @@ MOMENTUM = Task(
     "Speeds before an impact from the vehicles' motion after it: 360° momentum, up to two unknowns.",
     Model(
         "collinear momentum and energy",
-        HERE + "momentum:momentum_and_energy",
+        "dynamics_cli.impact.reconstruction.momentum:momentum_and_energy",
         source=BOOK + "10.10; conservation of momentum along the line",
         formula="u² = w² + 2·E/m_r; {first.approach_speed|v₁} = V + u·m_r/m₁; "
         "{second.approach_speed|v₂} = V − u·m_r/m₂",
         assumptions=(SHORT, "the vehicles met on one line", "all energy lost went into the deformation"),
-        suffices=HERE + "momentum:energy_suffices",
+        suffices="dynamics_cli.impact.reconstruction.momentum:energy_suffices",
     ),
     Model(
         "momentum in the plane",
-        HERE + "momentum:momentum",
+        "dynamics_cli.impact.reconstruction.momentum:momentum",
         source=BOOK + "9.5; cross products with the approach directions",
         formula=(_PLANE_MOMENTUM.format("{first.mass|m₁}", "{second.mass|m₂}"), _PLANE_MOMENTUM.format("m₁", "m₂")),
         assumptions=(SHORT, "the speeds after are those of the mass centres just after the impact"),
@@ -97,19 +116,31 @@ MOMENTUM = Task(
         '"6 m/s" --second-exit-heading "0 deg" --first-ees "25 km/h" --second-ees "15 km/h"',
     ),
     plot=PICTURES + "momentum",
+    headline=(
+        "first.approach_speed: first speed before v₁",
+        "second.approach_speed: second speed before v₂",
+        "first.delta_v.magnitude: first Δv₁",
+        "second.delta_v.magnitude: second Δv₂",
+        "first.delta_v.pdof: first PDOF",
+        "second.delta_v.pdof: second PDOF",
+        "energy_lost: energy lost E",
+        "verdict: verdict",
+    ),
 )
 
 CRUSH = Task(
     "crush",
-    "Energy of deformation, EBS and ΔV from measured crush.",
+    "Energy of deformation, EBS and ΔV from measured crush, or ΔV from a given energy or EES.",
     Model(
         "linear force–deflection, A B G",
-        HERE + "crush:crush",
+        "dynamics_cli.impact.reconstruction.crush:crush",
         source="Campbell, SAE 740565 (1974), and the CRASH3 damage algorithm (NHTSA), as commonly published",
         formula=(
             "{first.energy|E₁} = L·({first.stiffness_g|G} + {first.stiffness_a|A}·{first.mean_crush|C} + "
             "½·{first.stiffness_b|B}·mean(C²))·(1 + tan²α); "
             "p = √(2·m_r·{energy|E}·(1 + e)/(1 − e)); {first.delta_v|ΔV₁} = p/m₁",
+            "{first.equivalent_barrier_speed|EES₁} = √(2·{first.energy|E₁}/{first.mass|m₁}); "
+            "p = √(2·m_r·{energy|E}·(1 + e)/(1 − e)); {first.delta_v|ΔV₁} = p/{first.mass|m₁}",
         ),
         assumptions=(
             "the force per width grows linearly with depth of crush: A + B·C",
@@ -118,17 +149,29 @@ CRUSH = Task(
         ),
     ),
     examples=(
+        'dynamics impact crush --first-mass "1500 kg" --first-stiffness-a "600 N/cm" --first-stiffness-b "45 N/cm^2" '
+        '--first-stations "10,25,30,12 cm" --first-width "150 cm" --second-mass "1200 kg" --second-stiffness-a '
+        '"250 N/cm" --second-stiffness-b "40 N/cm^2" --second-stations "5,22,28,10 cm" --second-width "160 cm" '
+        '--second-lever-arm "0.4 m" --second-yaw-inertia "1800 kg m^2"',
+        'dynamics impact crush --first-mass "1500 kg" --first-energy "62 ± 8 kJ" --second-mass "1200 kg" --second-ees '
+        '"30 ± 2 km/h" --restitution 0.15',
         'dynamics impact crush --first-mass "1500 kg" --first-stiffness-a "350 lbf/in" --first-stiffness-b '
         '"60 lbf/in^2" --first-stations "5,12,18,20,14,6 in" --first-width "60 in"',
         'dynamics impact crush --first-weight "3300 lbf" --first-no-damage-speed "5 mph" --first-speed-slope '
         '"1.6 mph/in" --first-test-mass "3300 lb" --first-test-width "66 in" --first-mean-crush "14 in" '
         '--first-width "66 in" --first-force-angle "10 deg" --second-fixed --restitution 0.1 --units us',
-        'dynamics impact crush --first-mass "1500 kg" --first-stiffness-a "600 N/cm" --first-stiffness-b "45 N/cm^2" '
-        '--first-stations "10,25,30,12 cm" --first-width "150 cm" --second-mass "1200 kg" --second-stiffness-a '
-        '"250 N/cm" --second-stiffness-b "40 N/cm^2" --second-stations "5,22,28,10 cm" --second-width "160 cm" '
-        '--second-lever-arm "0.4 m" --second-yaw-inertia "1800 kg m^2"',
     ),
     plot=PICTURES + "crush",
+    headline=(
+        "first.energy: first energy of deformation E₁",
+        "second.energy: second energy of deformation E₂",
+        "first.equivalent_barrier_speed: first EBS",
+        "second.equivalent_barrier_speed: second EBS",
+        "first.delta_v: first Δv₁",
+        "second.delta_v: second Δv₂",
+        "second_delta_v: second Δv₂",
+        "closing_speed: closing speed",
+    ),
 )
 
 DROP = Task(
@@ -136,7 +179,7 @@ DROP = Task(
     "A body dropped on a floor: restitution from heights or times, and its bounces.",
     Model(
         "bounces with constant restitution",
-        HERE + "drop:drop",
+        "dynamics_cli.impact.particles.drop:drop",
         source=BOOK + "9.10",
         formula="{impact_speed|v} = √(2·{gravity|g}·{drop_height|h}); hₙ = {restitution|e}²ⁿ·h; "
         "{time_to_rest|T} = {fall_time|t₀}·(1 + e)/(1 − e)",
@@ -150,6 +193,14 @@ DROP = Task(
     table="bounces",
     arrays=False,
     plot=PICTURES + "drop",
+    headline=(
+        "restitution: restitution e",
+        "drop_height: drop height h",
+        "impact_speed: impact speed v",
+        "time_to_rest: time to rest T",
+        "energy_lost: energy lost E",
+        "bounces",
+    ),
 )
 
 PENDULUM = Task(
@@ -157,7 +208,7 @@ PENDULUM = Task(
     "Ballistic pendulum: speed of a shot from the swing of what it struck.",
     Model(
         "momentum in the impact, energy in the swing",
-        HERE + "pendulum:pendulum",
+        "dynamics_cli.impact.particles.pendulum:pendulum",
         source=BOOK + "9.10 and 10.5",
         formula="{pendulum_speed|V} = √(2·{gravity|g}·{rise|h}); "
         "{speed|v} = V·({shot_mass|m} + {effective_mass|M})/((1 + {restitution|e})·{shot_mass|m})",
@@ -170,6 +221,14 @@ PENDULUM = Task(
         'dynamics impact pendulum --shot-mass "10 g" --block-mass "3 kg" --swing "20 deg" --inertia "1.1 kg m^2" '
         '--centre-distance "0.55 m" --impact-distance "0.6 m"',
     ),
+    headline=(
+        "speed: speed of the shot v",
+        "pendulum_speed: speed of the pendulum V",
+        "rise: rise h",
+        "impulse: impulse p",
+        "hinge_impulse: impulse on the hinge",
+        "energy_lost: energy lost E",
+    ),
 )
 
 SEIZE = Task(
@@ -177,7 +236,7 @@ SEIZE = Task(
     "A moving body of which a point or an axis is suddenly held fast.",
     Model(
         "angular momentum about what is held",
-        HERE + "seize:seize",
+        "dynamics_cli.impact.held.seize:seize",
         source=BOOK + "9.12 and 10.12",
         formula=(
             "ω' = H_O/I_O; {energy_lost|E} = ½·{plate_mass|m}·Δv² + ½·Δω·I_G·Δω",
@@ -192,6 +251,15 @@ SEIZE = Task(
         'dynamics impact seize --mass "2 kg" --inertia "[[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.25]] kg*m^2" '
         '--angular-velocity "1, 2, 3 rad/s" --velocity "0.5, 0, 0 m/s" --point "0.2, -0.1, 0 m"',
     ),
+    headline=(
+        "angular_velocity: angular velocity after ω′",
+        "angular_speed: its magnitude |ω′|",
+        "angular_ratio: ratio ω′/ω",
+        "centre_velocity: velocity of the mass centre",
+        "impulse_size: impulse |p|",
+        "couple_size: couple",
+        "energy_lost: energy lost E",
+    ),
 )
 
 STEP = Task(
@@ -199,7 +267,7 @@ STEP = Task(
     "A rolling wheel that meets a step: the least speed to get over, and what the impact leaves.",
     Model(
         "impact about the edge, then energy",
-        HERE + "step:step",
+        "dynamics_cli.impact.held.step:step",
         source=BOOK + "10.11",
         formula="{least_speed|v} = √(2·{gravity|g}·{height|h}·(κ + 1))/(κ + 1 − {height|h}/{radius|r}); "
         "{angular_ratio|ω'/ω} = (κ + 1 − {height|h}/{radius|r})/(κ + 1)",
@@ -211,6 +279,15 @@ STEP = Task(
         'dynamics impact step --radius "13 in" --height "4 in" --speed "6 ft/s" --mass "40 lb" --inertia-factor 0.7 '
         "--units us",
     ),
+    headline=(
+        "least_speed: least speed to get over",
+        "gets_over: gets over",
+        "speed_on_step: speed on the step",
+        "greatest_rise: greatest rise",
+        "centre_speed_after: speed after the impact",
+        "angular_ratio: ratio ω′/ω",
+        "share_lost: share of energy lost",
+    ),
 )
 
 CHAIN = Task(
@@ -218,7 +295,7 @@ CHAIN = Task(
     "Several bodies in line that touch, by a named law: sequential pairs, or all contacts at one moment.",
     Model(
         "pairs in sequence and contacts at one moment, side by side",
-        HERE + "chain:chain",
+        "dynamics_cli.impact.particles.chain:chain",
         source=BOOK + "9.10, pair by pair; Moreau (1988) for contacts at one moment",
         formula="pair: p = (1 + {restitution|e})·m_r·u; "
         "at one moment: p = (1 + e)·c, K·c ≥ u, c ≥ 0, one of them an equality",
@@ -234,6 +311,11 @@ CHAIN = Task(
     arrays=False,
     tracked=False,
     plot=PICTURES + "chain",
+    headline=(
+        "momentum: momentum",
+        "laws",
+        "bodies",
+    ),
 )
 
 YAW_INERTIA = Task(
@@ -241,7 +323,7 @@ YAW_INERTIA = Task(
     "Yaw moment of inertia of a road vehicle, estimated by named rules with their scatter.",
     Model(
         "named rules",
-        HERE + "yaw_inertia:yaw_inertia",
+        "dynamics_cli.impact.reconstruction.yaw_inertia:yaw_inertia",
         source="Burg, as commonly used in reconstruction; dynamic index, as commonly published in vehicle dynamics",
         formula="{yaw_inertia|J} from 0.1269·{mass|m}·{length|L}·{wheelbase|R}, m·a·b, m·(L² + {width|B}²)/12",
         assumptions=("a passenger car without unusual load", "an estimate: rules scatter by 10 to 20 %"),
@@ -252,6 +334,13 @@ YAW_INERTIA = Task(
     ),
     table="rules",
     plot=PICTURES + "yaw_inertia",
+    headline=(
+        "yaw_inertia: yaw inertia J_z",
+        "lowest: lowest by the rules",
+        "highest: highest by the rules",
+        "radius_of_gyration: radius of gyration k",
+        "rules",
+    ),
 )
 
 TASKS: "tuple[Task, ...]" = (

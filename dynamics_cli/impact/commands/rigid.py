@@ -1,10 +1,9 @@
 """Tasks of `dynamics impact`: rigid bodies with friction."""
 
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
-HERE = "dynamics_cli.impact."
-PICTURES = HERE + "rigid_pictures:"
+PICTURES = "dynamics_cli.impact.rigid_pictures:"
 SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
 POINT = "the bodies are rigid and touch at one point with Coulomb friction"
 KELLER = "J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000)"
@@ -14,7 +13,7 @@ PLANAR = Task(
     "Two rigid bodies, or one and a barrier, with friction and restitution, by five laws.",
     Model(
         "planar impact with friction",
-        HERE + "planar:planar",
+        "dynamics_cli.impact.planar.impact:planar",
         source=KELLER + "; R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods (2011)",
         formula="u' = u + K·p; dp_t = −{friction|μ}·sgn(u_t)·dp_n while it slips, −(k_x/k_t)·dp_n while it sticks; "
         "{normal_impulse|p_n}, {tangential_impulse|p_t} where the law with {restitution|e} ends",
@@ -32,6 +31,16 @@ PLANAR = Task(
         '--first-lever "0, -20 mm" --first-spin "300 rpm" --second-fixed --normal "-90 deg" --friction 0.2 '
         '--restitution 0.8 --contact-radius "20 mm" --contact-modulus "2 GPa" --json',
     ),
+    headline=(
+        "first.speed: first speed after v₁′",
+        "second.speed: second speed after v₂′",
+        "first.delta_v.magnitude: first Δv₁",
+        "second.delta_v.magnitude: second Δv₂",
+        "first.delta_v.pdof: first PDOF",
+        "second.delta_v.pdof: second PDOF",
+        "first.spin: first spin after ω₁′",
+        "second.spin: second spin after ω₂′",
+    ),
 )
 
 ENVELOPE = Task(
@@ -39,7 +48,7 @@ ENVELOPE = Task(
     "ΔV of a planar impact over a region of restitution and friction.",
     Model(
         "planar impact with friction, over a region",
-        HERE + "envelope:envelope",
+        "dynamics_cli.impact.planar.envelope:envelope",
         source=KELLER,
         formula="ΔV = |p|/m at every point of {least_restitution|e₁} to {greatest_restitution|e₂}, "
         "{least_friction|μ₁} to {greatest_friction|μ₂}",
@@ -56,6 +65,15 @@ ENVELOPE = Task(
     table="map",
     arrays=False,
     tracked=False,
+    headline=(
+        "first_delta_v.least: first Δv₁ at least",
+        "first_delta_v.greatest: first Δv₁ at most",
+        "second_delta_v.least: second Δv₂ at least",
+        "second_delta_v.greatest: second Δv₂ at most",
+        "least_energy_lost: energy lost at least",
+        "greatest_energy_lost: energy lost at most",
+        "slip_share: share that slips",
+    ),
 )
 
 SPATIAL = Task(
@@ -63,7 +81,7 @@ SPATIAL = Task(
     "Two rigid bodies in space, or one and a barrier, with friction: Keller's equations.",
     Model(
         "impact in space with friction",
-        HERE + "spatial:spatial",
+        "dynamics_cli.impact.spatial.impact:spatial",
         source=KELLER,
         formula="du = K·(−{friction|μ}·u_t/|u_t|, 1)·dp_n while it slips; p_t = −K_tt⁻¹·k_tn·p_n while it sticks; "
         "{normal_impulse|p_n} where the law with {restitution|e} ends",
@@ -82,6 +100,16 @@ SPATIAL = Task(
     ),
     arrays=False,
     tracked=False,
+    headline=(
+        "first.speed: first speed after v₁′",
+        "second.speed: second speed after v₂′",
+        "first.delta_v_magnitude: first Δv₁",
+        "second.delta_v_magnitude: second Δv₂",
+        "first.spin: first spin after ω₁′",
+        "second.spin: second spin after ω₂′",
+        "energy_lost: energy lost E",
+        "slip_history: slip",
+    ),
 )
 
 SOLVE = Task(
@@ -89,32 +117,32 @@ SOLVE = Task(
     "A scene of two bodies and one contact, by the smallest model that it calls for.",
     Model(
         "central, bodies that meet on one line",
-        HERE + "scene:solve_central",
+        "dynamics_cli.impact.spatial.scene:solve_central",
         source=BOOK + "9.10",
         formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
         assumptions=(SHORT,),
-        suffices=HERE + "scene:central_suffices",
+        suffices="dynamics_cli.impact.spatial.scene:central_suffices",
     ),
     Model(
         "oblique, smooth bodies without spin",
-        HERE + "scene:solve_oblique",
+        "dynamics_cli.impact.spatial.scene:solve_oblique",
         source=BOOK + "9.11",
         formula="{normal_impulse|p} = (1 + e)·m_r·{closing_speed|u}",
         assumptions=(SHORT, "nothing acts across the normal"),
-        suffices=HERE + "scene:oblique_suffices",
+        suffices="dynamics_cli.impact.spatial.scene:oblique_suffices",
     ),
     Model(
         "planar, rigid bodies with friction in one plane",
-        HERE + "scene:solve_planar",
+        "dynamics_cli.impact.spatial.scene:solve_planar",
         source=KELLER,
         formula="u' = u + K·p in the plane of normal and slip, {slip_history|history}",
         assumptions=(SHORT, POINT, "the slip keeps its line"),
         method="closed-form Routh–Keller path",
-        suffices=HERE + "scene:planar_suffices",
+        suffices="dynamics_cli.impact.spatial.scene:planar_suffices",
     ),
     Model(
         "spatial, rigid bodies with friction in space",
-        HERE + "scene:solve",
+        "dynamics_cli.impact.spatial.scene:solve",
         source=KELLER,
         formula="du = K·(−μ·u_t/|u_t|, 1)·dp_n, {slip_history|history}",
         assumptions=(SHORT, POINT),
@@ -127,6 +155,16 @@ SOLVE = Task(
     ),
     arrays=False,
     tracked=False,
+    headline=(
+        "first.speed: first speed after v₁′",
+        "second.speed: second speed after v₂′",
+        "first.delta_v_magnitude: first Δv₁",
+        "second.delta_v_magnitude: second Δv₂",
+        "first.spin: first spin after ω₁′",
+        "second.spin: second spin after ω₂′",
+        "energy_lost: energy lost E",
+        "slip_history: slip",
+    ),
 )
 
 TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE, SOLVE)

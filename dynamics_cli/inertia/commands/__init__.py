@@ -1,6 +1,6 @@
 """The tasks of `dynamics inertia`."""
 
-from dynamics_cli.core.task import Family
+from dynamics_cli.core.answering.task import Family
 from dynamics_cli.inertia.commands import bodies, surfaces
 
 FAMILIES = {

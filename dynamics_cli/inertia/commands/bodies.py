@@ -1,29 +1,42 @@
 """Tasks of `dynamics inertia`: bodies."""
 
-from dynamics_cli.core.task import Model, Task
+from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
-HERE = "dynamics_cli.inertia."
 WRITERS = {
-    ending: HERE + "writers:" + name
+    ending: "dynamics_cli.inertia.assembly.writers:" + name
     for ending, name in (("urdf", "urdf"), ("sdf", "sdf"), ("mjcf", "mjcf"), ("xml", "mjcf"), ("md", "markdown"))
 }
 RIGID = "the body is rigid and of one density"
+MEASURES = ("mass: mass m", "volume: volume V", "area: area A", "length: length L", "centroid: mass centre C")
+MOMENTS = (
+    "about: moments about",
+    "moments.xx: moment of inertia I_xx",
+    "moments.yy: moment of inertia I_yy",
+    "moments.zz: moment of inertia I_zz",
+)
+SHAFT = ("shaft.moment: moment about the shaft J",)
+PRINCIPAL = (
+    "principal_moments.first: principal moment I₁",
+    "principal_moments.second: principal moment I₂",
+    "principal_moments.third: principal moment I₃",
+)
 
 SHAPE = Task(
     "shape",
     "Mass, centroid and inertia of one shape: a rod, a lamina, a shell or a solid.",
     Model(
         "closed form",
-        HERE + "shape:shape",
+        "dynamics_cli.inertia.shapes.task:shape",
         source=BOOK + "chapter 7, appendices I and II",
         formula="I = tr(S)·1 − S, S = ∫ (r − c)(r − c)ᵀ dm; about a point at d from c: + {mass|m}·(d²·1 − d dᵀ)",
         assumptions=(RIGID, "rods, laminae and shells have no thickness"),
     ),
+    headline=(*MEASURES, *MOMENTS, *SHAFT),
     arrays=False,
     writers=WRITERS,
-    plot=HERE + "pictures:shape_picture",
-    names={"material": HERE + "materials:TABLE"},
+    plot="dynamics_cli.inertia.pictures:shape_picture",
+    names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
@@ -36,38 +49,56 @@ SHAPE = Task(
 
 SHAPES = Task(
     "shapes",
-    "The shapes there are, with their sizes, their own axes and their formulas.",
-    Model("table", HERE + "listing:shapes", source=BOOK + "appendices I and II; derived by integration", method="none"),
+    "All shapes with their sizes, their axes and their formulas.",
+    Model(
+        "table",
+        "dynamics_cli.inertia.shapes.listing:shapes",
+        source=BOOK + "appendices I and II; derived by integration",
+        method="none",
+    ),
+    headline=("shapes",),
     arrays=False,
     tracked=False,
     table="shapes",
+    listing=True,
     examples=("dynamics inertia shapes", "dynamics inertia shapes --kind rod", "dynamics inertia shapes --kind torus"),
 )
 
 MATERIALS = Task(
     "materials",
-    "Densities of common materials, with their sources and how far grades differ.",
-    Model("table", HERE + "materials:materials", source="as each row says", method="none"),
+    "Densities of common materials, their ranges and their sources.",
+    Model("table", "dynamics_cli.inertia.bodies.materials:materials", source="as each row says", method="none"),
+    headline=("materials",),
     arrays=False,
     tracked=False,
     table="materials",
+    listing=True,
     examples=("dynamics inertia materials", "dynamics inertia materials --name steel"),
-    names={"name": HERE + "materials:TABLE"},
+    names={"name": "dynamics_cli.inertia.bodies.materials:TABLE"},
 )
 
 TENSOR = Task(
     "tensor",
-    "Principal moments and axes of a given inertia tensor, whether a body can have it, and its extreme products.",
+    "Principal moments and axes of an inertia tensor, its maximum products, and whether a body can have it.",
     Model(
         "Jacobi rotations",
-        HERE + "tensor:tensor",
+        "dynamics_cli.inertia.tensors.tensor:tensor",
         source=BOOK + "sections 7.7 to 7.11",
         formula="det(I − λ·1) = 0; {greatest_product|Iₓᵧ} = (I₃ − I₁)/2",
         assumptions=(RIGID.replace(" and of one density", ""),),
         method="Jacobi rotations",
     ),
+    headline=(
+        *PRINCIPAL,
+        "principal_axes[0]: principal axis e₁",
+        "principal_axes[1]: principal axis e₂",
+        "principal_axes[2]: principal axis e₃",
+        "greatest_product: maximum product (I₃ − I₁)/2",
+        "direction_moment: moment about the direction",
+        "equivalent_box: sides of the equivalent box",
+    ),
     arrays=False,
-    plot=HERE + "tensor_pictures:mohr",
+    plot="dynamics_cli.inertia.tensors.pictures:mohr",
     examples=(
         'dynamics inertia tensor --moments "2, 2, 3 kg*m^2" --products "-0.5, 0, 0 kg*m^2"',
         'dynamics inertia tensor --tensor "[[10, -2, 1], [-2, 12, 3], [1, 3, 14]] kg*m^2" --mass "40 kg" '
@@ -77,16 +108,25 @@ TENSOR = Task(
 
 TORQUE = Task(
     "torque",
-    "Inertia torque of a rigid body for its angular velocity and acceleration, and its inertia force.",
+    "Inertia torque and inertia force of a rigid body for its angular velocity and acceleration.",
     Model(
         "d'Alembert",
-        HERE + "torque:torque",
+        "dynamics_cli.inertia.tensors.torque:torque",
         source=BOOK + "section 7.12",
         formula="T* = −I·{angular_acceleration|α} − {angular_velocity|ω} × (I·{angular_velocity|ω})",
         assumptions=("the body is rigid", "the tensor is about the mass centre, in the axes of ω and α"),
     ),
+    headline=(
+        "inertia_torque: inertia torque T*",
+        "magnitude: magnitude |T*|",
+        "acceleration_part: acceleration part −I·α",
+        "gyroscopic_part: gyroscopic part −ω × I·ω",
+        "angular_momentum: angular momentum I·ω",
+        "rotational_energy: rotational energy ω·I·ω/2",
+        "inertia_force: inertia force F*",
+    ),
     arrays=False,
-    plot=HERE + "tensor_pictures:torque",
+    plot="dynamics_cli.inertia.tensors.pictures:torque",
     examples=(
         'dynamics inertia torque --tensor "[[0.02, 0, 0], [0, 0.03, 0], [0, 0, 0.04]] kg*m^2" '
         '--angular-velocity "0, 3000, 20 rpm" --angular-acceleration "0, 0, 5 rad/s^2"',
@@ -100,15 +140,16 @@ BODY = Task(
     "Mass, centroid and inertia of an assembly of parts and holes, from a scene file.",
     Model(
         "composition",
-        HERE + "assembly:body",
+        "dynamics_cli.inertia.assembly.assembly:body",
         source=BOOK + "sections 7.6 to 7.9; uncertainties: SAWE paper 3360",
         formula="S = Σ Rᵢ·Sᵢ·Rᵢᵀ + mᵢ·(cᵢ − c)(cᵢ − c)ᵀ, I = tr(S)·1 − S",
         assumptions=("parts are rigid and of one density each", "a hole lies within its body"),
     ),
+    headline=(*MEASURES, *MOMENTS, *SHAFT, *PRINCIPAL),
     arrays=False,
     table="parts",
     writers=WRITERS,
-    plot=HERE + "pictures:body_picture",
+    plot="dynamics_cli.inertia.pictures:body_picture",
     examples=(
         "dynamics inertia body examples/flywheel.toml --shaft-direction 0,0,1",
         "dynamics inertia body examples/payload.toml --about origin --product-sign positive",
@@ -117,17 +158,26 @@ BODY = Task(
 
 COMPARE = Task(
     "compare",
-    "Two bodies compared: mass, mass centre, moments, and how far their principal axes are turned.",
+    "Two bodies compared: mass, mass centre, moments, and the angle between their principal axes.",
     Model(
         "composition",
-        HERE + "compare:compare",
+        "dynamics_cli.inertia.assembly.compare:compare",
         source=BOOK + "sections 7.6 to 7.9",
         assumptions=("both bodies are in one frame",),
         method="composition of each; Jacobi rotations",
     ),
+    headline=(
+        "first_mass: first mass m₁",
+        "second_mass: second mass m₂",
+        "mass_ratio: mass ratio m₂/m₁",
+        "centroid_distance: distance of the mass centres",
+        "axes_angle: angle between the principal axes",
+        "tensor_distance: relative difference of the tensors",
+        "moments: moments and products about each mass centre",
+    ),
     arrays=False,
     table="moments",
-    plot=HERE + "tensor_pictures:compared",
+    plot="dynamics_cli.inertia.tensors.pictures:compared",
     examples=("dynamics inertia compare examples/compare_plates.toml",),
 )
 

@@ -1,7 +1,7 @@
 """Tasks of `dynamics inertia`: surfaces."""
 
-from dynamics_cli.core.task import Model, Task
-from dynamics_cli.inertia.commands.bodies import WRITERS
+from dynamics_cli.core.answering.task import Model, Task
+from dynamics_cli.inertia.commands.bodies import MEASURES, MOMENTS, PRINCIPAL, SHAFT, WRITERS
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 
@@ -15,14 +15,15 @@ MESH = Task(
         formula="V = Σ a·(e × f)/6, S = ρ·Σ d·(p pᵀ + q qᵀ/18 + f fᵀ/24)/10 − m·c cᵀ",
         assumptions=(
             "one density throughout, or a thin wall of one thickness",
-            "the triangles neither cross one another nor are given twice",
+            "the triangles neither cross nor overlap (checked up to 256 triangles, of more with --diagnose)",
         ),
         method="divergence theorem over triangles, in blocks",
     ),
+    headline=(*MEASURES, *MOMENTS, *SHAFT, *PRINCIPAL),
     arrays=False,
     writers=WRITERS,
     plot="dynamics_cli.inertia.mesh.pictures:mesh_picture",
-    names={"material": "dynamics_cli.inertia.materials:TABLE"},
+    names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
     examples=(
         "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
         'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',
@@ -40,11 +41,22 @@ SECTION = Task(
         formula="{area|A} = ½·Σ (xᵢ·yⱼ − xⱼ·yᵢ), Ix = Σ (xᵢ·yⱼ − xⱼ·yᵢ)·(yᵢ² + yᵢ·yⱼ + yⱼ²)/12 − A·ȳ², "
         "{principal.i1|I₁} = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²)",
         assumptions=(
-            "one material: all of the area counts alike",
+            "one material throughout",
             "pieces that do not touch act as one section",
             "bending moduli are elastic",
         ),
-        method="exact rational arithmetic, rounded once",
+        method="exact rational arithmetic of the coordinates as read into doubles, rounded once",
+    ),
+    headline=(
+        "area: area A",
+        "x: centroid x_C",
+        "y: centroid y_C",
+        "centroidal.ix: second moment I_x",
+        "centroidal.iy: second moment I_y",
+        "centroidal.ixy: product I_xy",
+        "principal.i1: principal second moment I₁",
+        "principal.i2: principal second moment I₂",
+        "principal.angle: angle of axis 1 from x",
     ),
     arrays=False,
     tracked=False,

@@ -12,8 +12,9 @@ digits.
 import numpy as np
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.mesh.closure import Boundary
+from dynamics_cli.inertia.mesh.faults.closure import Boundary
 from dynamics_cli.inertia.mesh.frame import Frame, departure
+from dynamics_cli.quantities import Ratio
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -116,7 +117,7 @@ class Moments:
         turn, size = abs(self.frame.T), abs(matrix)
         # axes that are not quite across one another do not turn back by their transpose
         apart = abs(departure(self.frame))
-        # what weights are off by is told as well by how far the body reaches along the axes of the file
+        # the extent of the body along the axes of the file bounds the error of the weights as well
         error = np.minimum(turn @ error @ turn.T, self.terms * np.outer(self.box, self.box))
         error = error + turn @ (8.0 * UNIT_ROUNDOFF * size + apart @ size + size @ apart) @ turn.T
         return back, error + UNIT_ROUNDOFF**2 * size.sum()
@@ -284,15 +285,15 @@ def _box(corners: "Array", before: int) -> "tuple[Array, Array]":
         row = int(np.argmin(np.isfinite(corners[:, column])))
         require(
             False,
-            "coordinate {0} of corner {1} of triangle {2} is {3}",
-            "xyz"[row % 3],
-            row // 3 + 1,
-            before + column + 1,
-            float(corners[row, column]),
+            "coordinate {axis} of corner {corner} of triangle {triangle} is {value}",
             code="not-finite",
             hint="export the file again",
+            axis="xyz"[row % 3],
+            corner=row // 3 + 1,
+            triangle=before + column + 1,
+            value=float(corners[row, column]),
         )
-    require(size < LARGEST, "a coordinate of {0:.3g} is out of range", size, code="range")
+    require(size < LARGEST, "a coordinate of {size:3} is out of range", code="range", size=(size, Ratio))
     return low.astype(np.float64), high.astype(np.float64)
 
 

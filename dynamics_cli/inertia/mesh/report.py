@@ -11,12 +11,14 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.inertia.mesh.integrals import Sums
-    from dynamics_cli.inertia.mesh.lift import Lift
-    from dynamics_cli.inertia.mesh.measured import Measured
+    from dynamics_cli.inertia.mesh.measurement import Measured
+    from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
 # Single precision this coarse against the mean edge is worth a warning.
 COARSE = 1e-3
-# A wall of this share of the part's middle dimension is no longer thin: its own inertia is about that much squared.
+# A volume that single precision leaves uncertain by this share is worth a warning.
+BLURRED = 0.1
+# A wall thicker than this share of the part's middle dimension is not thin: its own inertia is about its square.
 THICK = 0.05
 
 
@@ -59,7 +61,7 @@ def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Adv
         out.append(
             Advice(
                 "thick-wall",
-                f"the wall is {wall / middle:.3g} of the part's middle dimension: a shell takes it for thin",
+                f"the wall is {wall / middle:.3g} of the part's middle dimension, but is computed as a thin shell",
                 "caution" if wall < 5.0 * THICK * middle else "serious",
                 "model the wall as a solid with an inner surface",
             )
@@ -69,35 +71,90 @@ def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Adv
         out.append(
             Advice(
                 "open-surface",
-                f"the surface is open: its closure vector is {_closure(sums):.3g} of its area, which indicates how "
-                "much is missing but bounds nothing; other reference points give other answers",
+                f"the surface is open: its closure vector is {_closure(sums):.3g} of its area, an indication of how "
+                "much is missing; other reference points give other answers",
                 "serious",
-                "mend the surface; --diagnose names the faulty edges",
+                "repair the surface; --diagnose names the faulty edges",
             )
         )
-    if found.faults is not None and found.faults.duplicated:
+    if found.caution:
+        out.append(
+            Advice("cut-off", found.caution, "caution", "compare the number of triangles with that of the source")
+        )
+    out += fault_advice(found, shell=shell)
+    quantisation = _quantisation(found)
+    if quantisation is not None and quantisation > BLURRED * abs(found.moments.measure):
         out.append(
             Advice(
-                "duplicated",
-                f"{found.faults.duplicated} triangles have the corners of an earlier one: what is given twice the same "
-                "way round counts twice",
+                "blurred-volume",
+                f"rounding the corners to single precision alone makes volumes of {quantisation:.2g} cubed units of "
+                f"length, and this one is {abs(found.moments.measure):.2g}",
                 "serious",
-                "remove the copies",
+                "export the part with more digits, or nearer its origin",
             )
         )
-    edge = (sums.area / sums.count * 2.3094) ** 0.5
-    if found.single and edge > 0.0:
-        coarse = float(max(quanta(sums))) / edge
-        if coarse > COARSE:
-            out.append(
-                Advice(
-                    "coarse-coordinates",
-                    f"so far from the origin single precision is {coarse:.2g} of the mean edge: shape is lost",
-                    "serious" if coarse > 0.1 else "caution",
-                    "export the part nearer its origin",
-                )
-            )
-    return tuple(out)
+    return (*out, *_coarse_advice(found))
+
+
+def _coarse_advice(found: "Measured") -> "list[Advice]":
+    """A warning where single precision is coarse beside the mean edge."""
+    edge = (found.sums.area / found.sums.count * 2.3094) ** 0.5
+    coarse = float(max(quanta(found.sums))) / edge if found.single and edge > 0.0 else 0.0
+    if coarse <= COARSE:
+        return []
+    return [
+        Advice(
+            "coarse-coordinates",
+            f"so far from the origin single precision is {coarse:.2g} of the mean edge: shape is lost",
+            "serious" if coarse > 0.1 else "caution",
+            "export the part nearer its origin",
+        )
+    ]
+
+
+def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
+    """Serious warnings of what a diagnosis found that closure does not see."""
+    faults = found.faults
+    if faults is None:
+        return []
+    counts = [
+        (
+            "duplicated",
+            faults.repeated,
+            "triangles are given twice the same way round: what they bound counts twice",
+            "remove the copies",
+        )
+    ]
+    if not shell:
+        counts += [
+            (
+                "crossing",
+                faults.crossing,
+                "triangles are crossed by edges of others: where the surface overlaps itself, volume counts twice or "
+                "negative",
+                "unite the parts into one surface",
+            ),
+            (
+                "overlap",
+                faults.within,
+                "triangles lie within what others bound, which counts twice",
+                "unite overlapping solids; turn an inner shell so that it faces inwards",
+            ),
+            (
+                "against",
+                faults.against,
+                "triangles bound the solid from the wrong side: what they enclose counts negative",
+                "turn the shell so that it faces outwards",
+            ),
+        ]
+    return [Advice(code, f"{count} {words}", "serious", remedy) for code, count, words, remedy in counts if count]
+
+
+def _of_some(count: int) -> str:
+    from dynamics_cli.inertia.mesh.faults.crossing import MOST
+
+    step = -(-(count**2) // MOST)
+    return "" if step == 1 else f"; overlaps of every triangle number {step} of {count} only"
 
 
 def surface_of(found: "Measured", lift: "Lift") -> Surface:
@@ -113,6 +170,9 @@ def surface_of(found: "Measured", lift: "Lift") -> Surface:
         closure=_closure(sums),
         low=lift.point(sums.low, zero),
         high=lift.point(sums.high, zero),
+        examined="crossings and overlaps were looked for" + _of_some(sums.count)
+        if found.faults is not None
+        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose",
         quantisation=None if quantisation is None else lift.number(quantisation, quantisation, 3).value,  # type: ignore[attr-defined]
         faults=found.faults,
     )

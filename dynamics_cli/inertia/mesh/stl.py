@@ -20,6 +20,7 @@ HEADER, RECORD = 84, 50
 _READ = 8 * BLOCK
 _TEXT = 1 << 20
 _END = b"endfacet"
+_BOM = b"\xef\xbb\xbf"
 
 
 class Source:
@@ -34,6 +35,10 @@ class Source:
     form = ""
     single = False
     count: "int | None" = None
+    # what was read in spite of a fault of the file, for a warning
+    caution = ""
+    # the unit of length that the file itself says
+    unit = ""
 
     @property
     def room(self) -> int:
@@ -86,37 +91,47 @@ class TextStl(Source):
     def blocks(self) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
         done = 0
-        rest = b""
+        rest = last = pending = b""
         with open(self.name, "rb") as file:
-            while chunk := file.read(_TEXT):
-                text = rest + chunk.lower()
-                end = text.rfind(_END)
+            while chunk := file.read(_TEXT) or (rest and b"\n"):
+                # a line may end in either character or both
+                text = rest + chunk.lower().replace(b"\r", b"\n")
+                cut = text.rfind(b"\n") + 1
+                lines, rest = text[:cut], text[cut:]
+                last = lines.rstrip().rpartition(b"\n")[2].lstrip() or last
+                body = pending + _nameless(lines)
+                end = body.rfind(_END)
+                pending = body[end + len(_END) :] if end >= 0 else body
+                require(
+                    len(pending) + len(rest) < 8 * _TEXT,
+                    "no facet ends within {size} bytes",
+                    code="stl",
+                    size=8 * _TEXT,
+                )
                 if end < 0:
-                    require(len(text) < 8 * _TEXT, "no facet ends within {0} bytes", len(text), code="stl")
-                    rest = text
                     continue
-                rest = text[end + len(_END) :]
-                count, columns = _facets(_nameless(text[: end + len(_END)]))
+                count, columns = _facets(body[: end + len(_END)])
                 require(
                     columns is not None,
-                    "facets {0} to {1} of the text are not three corners of three numbers each",
-                    done + 1,
-                    done + count,
+                    "facets {first} to {last} of the text are not three corners of three numbers each",
                     code="stl",
                     hint="export the file again, as binary STL if you can",
+                    first=done + 1,
+                    last=done + count,
                 )
                 assert columns is not None
                 done += count
                 for start in range(0, count, BLOCK):
                     yield np.ascontiguousarray(columns[:, start : start + BLOCK])
         require(
-            b"endsolid" in rest,
-            "the text ends after {0} triangles without endsolid: it is cut off",
-            done,
+            not {b"facet", b"outer", b"vertex"}.intersection(pending.split()),
+            "the text ends within facet {first}: the file is incomplete",
             code="truncated",
             hint="copy or export the file again",
+            first=done + 1,
         )
-        require(b"vertex" not in _nameless(rest), "the last facet is not finished", code="truncated")
+        if not last.startswith(b"endsolid"):
+            self.caution = f"the text ends after {done} triangles without endsolid: triangles may be missing"
         self.count = done
 
 
@@ -137,8 +152,11 @@ def _facets(text: bytes) -> "tuple[int, Block | None]":
     inner = loops[1::2]
     if len(loops) != 2 * count + 1 or any(loop.count(b"vertex") != 3 for loop in inner):
         return count, None
-    numbers = _numbers(b" ".join(inner).replace(b"end", b" ").replace(b"vertex", b" "))
-    return count, numbers.reshape(-1, 9).T + 0.0 if numbers.size == 9 * count else None
+    # the words between numbers show a corner with more or fewer than three of them
+    numbers = _numbers(b" ".join(inner).replace(b"end", b" ").replace(b"vertex", b" nan "))
+    if numbers.size != 12 * count or not np.isnan(numbers[::4]).all():
+        return count, None
+    return count, numbers.reshape(-1, 3, 4)[:, :, 1:].reshape(-1, 9).T + 0.0
 
 
 class Corners(Source):
@@ -173,20 +191,21 @@ def open_stl(name: str) -> Source:
     claimed = unpack("<I", head[80:HEADER])[0] if len(head) >= HEADER else 0
     if size == HEADER + RECORD * claimed and claimed:
         return BinaryStl(name, claimed)
-    if head.lstrip()[:5].lower() == b"solid" and b"\0" not in head and _has_facet(name, head, size):
+    words = head.removeprefix(_BOM).lstrip()[:5].lower()
+    if words == b"solid" and b"\0" not in head and _has_facet(name, head, size):
         return TextStl(name)
-    require(size >= HEADER, "a file of {0} bytes is no STL: its header alone has 84", size, code="truncated")
+    require(size >= HEADER, "the file has {size} bytes; a binary STL has at least 84", code="truncated", size=size)
     require(claimed > 0, "the header claims no triangles", code="empty")
     held = (size - HEADER) // RECORD
     require(
         False,
-        "the header claims {0} triangles, {1} bytes; the file has {2} bytes, room for {3}",
-        claimed,
-        HEADER + RECORD * claimed,
-        size,
-        held,
+        "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, room for {held}",
         code="truncated" if held < claimed else "count",
         hint="copy or export the file again" if held < claimed else "its count is wrong or something else follows it",
+        claimed=claimed,
+        needed=HEADER + RECORD * claimed,
+        size=size,
+        held=held,
     )
     raise AssertionError
 
@@ -210,7 +229,7 @@ def _fill(file: "BinaryIO", view: memoryview) -> None:
 
 
 def _numbers(text: bytes) -> "Block":
-    """Every number of a text, up to the first word that is none."""
+    """Every number of a text, up to the first word that is not a number."""
     import warnings
 
     with warnings.catch_warnings():

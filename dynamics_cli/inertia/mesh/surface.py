@@ -1,6 +1,6 @@
 """What is reported of the surface of a mesh, beside the mass properties of what it bounds."""
 
-from dynamics_cli.quantities import Area, Count, PartPosition, Ratio, Text, Volume
+from dynamics_cli.quantities import Annotated, Area, Count, PartPosition, Ratio, Text, Volume
 from dynamics_cli.records import Choice, record
 
 
@@ -25,73 +25,52 @@ class LengthUnit(Choice):
 
 @record
 class Faults:
-    """What is wrong with a surface, counted.
+    """Counts of a surface's faults."""
 
-    Parameters
-    ----------
-    vertices : Count
-        Different corners.
-    edges : Count
-        Different edges.
-    shells : Count
-        Pieces that hang together by edges.
-    open_edges : Count
-        Edges of one triangle only.
-    clashing_edges : Count
-        Edges of two triangles or more, gone along unequally often each way: beside a flipped triangle, for one.
-    flipped : Count
-        Triangles turned against most of their piece.
-    duplicated : Count
-        Triangles that have the corners of an earlier one.
-    degenerate : Count
-        Triangles with two equal corners, or three on a line.
-    places : tuple of Text
-        Where the first few of each are, in the file's numbers; triangles are counted from 1.
-    """
-
-    vertices: Count
-    edges: Count
-    shells: Count
-    open_edges: Count
-    clashing_edges: Count
-    flipped: Count
-    duplicated: Count
-    degenerate: Count
-    places: tuple[Text, ...]
+    vertices: Annotated[Count, "Different corners."]
+    edges: Annotated[Count, "Different edges."]
+    shells: Annotated[Count, "Connected pieces of the surface."]
+    open_edges: Annotated[Count, "Edges of one triangle only."]
+    clashing_edges: Annotated[
+        Count,
+        "Edges of two triangles or more that run in the same direction, as beside a flipped triangle.",
+    ]
+    flipped: Annotated[Count, "Triangles turned against most of their piece."]
+    duplicated: Annotated[Count, "Triangles that have the corners of an earlier one."]
+    repeated: Annotated[Count, "Duplicated triangles of the same orientation, which count twice."]
+    degenerate: Annotated[Count, "Triangles with two equal corners, or three on a line."]
+    crossing: Annotated[Count, "Triangles that an edge of another one passes through."]
+    within: Annotated[
+        Count,
+        "Triangles of a closed surface within what the others bound: overlapping solids, an inner shell facing "
+        "outwards.",
+    ]
+    against: Annotated[
+        Count, "Triangles of a closed surface that bound from the wrong side: a shell inside out, or outside its solid."
+    ]
+    places: Annotated[
+        tuple[Text, ...], "Where the first few of each are, in the file's numbers; triangles are counted from 1."
+    ]
 
 
 @record
 class Surface:
-    """The surface that was read.
+    """The surface that was read."""
 
-    Parameters
-    ----------
-    form : Text
-        The form of the file.
-    triangles : Count
-        Number of triangles.
-    area : Area
-        Area of the surface [m^2].
-    closed : Text
-        Whether every edge is met by one the other way.
-    closure : Ratio
-        Length of the vector sum of all triangle areas over their sum: 0 for a closed surface, and for some open ones.
-    low : PartPosition
-        Least coordinates [m].
-    high : PartPosition
-        Greatest coordinates [m].
-    quantisation : Volume
-        Standard deviation of the volume from rounding corners to single precision, by order of magnitude [m^3].
-    faults : Faults
-        The diagnosis, when asked for.
-    """
-
-    form: Text
-    triangles: Count
-    area: Area
-    closed: Text
-    closure: Ratio
-    low: PartPosition
-    high: PartPosition
-    quantisation: Volume | None = None
-    faults: Faults | None = None
+    form: Annotated[Text, "The form of the file."]
+    triangles: Annotated[Count, "Number of triangles."]
+    area: Annotated[Area, "Area of the surface [m^2]."]
+    closed: Annotated[Text, "Whether every edge has a neighbour of the opposite direction."]
+    closure: Annotated[
+        Ratio,
+        "Length of the vector sum of all triangle areas over their sum: 0 for a closed surface, and for some open "
+        "ones.",
+    ]
+    low: Annotated[PartPosition, "Minimum coordinates [m]."]
+    high: Annotated[PartPosition, "Maximum coordinates [m]."]
+    examined: Annotated[Text, "Whether crossings and overlaps were looked for."]
+    quantisation: Annotated[
+        Volume | None,
+        "Standard deviation of the volume from rounding corners to single precision, by order of magnitude [m^3].",
+    ] = None
+    faults: Annotated[Faults | None, "The diagnosis: of up to 256 triangles, or with --diagnose."] = None

@@ -1,7 +1,7 @@
 """Contours of a section in whole numbers: doubles are whole multiples of a power of two, so nothing is rounded."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Coordinate, Size
+from dynamics_cli.quantities import Annotated, Coordinate, Size
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -16,58 +16,30 @@ MOST_CORNERS = 20_000
 
 @record
 class Hole:
-    """A hole: a polygon, or a circle or a rectangle about (x, y).
+    """A hole: a polygon, or a circle or a rectangle about (x, y)."""
 
-    Parameters
-    ----------
-    polygon : tuple of Coordinate
-        Its corners x1, y1, x2, y2, … in order, either way round [m].
-    diameter : Size
-        Diameter of a circle [m].
-    width : Size
-        Width of a rectangle, along x [m].
-    height : Size
-        Height of a rectangle, along y [m].
-    x : Coordinate
-        Where the centre of the circle or rectangle is [m].
-    y : Coordinate
-        Where the centre of the circle or rectangle is [m].
-    """
-
-    polygon: tuple[Coordinate, ...] = ()
-    diameter: Size | None = None
-    width: Size | None = None
-    height: Size | None = None
-    x: Coordinate = 0.0
-    y: Coordinate = 0.0
+    polygon: Annotated[
+        tuple[Coordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+    ] = ()
+    diameter: Annotated[Size | None, "Diameter of a circle [m]."] = None
+    width: Annotated[Size | None, "Width of a rectangle, along x [m]."] = None
+    height: Annotated[Size | None, "Height of a rectangle, along y [m]."] = None
+    x: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    y: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
 
 
 @record
 class Piece:
-    """A piece of material: a polygon, or a circle or a rectangle about (x, y).
+    """A piece of material: a polygon, or a circle or a rectangle about (x, y)."""
 
-    Parameters
-    ----------
-    polygon : tuple of Coordinate
-        Its corners x1, y1, x2, y2, … in order, either way round [m].
-    diameter : Size
-        Diameter of a circle [m].
-    width : Size
-        Width of a rectangle, along x [m].
-    height : Size
-        Height of a rectangle, along y [m].
-    x : Coordinate
-        Where the centre of the circle or rectangle is [m].
-    y : Coordinate
-        Where the centre of the circle or rectangle is [m].
-    """
-
-    polygon: tuple[Coordinate, ...] = ()
-    diameter: Size | None = None
-    width: Size | None = None
-    height: Size | None = None
-    x: Coordinate = 0.0
-    y: Coordinate = 0.0
+    polygon: Annotated[
+        tuple[Coordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+    ] = ()
+    diameter: Annotated[Size | None, "Diameter of a circle [m]."] = None
+    width: Annotated[Size | None, "Width of a rectangle, along x [m]."] = None
+    height: Annotated[Size | None, "Height of a rectangle, along y [m]."] = None
+    x: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    y: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
 
 
 class Contour:
@@ -115,8 +87,20 @@ def contours(
         corners = list(zip(whole[0::2], whole[1::2], strict=True))
         if not diameter and len(corners) > 1 and corners[0] == corners[-1]:
             corners.pop()
-        require(diameter or len(corners) >= 3, "{0} has {1} corners and no area", name, len(corners), code="polygon")
-        require(len(corners) <= MOST_CORNERS, "{0} has {1} corners, more than {2}", name, len(corners), MOST_CORNERS)
+        require(
+            diameter or len(corners) >= 3,
+            "{name} needs at least 3 corners; it has {count}",
+            code="polygon",
+            name=name,
+            count=len(corners),
+        )
+        require(
+            len(corners) <= MOST_CORNERS,
+            "{name} has {count} corners; the limit is {most}",
+            name=name,
+            count=len(corners),
+            most=MOST_CORNERS,
+        )
         out.append(Contour(name, sign, corners, _whole(diameter, power)))
     return out, power
 
@@ -126,20 +110,25 @@ def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[
     given = [bool(item.polygon), item.diameter is not None, item.width is not None or item.height is not None]
     require(
         sum(given) == 1,
-        "{0} wants a polygon, or a diameter, or a width and a height",
-        name,
+        "{name} needs a polygon, or a diameter, or a width and a height",
         code="exclusive" if sum(given) else "missing",
+        name=name,
     )
     if item.polygon:
-        require(len(item.polygon) % 2 == 0, "{0} has an odd number of coordinates", name, code="polygon")
+        require(len(item.polygon) % 2 == 0, "{name} has an odd number of coordinates", code="polygon", name=name)
         return name, sign, [(part,) for part in item.polygon], 0.0
     if item.diameter is not None:
-        require(item.diameter > 0.0, "{0} has no diameter", name, code="size")
+        require(item.diameter > 0.0, "{name} has no diameter", code="size", name=name)
         return name, sign, [(item.x,), (item.y,)], item.diameter
-    require(item.width is not None and item.height is not None, "{0} wants a width and a height", name, code="missing")
+    require(
+        item.width is not None and item.height is not None,
+        "{name} needs a width and a height",
+        code="missing",
+        name=name,
+    )
     assert item.width is not None
     assert item.height is not None
-    require(item.width > 0.0 and item.height > 0.0, "{0} has no area", name, code="size")
+    require(item.width > 0.0 and item.height > 0.0, "{name} has no area", code="size", name=name)
     x, y, a, b = item.x, item.y, 0.5 * item.width, 0.5 * item.height
     left, right, low, high = (x, -a), (x, a), (y, -b), (y, b)
     return name, sign, [left, low, right, low, right, high, left, high], 0.0

@@ -9,7 +9,8 @@ from dynamics_cli.quantities import Coordinate, SecondMoment
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.section.contours import Hole, Piece
-    from dynamics_cli.inertia.section.task import Drawn, SectionProperties
+    from dynamics_cli.inertia.section.results import SectionProperties
+    from dynamics_cli.inertia.section.task import Drawn
 
 STEPS = 96
 # Points of Mohr's circle this close, as a share of its radius, share a name.
@@ -22,7 +23,7 @@ MATERIAL, CUT, AXES = 0, 1, 2
 def section_picture(answer: "SectionProperties", drawn: "Drawn") -> Picture:
     """The section and its principal axes; Mohr's circle."""
     shape = _shape(answer, drawn.polygon, drawn.pieces, drawn.holes)
-    return Picture((shape, _mohr(answer)), "section", columns=2)
+    return Picture((shape, _mohr(answer)), columns=2)
 
 
 def _shape(
@@ -42,14 +43,14 @@ def _shape(
         else:
             points.append(points[0])
         style, role = ("solid", MATERIAL) if contour.sign > 0 else ("dashed", CUT)
-        items.append(Curve([x for x, _ in points], [y for _, y in points], contour.name, style, role))  # type: ignore[arg-type]
+        items.append(Curve([x for x, _ in points], [y for _, y in points], "", style, role))  # type: ignore[arg-type]
     for length, angle, name in (
         (answer.gyration.r2, answer.principal.angle, "1"),
         (answer.gyration.r1, answer.principal.angle + 0.5 * pi, "2"),
     ):
         items.append(Arrow(answer.x, answer.y, 1.5 * length * cos(angle), 1.5 * length * sin(angle), name, AXES))
-    items.append(Mark(answer.x, answer.y, "centroid"))
-    return Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "section", equal=True)
+    items.append(Mark(answer.x, answer.y, "C", (-6.0, -10.0)))
+    return Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "section and principal axes", equal=True)
 
 
 def _mohr(answer: "SectionProperties") -> Panel:
@@ -62,8 +63,8 @@ def _mohr(answer: "SectionProperties") -> Panel:
         alike = Curve([0.0, centre], [0.0, 0.0], style="thin"), Mark(centre, 0.0, "every direction")
         return Panel(*axes, alike, "Mohr's circle", equal=True)
     items: tuple[Curve | Mark, ...] = (
-        Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()], "all directions"),
-        Curve([at.ix, at.iy], [at.ixy, -at.ixy], "x and y", "dashed"),
+        Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()]),
+        Curve([at.ix, at.iy], [at.ixy, -at.ixy], style="dashed"),
         *_marks(answer, radius),
     )
     return Panel(*axes, items, "Mohr's circle", equal=True)
@@ -74,7 +75,7 @@ def _marks(answer: "SectionProperties", radius: float) -> "list[Mark]":
     at, main = answer.centroidal, answer.principal
     given = [(at.ix, at.ixy, "x"), (at.iy, -at.ixy, "y")]
     out = []
-    for value, name in ((main.i1, "I1"), (main.i2, "I2")):
+    for value, name in ((main.i1, "I₁"), (main.i2, "I₂")):
         near = [word for x, y, word in given if hypot(x - value, y) < CLOSE * radius]
         given = [one for one in given if one[2] not in near]
         out.append(Mark(value, 0.0, ", ".join((name, *near))))

@@ -25,18 +25,18 @@ def require_sound(found: "list[Contour]") -> None:
             holes = [contour] if contour.sign < 0 else [other for other in around if other.sign < 0]
             require(
                 contour.sign < 0 < depth,
-                "{0} does not lie within material",
-                holes[0].name,
+                "{hole} does not lie within material",
                 code="hole-outside",
                 hint="a hole lies within one piece, and not within another hole",
+                hole=holes[0].name,
             )
         require(
             depth == (contour.sign < 0),
-            "{0} lies within {1}: its material would count twice",
-            contour.name,
-            " and ".join(other.name for other in around),
+            "{contour} lies within {others}: its material would count twice",
             code="pieces-overlap",
             hint="draw what overlaps as one polygon",
+            contour=contour.name,
+            others=" and ".join(other.name for other in around),
         )
 
 
@@ -54,13 +54,13 @@ def _require_no_crossing(found: "list[Contour]") -> None:
         for _, _, other, its, c, d in open_:
             require(
                 not (_apart(a, b, c, d) and _apart(c, d, a, b)),
-                "side {0} of {1} crosses side {2} of {3}",
-                its,
-                found[other].name,
-                place,
-                found[number].name,
+                "side {side} of {other} crosses side {crossed} of {contour}",
                 code="polygon",
                 hint="give corners in order along the contour",
+                side=its,
+                other=found[other].name,
+                crossed=place,
+                contour=found[number].name,
             )
         open_.append(side)
     for outer in found:
@@ -69,11 +69,11 @@ def _require_no_crossing(found: "list[Contour]") -> None:
                 places = _all_places(outer, inner)
                 require(
                     min(places) >= 0 or max(places) <= 0,
-                    "{0} crosses {1}",
-                    inner.name,
-                    outer.name,
+                    "{inner} crosses {outer}",
                     code="polygon",
                     hint="draw both as one polygon",
+                    inner=inner.name,
+                    outer=outer.name,
                 )
     _require_circles_clear(found)
 
@@ -96,11 +96,11 @@ def _require_circles_clear(found: "list[Contour]") -> None:
 def _require_clear(crossed: bool, circle: "Contour", other: "Contour") -> None:
     require(
         not crossed,
-        "{0} crosses {1}",
-        circle.name,
-        other.name,
+        "{circle} crosses {other}",
         code="polygon",
         hint="move one, or draw both as one polygon",
+        circle=circle.name,
+        other=other.name,
     )
 
 

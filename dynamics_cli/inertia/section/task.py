@@ -3,21 +3,14 @@
 from math import atan2, fsum, hypot, pi
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
+from dynamics_cli.inertia.section import reading
 from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
+from dynamics_cli.inertia.section.results import Gyration, Moduli, PlaneMoments, PrincipalPlane, SectionProperties
 from dynamics_cli.inertia.section.simple import require_sound
-from dynamics_cli.inertia.spread import SHOWN
-from dynamics_cli.quantities import (
-    Angle,
-    Area,
-    Coordinate,
-    Count,
-    SecondMoment,
-    SectionModulus,
-    Size,
-    Text,
-)
-from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.quantities import Annotated, Area, Coordinate
+from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,175 +21,22 @@ UNIT_ROUNDOFF = 2.0**-53
 EQUAL = 8.0 * 2.0**-52
 # Second moments of anything smaller would leave the range of a double.
 SMALLEST = 1e-140
-METHOD = "exact rational arithmetic, rounded once"
-
-
-@record
-class PlaneMoments:
-    """Second moments of an area about axes through a point, parallel to x and y.
-
-    Parameters
-    ----------
-    ix : SecondMoment
-        ∫ y² dA, for bending about x [m^4].
-    iy : SecondMoment
-        ∫ x² dA, for bending about y [m^4].
-    ixy : SecondMoment
-        The product ∫ x y dA [m^4].
-    polar : SecondMoment
-        ∫ r² dA = ix + iy; not the torsion constant unless the section is round [m^4].
-    """
-
-    ix: SecondMoment
-    iy: SecondMoment
-    ixy: SecondMoment
-    polar: SecondMoment
-
-
-@record
-class PrincipalPlane:
-    """Principal second moments of an area about its centroid.
-
-    Parameters
-    ----------
-    i1 : SecondMoment
-        The greatest [m^4].
-    i2 : SecondMoment
-        The least [m^4].
-    angle : Angle
-        From the x axis to the axis of `i1`, anticlockwise, above −90° and up to 90° [rad].
-    degeneracy : Text
-        Whether these axes are determined.
-    """
-
-    i1: SecondMoment
-    i2: SecondMoment
-    angle: Angle
-    degeneracy: Text
-
-
-@record
-class Gyration:
-    """Radii of gyration about the centroid.
-
-    Parameters
-    ----------
-    rx : Size
-        √(ix/A) [m].
-    ry : Size
-        √(iy/A) [m].
-    r1 : Size
-        √(i1/A) [m].
-    r2 : Size
-        √(i2/A), that of buckling [m].
-    polar : Size
-        √(polar/A) [m].
-    """
-
-    rx: Size
-    ry: Size
-    r1: Size
-    r2: Size
-    polar: Size
-
-
-@record
-class Moduli:
-    """Elastic section moduli: second moment over distance of the outermost fibre.
-
-    Parameters
-    ----------
-    x_top : SectionModulus
-        ix over the distance of the highest fibre [m^3].
-    x_bottom : SectionModulus
-        ix over the distance of the lowest fibre [m^3].
-    y_right : SectionModulus
-        iy over the distance of the rightmost fibre [m^3].
-    y_left : SectionModulus
-        iy over the distance of the leftmost fibre [m^3].
-    first_least : SectionModulus
-        i1 over the distance of the fibre farthest from axis 1 [m^3].
-    second_least : SectionModulus
-        i2 over the distance of the fibre farthest from axis 2 [m^3].
-    """
-
-    x_top: SectionModulus
-    x_bottom: SectionModulus
-    y_right: SectionModulus
-    y_left: SectionModulus
-    first_least: SectionModulus
-    second_least: SectionModulus
-
-
-@record
-class SectionProperties:
-    """Area properties of a section.
-
-    Parameters
-    ----------
-    area : Area
-        Area [m^2].
-    perimeter : Size
-        Length of all contours, holes included [m].
-    x : Coordinate
-        Centroid [m].
-    y : Coordinate
-        Centroid [m].
-    centroidal : PlaneMoments
-        Second moments about the centroid.
-    about_origin : PlaneMoments
-        Second moments about the origin.
-    principal : PrincipalPlane
-        Principal second moments and their axes.
-    gyration : Gyration
-        Radii of gyration.
-    moduli : Moduli
-        Elastic section moduli.
-    corners : Count
-        Number of corners.
-    """
-
-    area: Area
-    perimeter: Size
-    x: Coordinate
-    y: Coordinate
-    centroidal: PlaneMoments
-    about_origin: PlaneMoments
-    principal: PrincipalPlane
-    gyration: Gyration
-    moduli: Moduli
-    corners: Count
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
-    numerics: Numerics | None = None
+METHOD = "exact rational arithmetic of the coordinates as read into doubles, rounded once"
 
 
 @record
 class Drawn:
-    """A section as drawn: in a file, or by options.
+    """A section as drawn: in a file, or by options."""
 
-    Parameters
-    ----------
-    polygon : tuple of Coordinate
-        Corners x1, y1, x2, y2, … of the outline in order, either way round [m].
-    pieces : tuple of Piece
-        Material, as further polygons, circles and rectangles.
-    holes : tuple of Hole
-        Holes, as polygons, circles and rectangles within the material.
-    """
-
-    polygon: tuple[Coordinate, ...] = ()
-    pieces: tuple[Piece, ...] = ()
-    holes: tuple[Hole, ...] = ()
+    polygon: Annotated[
+        tuple[Coordinate, ...], "Corners x1, y1, x2, y2, … of the outline in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+    ] = ()
+    pieces: Annotated[tuple[Piece, ...], "Material, as further polygons, circles and rectangles."] = ()
+    holes: Annotated[tuple[Hole, ...], "Holes, as polygons, circles and rectangles within the material."] = ()
 
 
-def section_of(drawn: Drawn, /) -> SectionProperties:
+def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."], /) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a section as drawn.
-
-    Parameters
-    ----------
-    drawn : Drawn
-        The section, from a file or by options.
 
     Returns
     -------
@@ -238,8 +78,10 @@ def section(
 
     Notes
     -----
-    Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and rounded
-    once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses nothing.
+    Coordinates are read into doubles; what that rounding does is stated beside the bounds, and warned of far from the
+    origin. Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and
+    rounded once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses
+    nothing.
     The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
     orders of magnitude.
 
@@ -256,12 +98,12 @@ def section(
     found, power = contours(polygon, pieces, holes)
     for contour in found:
         own = Integrals([contour], power).area
-        require(own != 0, "{0} has no area", contour.name, code="polygon", hint="check its corners")
+        require(own != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
     require_sound(found)
     sums = Integrals(found, power)
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
-    require(up / down > SMALLEST, "an area of {0:.3g} m² is out of range", up / down, code="range")
+    require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
     return _Report(found, sums).made()
 
 
@@ -286,12 +128,18 @@ class _Report:
         angle = 0.0 if equal else _angle(ix, iy, ixy)
         area = sums.moment(sums.area, 2)
         about = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
+        values = {
+            "area": area[0] / area[1], "centroidal.ix": ix / scale, "centroidal.iy": iy / scale,
+            "centroidal.polar": (ix + iy) / scale, "principal.i1": i1, "principal.i2": i2,
+        }  # fmt: skip
+        middle = self.centroid[0][0] / self.centroid[0][1], self.centroid[1][0] / self.centroid[1][1]
+        rounding = reading.conditions(self.found, self.unit, middle, values)
         corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
         return SectionProperties(
-            area=area[0] / area[1],
+            area=values["area"],
             perimeter=self._perimeter(),
-            x=self.centroid[0][0] / self.centroid[0][1],
-            y=self.centroid[1][0] / self.centroid[1][1],
+            x=middle[0],
+            y=middle[1],
             centroidal=PlaneMoments(ix / scale, iy / scale, ixy / scale, (ix + iy) / scale),
             about_origin=PlaneMoments(*(up / down for up, down in about)),
             principal=PrincipalPlane(
@@ -307,8 +155,8 @@ class _Report:
             ),
             moduli=self._moduli((ix, scale), (iy, scale), first, second, (1, 0) if equal else direction(ix, iy, ixy)),
             corners=corners,
-            advice=_advice(self.found),
-            numerics=Numerics(METHOD, tuple(_bounds())),
+            advice=_advice(self.found) + reading.advice(rounding),
+            numerics=Numerics(METHOD, tuple(_bounds()), rounding),
         )
 
     def _perimeter(self) -> float:
@@ -393,7 +241,7 @@ def _advice(found: "list[Contour]") -> "tuple[Advice, ...]":
     return (
         Advice(
             "not-torsion",
-            "the polar second moment is not the torsion constant of this section: only round ones twist by it",
+            "the polar second moment is not the torsion constant of this section, which is not round",
             "note",
         ),
     )

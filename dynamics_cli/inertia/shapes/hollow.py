@@ -6,31 +6,23 @@ The measure is the volume.
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.sizes import cubes, inner_radius, inner_side, require_ring
 from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS, PI, TWO_THIRDS, Unit
-from dynamics_cli.quantities import Size
+from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import record, tagged
 
 
 @tagged("shape")
 @record
 class HollowSphere:
-    """A ball with a concentric cavity, about the origin.
+    """A ball with a concentric cavity, about the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Outer radius [m].
-    thickness : Size
-        Wall thickness [m].
-    """
-
-    radius: Size
-    thickness: Size
+    radius: Annotated[Size, "Outer radius [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
 
     dimension = 3
     formula = "r = R − t: Ixx = Iyy = Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         size, fourth = cubes(self.radius, inner_radius(self.radius, self.thickness))
         own = fourth / size / 5.0
         return Unit(FOUR_THIRDS * PI * self.thickness * size, CENTRE, own, own, own)
@@ -39,24 +31,16 @@ class HollowSphere:
 @tagged("shape")
 @record
 class HollowHemisphere:
-    """Half a ball with a concentric cavity, its rim on the x-y plane about the origin, open below.
+    """Half a ball with a concentric cavity, its rim on the x-y plane about the origin, open below."""
 
-    Parameters
-    ----------
-    radius : Size
-        Outer radius [m].
-    thickness : Size
-        Wall thickness [m].
-    """
-
-    radius: Size
-    thickness: Size
+    radius: Annotated[Size, "Outer radius [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
 
     dimension = 3
     formula = "r = R − t: z̄ = (3/8)·(R⁴ − r⁴)/(R³ − r³), Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a = self.radius
         b = inner_radius(a, self.thickness)
         size, fourth = cubes(a, b)
@@ -77,27 +61,17 @@ class HollowHemisphere:
 @tagged("shape")
 @record
 class HollowCylinder:
-    """A tube along z, its middle at the origin.
+    """A tube along z, its middle at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Outer radius [m].
-    thickness : Size
-        Wall thickness [m].
-    length : Size
-        Length along z [m].
-    """
-
-    radius: Size
-    thickness: Size
-    length: Size
+    radius: Annotated[Size, "Outer radius [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "r = R − t: Izz = m·(R² + r²)/2, Ixx = Iyy = m·(3·(R² + r²) + L²)/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         inner = inner_radius(self.radius, self.thickness)
         own = 0.25 * (self.radius * self.radius + inner * inner)
         return Unit(
@@ -112,32 +86,22 @@ class HollowCylinder:
 @tagged("shape")
 @record
 class ClosedCylinder:
-    """A can along z, its walls and both its ends of one thickness, its middle at the origin.
+    """A can along z, its walls and both its ends of one thickness, its middle at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Outer radius [m].
-    thickness : Size
-        Wall thickness [m].
-    length : Size
-        Outer length along z [m].
-    """
-
-    radius: Size
-    thickness: Size
-    length: Size
+    radius: Annotated[Size, "Outer radius [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    length: Annotated[Size, "Outer length along z [m]."]
 
     dimension = 3
     formula = "outer less inner cylinder, factored in the thickness"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, t, c = self.radius, self.thickness, self.length
         b, d = inner_radius(a, t), inner_side(c, t)
         wall, ends = (a + b) * c, 2.0 * b * b
         size = wall + ends
-        require(size > 0.0, "a can needs a radius", code="size")
+        require(size > 0.0, "a closed cylinder needs a radius", code="size")
         own = 0.25 * ((a * a + b * b) * wall + b * b * ends) / size
         along = (c * c * wall + (c * c + c * d + d * d) * ends) / size / 12.0
         return Unit(PI * t * size, CENTRE, own, own, along)
@@ -146,30 +110,18 @@ class ClosedCylinder:
 @tagged("shape")
 @record
 class HollowFrustum:
-    """A conical tube, its base on the x-y plane about the origin, its wall of one thickness across the axis.
+    """A conical tube, its base on the x-y plane about the origin, its wall of one thickness across the axis."""
 
-    Parameters
-    ----------
-    base_radius : Size
-        Outer radius at z = 0 [m].
-    top_radius : Size
-        Outer radius at z = height [m].
-    thickness : Size
-        Wall thickness, measured across the axis [m].
-    height : Size
-        Height along z [m].
-    """
-
-    base_radius: Size
-    top_radius: Size
-    thickness: Size
-    height: Size
+    base_radius: Annotated[Size, "Outer radius at z = 0 [m]."]
+    top_radius: Annotated[Size, "Outer radius at z = height [m]."]
+    thickness: Annotated[Size, "Wall thickness, measured across the axis, e.g. 3 mm."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "outer less inner frustum, factored in the thickness"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, t = self.base_radius, self.top_radius, self.thickness
         p, q = a + inner_radius(a, t), b + inner_radius(b, t)
         both = p + q
@@ -189,30 +141,18 @@ class HollowFrustum:
 @tagged("shape")
 @record
 class HollowBlock:
-    """A closed box about the origin, all six walls of one thickness.
+    """A closed box about the origin, all six walls of one thickness."""
 
-    Parameters
-    ----------
-    width : Size
-        Outer side along x [m].
-    depth : Size
-        Outer side along y [m].
-    height : Size
-        Outer side along z [m].
-    thickness : Size
-        Wall thickness [m].
-    """
-
-    width: Size
-    depth: Size
-    height: Size
-    thickness: Size
+    width: Annotated[Size, "Outer side along x [m]."]
+    depth: Annotated[Size, "Outer side along y [m]."]
+    height: Annotated[Size, "Outer side along z [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
 
     dimension = 3
     formula = "outer less inner block, factored in the thickness"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         t = self.thickness
         a, b, c = self.width, self.depth, self.height
         x, y, z = inner_side(a, t), inner_side(b, t), inner_side(c, t)
@@ -231,30 +171,18 @@ class HollowBlock:
 @tagged("shape")
 @record
 class RectangularTube:
-    """A straight tube of rectangular section along z, open at its ends, its middle at the origin.
+    """A straight tube of rectangular section along z, open at its ends, its middle at the origin."""
 
-    Parameters
-    ----------
-    width : Size
-        Outer side along x [m].
-    depth : Size
-        Outer side along y [m].
-    thickness : Size
-        Wall thickness [m].
-    length : Size
-        Length along z [m].
-    """
-
-    width: Size
-    depth: Size
-    thickness: Size
-    length: Size
+    width: Annotated[Size, "Outer side along x [m]."]
+    depth: Annotated[Size, "Outer side along y [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "outer less inner block, factored in the thickness; Σz² = m·L²/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         t = self.thickness
         a, b = self.width, self.depth
         x, y = inner_side(a, t), inner_side(b, t)
@@ -272,27 +200,17 @@ class RectangularTube:
 @tagged("shape")
 @record
 class HollowTorus:
-    """A ring of tubular section about z, its middle at the origin.
+    """A ring of tubular section about z, its middle at the origin."""
 
-    Parameters
-    ----------
-    ring_radius : Size
-        Radius of the circle through the middles of the sections [m].
-    radius : Size
-        Outer radius of the section [m].
-    thickness : Size
-        Wall thickness [m].
-    """
-
-    ring_radius: Size
-    radius: Size
-    thickness: Size
+    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
+    radius: Annotated[Size, "Outer radius of the section [m]."]
+    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
 
     dimension = 3
     formula = "r = R_s − t: Izz = m·(R² + 3·(R_s² + r²)/4), Ixx = Iyy = m·(R²/2 + 5·(R_s² + r²)/8)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         ring, outer = self.ring_radius, self.radius
         require_ring(ring, outer)
         inner = inner_radius(outer, self.thickness)

@@ -2,7 +2,8 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.unit import Unit
-from dynamics_cli.quantities import Coordinate
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Annotated, Coordinate
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -14,28 +15,20 @@ if TYPE_CHECKING:
 
 @record
 class Vertex:
-    """A corner.
+    """A corner."""
 
-    Parameters
-    ----------
-    x : Coordinate
-        Its x [m].
-    y : Coordinate
-        Its y [m].
-    """
-
-    x: Coordinate
-    y: Coordinate
+    x: Annotated[Coordinate, "Its x [m]."]
+    y: Annotated[Coordinate, "Its y [m]."]
 
 
 def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: bool = False) -> Unit:
-    """A polygon of mass one, or the straight prism on it, its mid-plane at z = 0; corners in either sense."""
+    """A polygon with a mass of 1 kg, or the straight prism on it, its mid-plane at z = 0; corners in either sense."""
     require(
         len(vertices) >= 3,
-        "a polygon of {0} corners has no area",
-        len(vertices),
+        "a polygon needs at least 3 corners; read {count}",
         code="polygon",
-        hint="give three corners at least",
+        hint="give --vertex three times or more",
+        count=len(vertices),
     )
     first = vertices[0]
     corners = [(vertex.x - first.x, vertex.y - first.y) for vertex in vertices]
@@ -65,11 +58,6 @@ def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: 
     )
 
 
-def plain(x: float) -> float:
-    """The number inside a tracked number; a float as it is."""
-    return getattr(x, "value", x)
-
-
 def _sides(corners: "list[Pair]") -> "list[tuple[Pair, Pair]]":
     return list(zip(corners, [*corners[1:], corners[0]], strict=True))
 
@@ -93,11 +81,11 @@ def _require_simple(corners: "list[Pair]") -> None:
             c, d = sides[j]
             require(
                 not (_apart(a, b, c, d) and _apart(c, d, a, b)),
-                "sides {0} and {1} of the polygon cross",
-                i + 1,
-                j + 1,
+                "sides {first} and {second} of the polygon cross",
                 code="polygon",
                 hint="give the corners in order along the outline",
+                first=i + 1,
+                second=j + 1,
             )
 
 

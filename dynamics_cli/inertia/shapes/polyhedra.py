@@ -1,38 +1,28 @@
 """Solids with flat faces. The measure is the volume."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.lump import less, plus
+from dynamics_cli.inertia.bodies.mass_moments import less, plus
 from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
 from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
 from dynamics_cli.numerics.elementary import cos, sin
-from dynamics_cli.quantities import Count, PartPosition, Size
+from dynamics_cli.quantities import Annotated, Count, PartPosition, Size
 from dynamics_cli.records import record, tagged
 
 
 @tagged("shape")
 @record
 class Block:
-    """A solid rectangular block about the origin.
+    """A solid rectangular block about the origin."""
 
-    Parameters
-    ----------
-    width : Size
-        Side along x [m].
-    depth : Size
-        Side along y [m].
-    height : Size
-        Side along z [m].
-    """
-
-    width: Size
-    depth: Size
-    height: Size
+    width: Annotated[Size, "Side along x [m]."]
+    depth: Annotated[Size, "Side along y [m]."]
+    height: Annotated[Size, "Side along z [m]."]
 
     dimension = 3
     formula = "Ixx = m·(d² + h²)/12, Iyy = m·(h² + w²)/12, Izz = m·(w² + d²)/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, c = self.width, self.depth, self.height
         return Unit(a * b * c, CENTRE, a * a / 12.0, b * b / 12.0, c * c / 12.0)
 
@@ -40,27 +30,17 @@ class Block:
 @tagged("shape")
 @record
 class Wedge:
-    """A right triangular prism: legs from the origin along x and y, its length along z, its mid-plane at z = 0.
+    """A right triangular prism: legs from the origin along x and y, its length along z, its mid-plane at z = 0."""
 
-    Parameters
-    ----------
-    width : Size
-        Leg along x [m].
-    height : Size
-        Leg along y [m].
-    length : Size
-        Length along z [m].
-    """
-
-    width: Size
-    height: Size
-    length: Size
+    width: Annotated[Size, "Leg along x [m]."]
+    height: Annotated[Size, "Leg along y [m]."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "centroid (w/3, h/3): Ixx = m·(h²/18 + L²/12), Iyy = m·(w²/18 + L²/12), ∫xy dm = −m·w·h/36"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, c = self.width, self.height, self.length
         return Unit(
             0.5 * a * b * c, (a / 3.0, b / 3.0, 0.0), a * a / 18.0, b * b / 18.0, c * c / 12.0, xy=-(a * b) / 36.0
@@ -70,52 +50,34 @@ class Wedge:
 @tagged("shape")
 @record
 class Prism:
-    """A straight prism along z on a polygon, its mid-plane at z = 0.
+    """A straight prism along z on a polygon, its mid-plane at z = 0."""
 
-    Parameters
-    ----------
-    vertices : tuple[Vertex, ...]
-        The corners of the polygon in the x-y plane, in either sense [m].
-    height : Size
-        Height along z [m].
-    """
-
-    vertices: tuple[Vertex, ...]
-    height: Size
+    vertices: Annotated[tuple[Vertex, ...], "The corners of the polygon in the x-y plane, in either sense [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "that of the polygon, with Σz² = m·h²/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         return polygon_unit(self.vertices, self.height, solid=True)
 
 
 @tagged("shape")
 @record
 class RegularPrism:
-    """A straight prism along z on a regular polygon with a corner on x, its middle at the origin.
+    """A straight prism along z on a regular polygon with a corner on x, its middle at the origin."""
 
-    Parameters
-    ----------
-    sides : Count
-        Number of sides, three at least.
-    radius : Size
-        Radius of the circle through the corners [m].
-    height : Size
-        Height along z [m].
-    """
-
-    sides: Count
-    radius: Size
-    height: Size
+    sides: Annotated[Count, "Number of sides, at least 3, e.g. 6."]
+    radius: Annotated[Size, "Radius of the circle through the corners [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "Izz = m·R²·(2 + cos(2π/n))/6, Ixx = Iyy = Izz/2 + m·h²/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
-        require(self.sides >= 3, "a polygon of {0} sides has no area", self.sides, code="polygon")
+        """Measure, mass centre and second moments for a mass of 1 kg."""
+        require(self.sides >= 3, "a polygon needs at least 3 sides; read {sides}", code="polygon", sides=self.sides)
         step = 2.0 * PI.beside(self.radius) / self.sides
         square = self.radius * self.radius
         own = square * (2.0 + cos(step)) / 12.0
@@ -127,27 +89,17 @@ class RegularPrism:
 @tagged("shape")
 @record
 class Pyramid:
-    """A solid pyramid on a rectangular base in the x-y plane about the origin, its apex at z = height.
+    """A solid pyramid on a rectangular base in the x-y plane about the origin, its apex at z = height."""
 
-    Parameters
-    ----------
-    width : Size
-        Side of the base along x [m].
-    depth : Size
-        Side of the base along y [m].
-    height : Size
-        Height along z [m].
-    """
-
-    width: Size
-    depth: Size
-    height: Size
+    width: Annotated[Size, "Side of the base along x [m]."]
+    depth: Annotated[Size, "Side of the base along y [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "z̄ = h/4, Izz = m·(w² + d²)/20, Ixx = m·(d²/20 + 3h²/80)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, c = self.width, self.depth, self.height
         return Unit(a * b * c / 3.0, (0.0, 0.0, 0.25 * c), a * a / 20.0, b * b / 20.0, 3.0 * c * c / 80.0)
 
@@ -155,30 +107,18 @@ class Pyramid:
 @tagged("shape")
 @record
 class Tetrahedron:
-    """A solid tetrahedron by its corners.
+    """A solid tetrahedron by its corners."""
 
-    Parameters
-    ----------
-    first : PartPosition
-        A corner [m].
-    second : PartPosition
-        A corner [m].
-    third : PartPosition
-        A corner [m].
-    fourth : PartPosition
-        A corner [m].
-    """
-
-    first: PartPosition
-    second: PartPosition
-    third: PartPosition
-    fourth: PartPosition
+    first: Annotated[PartPosition, "A corner [m]."]
+    second: Annotated[PartPosition, "A corner [m]."]
+    third: Annotated[PartPosition, "A corner [m]."]
+    fourth: Annotated[PartPosition, "A corner [m]."]
 
     dimension = 3
     formula = "∫rrᵀ dm about the centroid = m/80·Σ over the six edges e eᵀ"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         corners = (self.first, self.second, self.third, self.fourth)
         a, b, c = (less(corner, self.first) for corner in corners[1:])
         edges = (a, b, c, less(b, a), less(c, b), less(a, c))

@@ -3,49 +3,37 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.unit import CENTRE, HALF_RING, PI, QUARTER_RING, TWO_OVER_PI, Unit
 from dynamics_cli.numerics.arcs import cosine_variance, one_less_sinc
-from dynamics_cli.quantities import Angle, Size
+from dynamics_cli.quantities import Angle, Annotated, Size
 from dynamics_cli.records import record, tagged
 
 
 @tagged("shape")
 @record
 class Rod:
-    """A thin straight rod along x, its middle at the origin.
+    """A thin straight rod along x, its middle at the origin."""
 
-    Parameters
-    ----------
-    length : Size
-        Length: of a rod along x, of cylinders and tubes along z [m].
-    """
-
-    length: Size
+    length: Annotated[Size, "Length: of a rod along x, of cylinders and tubes along z [m]."]
 
     dimension = 1
     formula = "Iyy = Izz = m·L²/12, Ixx = 0"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         return Unit(self.length, CENTRE, self.length * self.length / 12.0, 0.0, 0.0)
 
 
 @tagged("shape")
 @record
 class RingRod:
-    """A thin rod bent to a full circle in the x-y plane about the origin.
+    """A thin rod bent to a full circle in the x-y plane about the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius, of the outside where there is a wall [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius, of the outside where there is a wall [m]."]
 
     dimension = 1
     formula = "Izz = m·R², Ixx = Iyy = m·R²/2"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = 0.5 * self.radius * self.radius
         return Unit(2.0 * PI * self.radius, CENTRE, square, square, 0.0)
 
@@ -53,24 +41,16 @@ class RingRod:
 @tagged("shape")
 @record
 class ArcRod:
-    """A thin rod bent to an arc in the x-y plane, its circle's centre at the origin, symmetric about x.
+    """A thin rod bent to an arc in the x-y plane, its circle's centre at the origin, symmetric about x."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius of the circle [m].
-    angle : Angle
-        Whole angle of an arc or a sector, up to a full turn [rad].
-    """
-
-    radius: Size
-    angle: Angle
+    radius: Annotated[Size, "Radius of the circle [m]."]
+    angle: Annotated[Angle, "Whole angle of an arc or a sector, up to a full turn [rad]."]
 
     dimension = 1
     formula = "α = angle/2: x̄ = R·sin α/α, Ixx = m·R²·(1 − sin 2α/2α)/2, Izz about O = m·R²"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         half = half_angle(self.angle)
         square = self.radius * self.radius
         return Unit(
@@ -85,21 +65,15 @@ class ArcRod:
 @tagged("shape")
 @record
 class SemicircleRod:
-    """A thin rod bent to a half circle in the x-y plane, its circle's centre at the origin, on the side of positive x.
+    """A thin rod bent to a half circle in the x-y plane, centred at the origin, on the side of positive x."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius of the circle [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius of the circle [m]."]
 
     dimension = 1
     formula = "x̄ = 2R/π, Ixx = m·R²/2, Iyy = m·R²·(1/2 − 4/π²)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         return Unit(PI * self.radius, (TWO_OVER_PI * self.radius, 0.0, 0.0), HALF_RING * square, 0.5 * square, 0.0)
 
@@ -107,21 +81,15 @@ class SemicircleRod:
 @tagged("shape")
 @record
 class QuarterCircleRod:
-    """A thin rod bent to a quarter circle in the x-y plane from x to y, its circle's centre at the origin.
+    """A thin rod bent to a quarter circle in the x-y plane from x to y, its circle's centre at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius of the circle [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius of the circle [m]."]
 
     dimension = 1
     formula = "x̄ = ȳ = 2R/π, Ixx = Iyy = m·R²·(1/2 − 4/π²), ∫xy dm = m·R²·(1/π − 4/π²)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         middle = TWO_OVER_PI * self.radius
         return Unit(
@@ -138,16 +106,16 @@ def half_angle(angle: float) -> float:
     """Half the opening of an arc or a sector, which is at most a full turn."""
     require(
         angle > 0.0,
-        "an angle of {0:.6g} rad has no arc",
-        angle,
+        "an arc needs an angle greater than zero; read {angle:6}",
         code="angle",
         hint="give the whole angle at the centre, for example 90 deg",
+        angle=(angle, Angle),
     )
     require(
         angle <= 2.0 * PI,
-        "an angle of {0:.6g} rad is more than a full turn",
-        angle,
+        "an angle of {angle:6} is more than a full turn",
         code="angle",
         hint="at most 360 deg",
+        angle=(angle, Angle),
     )
     return 0.5 * angle

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.sizes import require_ring
 from dynamics_cli.inertia.shapes.unit import CENTRE, HALF_RING, PI, TWO_OVER_PI, Unit
 from dynamics_cli.numerics.elementary import hypot
-from dynamics_cli.quantities import Size
+from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import Choice, record, tagged
 
 
@@ -18,27 +18,19 @@ class Ends(Choice):
 @tagged("shape")
 @record
 class CylindricalShell:
-    """A thin circular cylinder along z, its middle at the origin.
+    """A thin circular cylinder along z, its middle at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length along z [m].
-    ends : Ends
-        Which ends are closed by a disk of the same sheet: open, one (at −length/2), both.
-    """
-
-    radius: Size
-    length: Size
-    ends: Ends = Ends("open")
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length along z [m]."]
+    ends: Annotated[Ends, "Which ends are closed by a disk of the same sheet: open, one (at −length/2), both."] = Ends(
+        "open"
+    )
 
     dimension = 2
     formula = "open: Izz = m·R², Ixx = Iyy = m·(6R² + L²)/12; ends share the mass by area"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         r, length = self.radius, self.length
         count = Ends.names.index(self.ends)
         total = 2.0 * length + count * r
@@ -55,24 +47,16 @@ class CylindricalShell:
 @tagged("shape")
 @record
 class HalfCylindricalShell:
-    """Half a thin circular cylinder along z, open, on the side of positive x, its mid-plane at z = 0.
+    """Half a thin circular cylinder along z, open, on the side of positive x, its mid-plane at z = 0."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length along z [m].
-    """
-
-    radius: Size
-    length: Size
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 2
     formula = "x̄ = 2R/π, Izz = m·R²·(1 − 4/π²), Ixx = m·(6R² + L²)/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         return Unit(
             PI * self.radius * self.length,
@@ -86,27 +70,17 @@ class HalfCylindricalShell:
 @tagged("shape")
 @record
 class ConicalShell:
-    """A thin circular cone, its rim on the x-y plane about the origin, its apex at z = height.
+    """A thin circular cone, its rim on the x-y plane about the origin, its apex at z = height."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius of the rim [m].
-    height : Size
-        Height along z [m].
-    closed : bool
-        Close the rim with a disk of the same sheet.
-    """
-
-    radius: Size
-    height: Size
-    closed: bool = False
+    radius: Annotated[Size, "Radius of the rim [m]."]
+    height: Annotated[Size, "Height along z [m]."]
+    closed: Annotated[bool, "Close the rim with a disk of the same sheet."] = False
 
     dimension = 2
     formula = "open: z̄ = h/3, Izz = m·R²/2, Ixx = Iyy = m·(R²/4 + h²/18); a base shares the mass by area"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         r, h = self.radius, self.height
         slant = hypot(r, h)
         total = slant + r if self.closed else slant
@@ -120,27 +94,17 @@ class ConicalShell:
 @tagged("shape")
 @record
 class FrustumShell:
-    """A thin frustum of a circular cone, open, its base on the x-y plane about the origin.
+    """A thin frustum of a circular cone, open, its base on the x-y plane about the origin."""
 
-    Parameters
-    ----------
-    base_radius : Size
-        Radius at z = 0 [m].
-    top_radius : Size
-        Radius at z = height [m].
-    height : Size
-        Height along z [m].
-    """
-
-    base_radius: Size
-    top_radius: Size
-    height: Size
+    base_radius: Annotated[Size, "Radius at z = 0 [m]."]
+    top_radius: Annotated[Size, "Radius at z = height [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 2
     formula = "Izz = m·(a² + b²)/2, z̄ = h·(a + 2b)/(3·(a + b))"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, h = self.base_radius, self.top_radius, self.height
         both = a + b
         require(both > 0.0, "a frustum needs a base or a top", code="frustum")
@@ -157,21 +121,15 @@ class FrustumShell:
 @tagged("shape")
 @record
 class SphericalShell:
-    """A thin sphere about the origin.
+    """A thin sphere about the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius [m]."]
 
     dimension = 2
     formula = "Ixx = Iyy = Izz = (2/3)·m·R²"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         own = self.radius * self.radius / 3.0
         return Unit(4.0 * PI * self.radius * self.radius, CENTRE, own, own, own)
 
@@ -179,24 +137,16 @@ class SphericalShell:
 @tagged("shape")
 @record
 class HemisphericalShell:
-    """A thin hemisphere, its rim on the x-y plane about the origin, on the side of positive z.
+    """A thin hemisphere, its rim on the x-y plane about the origin, on the side of positive z."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    closed : bool
-        Close the rim with a disk of the same sheet.
-    """
-
-    radius: Size
-    closed: bool = False
+    radius: Annotated[Size, "Radius [m]."]
+    closed: Annotated[bool, "Close the rim with a disk of the same sheet."] = False
 
     dimension = 2
     formula = "open: z̄ = R/2, Izz = (2/3)·m·R², Ixx = Iyy = (5/12)·m·R²; closed: z̄ = R/3, Izz = (11/18)·m·R²"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         r = self.radius
         square = r * r
         if self.closed:
@@ -209,27 +159,17 @@ class HemisphericalShell:
 @tagged("shape")
 @record
 class BoxShell:
-    """A thin closed box about the origin.
+    """A thin closed box about the origin."""
 
-    Parameters
-    ----------
-    width : Size
-        Side along x [m].
-    depth : Size
-        Side along y [m].
-    height : Size
-        Side along z [m].
-    """
-
-    width: Size
-    depth: Size
-    height: Size
+    width: Annotated[Size, "Side along x [m]."]
+    depth: Annotated[Size, "Side along y [m]."]
+    height: Annotated[Size, "Side along z [m]."]
 
     dimension = 2
     formula = "six rectangles that share the mass by area"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, c = self.width, self.depth, self.height
         x, y, z = b * c, c * a, a * b
         size = x + y + z
@@ -246,24 +186,16 @@ class BoxShell:
 @tagged("shape")
 @record
 class TorusShell:
-    """A thin ring of circular section about z, its middle at the origin.
+    """A thin ring of circular section about z, its middle at the origin."""
 
-    Parameters
-    ----------
-    ring_radius : Size
-        Radius of the circle through the middles of the sections [m].
-    radius : Size
-        Radius of the section [m].
-    """
-
-    ring_radius: Size
-    radius: Size
+    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
+    radius: Annotated[Size, "Radius of the section [m]."]
 
     dimension = 2
     formula = "Izz = m·(R² + 3r²/2), Ixx = Iyy = m·(R²/2 + 5r²/4)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         ring, square = self.ring_radius, self.radius * self.radius
         require_ring(ring, self.radius)
         own = 0.5 * ring * ring + 0.75 * square

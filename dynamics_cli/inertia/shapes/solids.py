@@ -13,28 +13,22 @@ from dynamics_cli.inertia.shapes.unit import (
     TWO_THIRDS,
     Unit,
 )
-from dynamics_cli.quantities import Size
+from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import record, tagged
 
 
 @tagged("shape")
 @record
 class Sphere:
-    """A solid sphere about the origin.
+    """A solid sphere about the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius [m]."]
 
     dimension = 3
     formula = "Ixx = Iyy = Izz = (2/5)·m·R²"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         own = square / 5.0
         return Unit(FOUR_THIRDS * PI * square * self.radius, CENTRE, own, own, own)
@@ -43,21 +37,15 @@ class Sphere:
 @tagged("shape")
 @record
 class Hemisphere:
-    """A solid hemisphere, its flat face on the x-y plane about the origin, on the side of positive z.
+    """A solid hemisphere, its flat face on the x-y plane about the origin, on the side of positive z."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    """
-
-    radius: Size
+    radius: Annotated[Size, "Radius [m]."]
 
     dimension = 3
     formula = "z̄ = 3R/8, Ixx = Iyy = (83/320)·m·R², Izz = (2/5)·m·R²"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         own = square / 5.0
         return Unit(
@@ -68,24 +56,16 @@ class Hemisphere:
 @tagged("shape")
 @record
 class Cylinder:
-    """A solid circular cylinder along z, its middle at the origin.
+    """A solid circular cylinder along z, its middle at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length along z [m].
-    """
-
-    radius: Size
-    length: Size
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "Izz = m·R²/2, Ixx = Iyy = m·(3R² + L²)/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         return Unit(PI * square * self.length, CENTRE, 0.25 * square, 0.25 * square, self.length * self.length / 12.0)
 
@@ -93,24 +73,16 @@ class Cylinder:
 @tagged("shape")
 @record
 class HalfCylinder:
-    """Half a solid cylinder along z, its flat face on the y-z plane, on the side of positive x, its mid-plane at z = 0.
+    """Half a solid cylinder along z, its flat face on the y-z plane, at positive x, its mid-plane at z = 0."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length along z [m].
-    """
-
-    radius: Size
-    length: Size
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "x̄ = 4R/(3π), Izz = m·R²·(1/2 − 16/(9π²)), Ixx = m·(3R² + L²)/12"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         return Unit(
             0.5 * PI * square * self.length,
@@ -124,24 +96,16 @@ class HalfCylinder:
 @tagged("shape")
 @record
 class QuarterCylinder:
-    """A quarter of a solid cylinder along z between the x-z and y-z planes, its edge on z, its mid-plane at z = 0.
+    """A quarter of a solid cylinder along z between the x-z and y-z planes, its edge on z, its mid-plane at z = 0."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length along z [m].
-    """
-
-    radius: Size
-    length: Size
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
     formula = "x̄ = ȳ = 4R/(3π), Izz = m·R²·(1/2 − 32/(9π²)), ∫xy dm = m·R²·(1/(2π) − 16/(9π²))"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         middle = FOUR_THIRDS_OVER_PI * self.radius
         own = HALF_DISK * square
@@ -158,24 +122,16 @@ class QuarterCylinder:
 @tagged("shape")
 @record
 class Cone:
-    """A solid circular cone, its base on the x-y plane about the origin, its apex at z = height.
+    """A solid circular cone, its base on the x-y plane about the origin, its apex at z = height."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius of the base [m].
-    height : Size
-        Height along z [m].
-    """
-
-    radius: Size
-    height: Size
+    radius: Annotated[Size, "Radius of the base [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "z̄ = h/4, Izz = (3/10)·m·R², Ixx = Iyy = (3/80)·m·(4R² + h²)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         own = 3.0 * square / 20.0
         return Unit(
@@ -190,27 +146,17 @@ class Cone:
 @tagged("shape")
 @record
 class Frustum:
-    """A solid frustum of a circular cone, its base on the x-y plane about the origin.
+    """A solid frustum of a circular cone, its base on the x-y plane about the origin."""
 
-    Parameters
-    ----------
-    base_radius : Size
-        Radius at z = 0 [m].
-    top_radius : Size
-        Radius at z = height [m].
-    height : Size
-        Height along z [m].
-    """
-
-    base_radius: Size
-    top_radius: Size
-    height: Size
+    base_radius: Annotated[Size, "Radius at z = 0 [m]."]
+    top_radius: Annotated[Size, "Radius at z = height [m]."]
+    height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "Izz = (3/10)·m·(a⁵ − b⁵)/(a³ − b³), z̄ = h·(a² + 2ab + 3b²)/(4·(a² + ab + b²))"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b = self.base_radius, self.top_radius
         size = a * a + a * b + b * b
         require(size > 0.0, "a frustum needs a base or a top", code="frustum")
@@ -231,24 +177,16 @@ class Frustum:
 @tagged("shape")
 @record
 class Capsule:
-    """A solid cylinder along z with a half ball on either end, its middle at the origin.
+    """A solid cylinder along z with a half ball on either end, its middle at the origin."""
 
-    Parameters
-    ----------
-    radius : Size
-        Radius [m].
-    length : Size
-        Length of the cylinder between the half balls, along z [m].
-    """
-
-    radius: Size
-    length: Size
+    radius: Annotated[Size, "Radius [m]."]
+    length: Annotated[Size, "Length of the cylinder between the half balls, along z [m]."]
 
     dimension = 3
     formula = "Izz = m_c·R²/2 + m_b·(2/5)·R², mass shared by volume: cylinder L, balls (4/3)·R"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         r, length = self.radius, self.length
         balls = 4.0 * r / 3.0
         both = length + balls
@@ -263,24 +201,16 @@ class Capsule:
 @tagged("shape")
 @record
 class Torus:
-    """A solid ring of circular section about z, its middle at the origin.
+    """A solid ring of circular section about z, its middle at the origin."""
 
-    Parameters
-    ----------
-    ring_radius : Size
-        Radius of the circle through the middles of the sections [m].
-    radius : Size
-        Radius of the section [m].
-    """
-
-    ring_radius: Size
-    radius: Size
+    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
+    radius: Annotated[Size, "Radius of the section [m]."]
 
     dimension = 3
     formula = "Izz = m·(R² + 3r²/4), Ixx = Iyy = m·(R²/2 + 5r²/8)"
 
     def unit(self) -> Unit:
-        """Of mass one."""
+        """Measure, mass centre and second moments for a mass of 1 kg."""
         ring, square = self.ring_radius, self.radius * self.radius
         require_ring(ring, self.radius)
         own = 0.5 * ring * ring + 0.375 * square

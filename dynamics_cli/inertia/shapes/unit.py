@@ -1,11 +1,11 @@
 """What a shape says of itself: its measure, and mass centre and second moments for a mass of one."""
 
-from dynamics_cli.inertia.lump import Lump, scaled, symmetric
-from dynamics_cli.numerics.constant import Constant
+from dynamics_cli.inertia.bodies.mass_moments import Lump, scaled, symmetric
+from dynamics_cli.numerics.exact.constants import Constant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.inertia.lump import Vector
+    from dynamics_cli.inertia.bodies.mass_moments import Vector
 
 # Numbers of half and quarter circles, of which subtraction would cost digits.
 PI = Constant("3.141592653589793238462643383279502884197169399375105820974944592307816")
@@ -23,7 +23,7 @@ QUARTER_DISK = Constant("-0.0209716056055940356869019490003347737955115092324263
 
 
 class Unit:
-    """A shape of mass one in its own frame: `measure` is its volume, area or length."""
+    """A shape with a mass of 1 kg in its own frame: `measure` is its volume, area or length."""
 
     __slots__ = ("centroid", "measure", "second")
 

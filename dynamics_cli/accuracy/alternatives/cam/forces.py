@@ -1,0 +1,210 @@
+"""Forces on a cam: certified extremes, beside a table of one degree and beside samples that are refined."""
+
+from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.rows import row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.accuracy.rows import Row
+    from dynamics_cli.cam.forces.loads import Load
+
+    Found = dict[str, tuple[float, float | None]]
+    Answer = Callable[[dict[str, Any]], Found]
+
+FILES = ("cam_forces.json", "cam_found.json")
+GOLDEN = 0.6180339887498949
+
+
+def given(case: Case) -> "dict[str, Any]":
+    """The task's arguments, as records."""
+    from dynamics_cli.cam.forces import records
+    from dynamics_cli.cam.geometry import followers
+    from dynamics_cli.cam.program.reading import Program
+
+    made: dict[str, Any] = {"scene": Program(), "rotation": followers.Rotation(case.inputs["rotation"])}
+    for name, tree in case.inputs.items():
+        if name == "shaft_speed":
+            made[name] = float(tree)
+        elif name == "program":
+            made[name] = tree
+        elif name == "contact":
+            made[name] = records.Contact(width=float(tree["width"]))
+        elif name in ("train", "follower"):
+            values = {key: float(value) for key, value in tree.items() if key != "record"}
+            made[name] = getattr(records if name == "train" else followers, tree["record"])(**values)
+    return made
+
+
+def certified(arguments: "dict[str, Any]") -> "Found":
+    """The program's own: every extreme certified, with its bound."""
+    from dynamics_cli.cam.forces.forces import force
+
+    rest = dict(arguments)
+    found = force(rest.pop("scene"), count=2, **rest)
+    assert found.numerics is not None
+    bounds = {one.result: one for one in found.numerics.bounds}
+    out: Found = {}
+    for name, bound in bounds.items():
+        value = getattr(found, name)
+        out[name] = value, bound.bound * abs(value) if bound.relative else bound.bound
+    return out
+
+
+def _curves(arguments: "dict[str, Any]") -> "tuple[Any, Callable[..., dict[str, Any]]]":
+    """The motion, and every quantity by the textbook's formulas from lift, velocity and acceleration."""
+    import numpy as np
+
+    from dynamics_cli.cam.forces.loads import load_of
+    from dynamics_cli.cam.geometry.contact import Geometry
+    from dynamics_cli.cam.program.reading import motion_of
+
+    motion = motion_of(arguments["scene"], arguments["program"])
+    load_: Load = load_of(arguments["train"], motion, arguments["shaft_speed"])
+    follower, contact = arguments.get("follower"), arguments.get("contact")
+    geometry = None if follower is None else Geometry(follower, arguments["rotation"])
+    pivot = getattr(follower, "pivot_distance", 0.0)
+
+    def curves(s: "Any", s1: "Any", s2: "Any") -> "dict[str, Any]":
+        pressing = load_.force(s, s2)
+        name = "arm_torque" if load_.arm else "force"
+        slowed = np.where(s2 < 0.0, -load_.inertia * s2 / (load_.rate * s + load_.steady), 0.0)
+        out = {name: pressing, "torque": pressing * s1, "jump_speed": np.nan_to_num(slowed)}
+        if geometry is None:
+            return out
+        touch = geometry.touch(s, s1, s2)
+        if load_.arm:
+            (x, y), (nx, ny) = touch.point, touch.normal
+            normal = pressing / (y * nx - (x - pivot) * ny)
+        else:
+            normal = pressing / np.cos(touch.pressure_angle)
+        out["contact_force"] = normal
+        if contact is not None:
+            bend = 1.0 / touch.radius if geometry.flat else 1.0 / (1.0 / touch.curvature - geometry.roller)
+            out["stress"] = normal * (bend + (0.0 if geometry.flat else 1.0 / geometry.roller))
+        return out
+
+    return motion, curves
+
+
+def _told(rows: "dict[str, tuple[float, float]]", arguments: "dict[str, Any]") -> "Found":
+    """Results from the least and greatest of every curve."""
+    from math import inf, pi, sqrt
+
+    out: Found = {}
+    for name, (low, high) in rows.items():
+        if name == "jump_speed":
+            out[name] = (1.0 / sqrt(high) if high > 0.0 else inf), None
+        elif name == "stress":
+            contact = arguments["contact"]
+            give = 2.0 * (1.0 - contact.cam_poisson * contact.cam_poisson) / contact.cam_modulus
+            out[name] = sqrt(max(high, 0.0) / (pi * contact.width * give)), None
+        else:
+            out[f"least_{name}"], out[f"greatest_{name}"] = (low, None), (high, None)
+    return out
+
+
+def sampled(count: int) -> "Answer":
+    """So many equal steps of cam angle, the textbook's table."""
+
+    def answer(arguments: "dict[str, Any]") -> "Found":
+        import numpy as np
+
+        motion, curves = _curves(arguments)
+        found = curves(*motion.at(np.arange(count) * (2.0 * np.pi / count), 2))
+        return _told({name: (float(v.min()), float(v.max())) for name, v in found.items()}, arguments)
+
+    return answer
+
+
+def refined(arguments: "dict[str, Any]") -> "Found":
+    """64 steps of every zone, ends included, then golden sections about the best of each curve."""
+    import numpy as np
+
+    motion, curves = _curves(arguments)
+    shares = np.linspace(0.0, 1.0, 65)
+    zones = [curves(*motion.in_zone(index, shares, 2)) for index in range(len(motion.zones))]
+    rows: dict[str, tuple[float, float]] = {}
+    for name in zones[0]:
+        ends = []
+        for sign in (-1.0, 1.0):
+            values = np.array([sign * (zone[name] + 0.0 * shares) for zone in zones])
+            index, place = divmod(int(values.argmax()), shares.size)
+
+            def one(share: float, name: str = name, sign: float = sign, index: int = index) -> float:
+                return sign * float(curves(*motion.in_zone(index, np.array([share]), 2))[name][0])
+
+            ends.append(sign * max(float(values[index, place]), _golden(one, (place - 1) / 64.0, (place + 1) / 64.0)))
+        rows[name] = ends[0], ends[1]
+    return _told(rows, arguments)
+
+
+def _golden(function: "Callable[[float], float]", low: float, high: float) -> float:
+    low, high = max(low, 0.0), min(high, 1.0)
+    for _ in range(45):
+        a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        low, high = (low, b) if function(a) > function(b) else (a, high)
+    return function(0.5 * (low + high))
+
+
+METHODS: "tuple[tuple[str, Answer], ...]" = (
+    ("certified extremes (chosen)", certified),
+    ("360 samples", sampled(360)),
+    ("36,000 samples", sampled(36_000)),
+    ("64 steps a zone and golden sections", refined),
+)
+
+
+def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Every method on every case; errors in shares of the larger of the two extremes."""
+    import numpy as np
+
+    pace = Pace(full=full)
+    every = [case for file in FILES for case in load(file) if case.task == "force"]
+    cases = [(case, given(case)) for case in every if case.hard or not hard]
+    made: list[Row] = []
+    base: float | None = None
+    for method, function in METHODS:
+        errors = Errors()
+        with np.errstate(all="ignore"):
+            for case, arguments in cases:
+                errors.cases += 1
+                counted(errors, case, function(arguments))
+            time = None
+            if timed:
+                time = seconds(lambda: function(cases[0][1]), repeats=pace.repeats, least=pace.least)  # noqa: B023
+        base = base or time
+        made.append(row(name, method, errors, time, base))
+    return made
+
+
+def counted(errors: Errors, case: Case, found: "Found") -> None:
+    """Extremes in shares of the larger magnitude of the two, speeds of themselves, stresses as the radii they tell."""
+    from decimal import Decimal
+
+    for address, text in case.results.items():
+        value, bound = found[address]
+        size = abs(float(text))
+        for end, other in (("least_", "greatest_"), ("greatest_", "least_")):
+            if address.startswith(end):
+                size = max(size, abs(float(case.results[address.replace(end, other, 1)])))
+        if address == "stress":
+            size /= _radius_share(case, size)
+        error = float(abs(Decimal(value) - Decimal(text))) / size
+        errors.note(f"{case.name}: {address}", error, None if bound is None else bound / size)
+
+
+def _radius_share(case: Case, stress: float) -> float:
+    """Radius of contact that a stress tells, as a share of roller or base circle: next to a cusp it is left over."""
+    from math import pi
+
+    from dynamics_cli.cam.forces.records import STEEL, STEEL_RATIO
+
+    give = 2.0 * (1.0 - STEEL_RATIO * STEEL_RATIO) / STEEL
+    width, follower = float(case.inputs["contact"]["width"]), case.inputs["follower"]
+    force = float(case.results["greatest_contact_force"])
+    radius = force / (pi * width * give * stress * stress)
+    return min(1.0, radius / float(follower.get("roller_radius", follower["base_radius"])))

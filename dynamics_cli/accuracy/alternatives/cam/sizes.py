@@ -1,0 +1,112 @@
+"""Smallest cams for limits: certified extremes in closed forms, beside the same forms over samples."""
+
+from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.rows import row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from dynamics_cli.accuracy.rows import Row
+
+    Answer = Callable[[Case], Callable[[], tuple[dict[str, float], float | None]]]
+
+FILES = ("cam_geometry.json", "cam_design.json")
+ADDRESSES = ("base_radius", "offset", "start_radius", "roller_distance")
+
+
+def certified(case: Case) -> "Callable[[], tuple[dict[str, float], float | None]]":
+    """The program's own, from the line of the program to the size."""
+    from dynamics_cli.cam.program.reading import Program
+    from dynamics_cli.cam.sizing import records, size
+
+    tree = case.inputs["follower"]
+    follower = getattr(records, tree["record"])(**{key: float(value) for key, value in tree.items() if key != "record"})
+    limits = {key: float(value) for key, value in case.inputs.items() if key.endswith(("_limit", "_radius"))}
+
+    def answer() -> "tuple[dict[str, float], float | None]":
+        made = size.size(Program(), program=case.inputs["program"], follower=follower, **limits)  # type: ignore[arg-type]
+        assert made.numerics is not None
+        found = {name: getattr(made, name, None) for name in ADDRESSES}
+        return {name: value for name, value in found.items() if value is not None}, made.numerics.bounds[0].bound
+
+    return answer
+
+
+def _nearest(a: float, b: float, rise: float, back: float) -> float:
+    """The offset e at which max(a − e·rise, b + e·back) is nearest to the axis: where they meet, or a foot on one."""
+    meeting = (a - b) / (rise + back)
+    first, second = a * rise / (1.0 + rise * rise), -b * back / (1.0 + back * back)
+    if first <= meeting:
+        return first
+    return max(second, meeting)
+
+
+def sampled(count: int) -> "Answer":
+    """The construction of Flocke, and R + s + s″ of a flat face, with the largest of so many samples."""
+
+    def prepared(case: Case) -> "Callable[[], tuple[dict[str, float], float | None]]":
+        def answer() -> "tuple[dict[str, float], float | None]":
+            import numpy as np
+
+            from dynamics_cli.cam.program.reading import Program, motion_of
+
+            theta = np.arange(count) * (2.0 * np.pi / count)
+            s, s1, s2 = motion_of(Program(), case.inputs["program"]).at(theta, 2)
+            given, follower = case.inputs, case.inputs["follower"]
+            if follower["record"] == "FlatFace":
+                return {"base_radius": max(float(given["least_radius"]) - float((s + s2).min()), 0.0)}, None
+            rise, back = (1.0 / np.tan(float(given[name])) for name in ("rise_limit", "return_limit"))
+            a, b = float((s1 * rise - s).max()), float((-s1 * back - s).max())
+            offset = float(follower["offset"]) if "offset" in follower else _nearest(a, b, rise, back)
+            height = max(a - offset * rise, b + offset * back)
+            start = float(np.hypot(height, offset))
+            return {
+                "start_radius": start,
+                "offset": offset,
+                "base_radius": start - float(follower["roller_radius"]),
+            }, None
+
+        return answer
+
+    return prepared
+
+
+METHODS: "tuple[tuple[str, Answer], ...]" = (
+    ("certified extremes (chosen)", certified),
+    ("360 samples", sampled(360)),
+    ("36,000 samples", sampled(36_000)),
+)
+
+
+def _constructed(case: Case) -> bool:
+    """Whether the graphical construction answers a case: sliding followers, and no curvature but under a flat face."""
+    kind = case.inputs["follower"]["record"]
+    return kind == "FlatFace" or (kind in ("KnifeEdge", "Roller") and "least_radius" not in case.inputs)
+
+
+def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+    """Every method on every size it answers; errors in shares of the pitch curve's least radius."""
+    pace = Pace(full=full)
+    every = [case for file in FILES for case in load(file) if case.task == "size" and (case.hard or not hard)]
+    made: list[Row] = []
+    base: float | None = None
+    for method, prepare in METHODS:
+        errors = Errors()
+        cases = every if prepare is certified else [case for case in every if _constructed(case)]
+        for case in cases:
+            found, bound = prepare(case)()
+            errors.cases += 1
+            size = abs(float(case.results.get("start_radius", case.results["base_radius"])))
+            for address, text in case.results.items():
+                if address not in found:
+                    continue
+                stated = bound * abs(found[address]) / size if bound is not None and address == "base_radius" else None
+                errors.note(f"{case.name}: {address}", abs(found[address] - float(text)) / size, stated)
+        time = None
+        if timed:
+            time = seconds(prepare(cases[0]), repeats=pace.repeats, least=pace.least)
+        base = base or time
+        made.append(row(name, method, errors, time, base))
+    return made

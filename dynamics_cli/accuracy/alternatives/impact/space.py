@@ -1,0 +1,171 @@
+"""Keller's equations of an impact in space: Taylor series in τ beside Dormand–Prince.
+
+By normal impulse the slip's direction is singular where the slip stops, so it is stopped below a share of the
+start and goes on straight, as the program does.
+"""
+
+from math import hypot
+
+from dynamics_cli.accuracy.alternatives.march import own
+from dynamics_cli.accuracy.alternatives.shares import Way, compared
+from dynamics_cli.accuracy.cases import Case, load
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import Any
+
+    from dynamics_cli.accuracy.alternatives.march import March
+    from dynamics_cli.accuracy.rows import Row
+
+    Vector = tuple[float, float, float]
+    State = list[float]
+
+FILE = "impact_spatial.json"
+NAMES = ("impulse[0]", "impulse[1]", "impulse[2]")
+# Slip below this share of the speeds at the start has stopped, for those that march by impulse.
+STOPPED = 1e-9
+# Where the slip's direction turns ever faster an integrator's steps shrink; this many slopes are a second's work.
+MOST_SLOPES = 30_000
+
+
+class Contact:
+    """K, velocity, friction and restitution of a contact, and the law that ends it."""
+
+    def __init__(self, k: "Any", u: "Vector", mu: float, e: float, law: str) -> None:
+        self.k = k
+        self.u = u
+        self.mu, self.e, self.law = mu, e, law
+        self.least = STOPPED * max(hypot(u[0], u[1]), -u[2])
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
+        given = case.inputs
+        rows = tuple(tuple(map(float, row)) for row in given["mobility"])
+        u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
+        return cls(rows, u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
+
+    def held(self, slip: float) -> bool:
+        """Whether the slip has stopped."""
+        return slip <= self.least
+
+    def ratio(self, x: float, y: float) -> "tuple[float, float]":
+        """Friction per normal impulse: against the slip, and once it has stopped what holds it or the one way out."""
+        from dynamics_cli.impact.spatial.straight_slip import stick_ratio, way_out
+
+        slip = hypot(x, y)
+        if not self.held(slip):
+            return -self.mu * x / slip, -self.mu * y / slip
+        hold = stick_ratio(self.k)
+        if hypot(*hold) <= self.mu:
+            return hold
+        out = way_out(self.k, self.mu)
+        return -self.mu * out[0], -self.mu * out[1]
+
+    def rates(self, y: "State") -> "State":
+        """d/dp_n of u_1, u_2, u_n, p_1, p_2, p_n, normal work."""
+        a, b = self.ratio(y[0], y[1])
+        u = [row[0] * a + row[1] * b + row[2] for row in self.k]
+        return [*u, a, b, 1.0, y[2]]
+
+    def aim(self, state: "State", compression: float, done: float) -> float:
+        """What is negative until compression is over, and then until the law's end."""
+        if not compression:
+            return state[2]
+        if self.law == "newton":
+            return state[2] + self.e * self.u[2]
+        if self.law == "poisson":
+            return state[5] - (1.0 + self.e) * compression
+        return state[6] + (1.0 - self.e * self.e) * done
+
+
+def taylor(order: int, stride: float) -> "Callable[[Case], Callable[[], Vector]]":
+    """The program's own, of this order and with steps of this share of the radius of convergence."""
+
+    def prepare(case: Case) -> "Callable[[], Vector]":
+        from dynamics_cli.impact.spatial.hodograph import travel
+
+        c = Contact.of(case)
+        return lambda: travel(c.k, c.u, c.mu, c.e, c.law, order, stride).impulse
+
+    return prepare
+
+
+def decimals(case: Case) -> "Callable[[], Vector]":
+    """The program's own, in the decimals that its answers are rounded from."""
+    from decimal import Context, localcontext
+
+    from dynamics_cli.impact.spatial.arithmetic import widened
+    from dynamics_cli.impact.spatial.bounds import EFFORTS
+    from dynamics_cli.impact.spatial.impact import followed
+
+    c = Contact.of(case)
+    k, u, mu, e, law = widened((c.k, c.u, c.mu, c.e, c.law))
+    order, digits, most = EFFORTS[0]
+
+    def answer() -> "Vector":
+        with localcontext(Context(prec=most)):
+            x, y, z = followed(k, u, mu, e, law, order=order, digits=digits).impulse
+            return float(x), float(y), float(z)
+
+    return answer
+
+
+def integrated(march: "March") -> "Callable[[Case], Callable[[], Vector]]":
+    """Keller's equations integrated by normal impulse."""
+
+    def prepare(case: Case) -> "Callable[[], Vector]":
+        c = Contact.of(case)
+        return lambda: integral(c, march)
+
+    return prepare
+
+
+def integral(c: Contact, march: "March") -> "Vector":
+    """The impulse, the march stopping where slip has stopped, compression ends and the law ends it."""
+    y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
+    compression = done = 0.0
+    slopes = 0
+    longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
+    for _ in range(4):
+        straight = c.held(hypot(y[0], y[1]))
+        fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
+
+        def slope(_: float, y: "State", fixed: "Any" = fixed) -> "State":
+            nonlocal slopes
+            slopes += 1
+            if slopes > MOST_SLOPES:
+                raise ArithmeticError
+            return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
+
+        def stops(_: float, y: "State", straight: bool = straight) -> float:
+            return -1.0 if straight else c.least - hypot(y[0], y[1])
+
+        def ends(_: float, y: "State", compression: float = compression, done: float = done) -> float:
+            return c.aim(y, compression, done)
+
+        y, (stopped, ended) = march(slope, y, [stops, ends], 1e-15 * -c.u[2], longest)
+        if stopped:
+            y[0] = y[1] = 0.0
+        if ended:
+            if compression or c.e == 0.0:
+                return y[3], y[4], y[5]
+            compression, done = y[5], -y[6]
+    raise ArithmeticError
+
+
+CHOSEN = 24, 0.1353352832366127
+# Half a last bit of the largest part.
+ROUNDED = 1.0001 * 2.0**-53
+WAYS = (
+    Way("Taylor in decimals, rounded once (chosen)", decimals, lambda _: ROUNDED),
+    Way("Taylor of order 24", taylor(*CHOSEN)),
+    Way("Dormand–Prince 5(4), 1e-10", integrated(own(1e-10))),
+)
+
+
+def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+    """The impulse by every method."""
+    cases = [case for case in load(FILE) if case.task == "keller" and (case.hard or not hard)]
+    return compared(name, cases, WAYS, NAMES, full=full, timed=timed, more=more)

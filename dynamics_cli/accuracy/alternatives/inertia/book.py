@@ -1,0 +1,255 @@
+"""Shapes by the integrals that handbooks print about an edge, a base or a centre; walls as outer less inner."""
+
+from math import cos, hypot, pi, sin
+
+from dynamics_cli.accuracy.alternatives.inertia.origin import Piece, results
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    Pieces = list[Piece]
+
+FLAT = 0.0, 0.0, 0.0
+
+
+def _round(size: float, z: float, across: float, along: float) -> Piece:
+    """A piece alike about z: ∫x² = ∫y² = across, ∫z² = along, of size one."""
+    return size, (0.0, 0.0, z), (across, across, along, *FLAT)
+
+
+def _symmetric(size: float, xx: float, yy: float, zz: float, z: float = 0.0) -> Piece:
+    return size, (0.0, 0.0, z), (xx, yy, zz, *FLAT)
+
+
+def _arc(size: float, mean: float, square: float, half: float, along: float = 0.0) -> Piece:
+    """An arc or a sector of half angle α about x: x̄ = r̄·sin α/α, ∫x² = r̄²/2·(1 + sin 2α/2α)."""
+    swing = sin(2.0 * half) / (2.0 * half)
+    x = mean * sin(half) / half
+    return size, (x, 0.0, 0.0), (0.5 * square * (1.0 + swing), 0.5 * square * (1.0 - swing), along, *FLAT)
+
+
+def _quarter(size: float, mean: float, square: float, along: float = 0.0) -> Piece:
+    """A quarter between x and y: x̄ = ȳ = 2r̄/π, ∫xy = r̄²/π."""
+    x = 2.0 * mean / pi
+    return size, (x, x, 0.0), (0.5 * square, 0.5 * square, along, square / pi, 0.0, 0.0)
+
+
+def _disk(r: float, z: float = 0.0) -> Piece:
+    return _round(pi * r**2, z, r**2 / 4.0, z**2)
+
+
+def _cylinder(r: float, length: float) -> Piece:
+    return _round(pi * r**2 * length, 0.0, r**2 / 4.0, length**2 / 12.0)
+
+
+def _block(a: float, b: float, c: float) -> Piece:
+    return _symmetric(a * b * c, a**2 / 12.0, b**2 / 12.0, c**2 / 12.0)
+
+
+def _ball(r: float) -> Piece:
+    return _round(4.0 / 3.0 * pi * r**3, 0.0, r**2 / 5.0, r**2 / 5.0)
+
+
+def _half_ball(r: float) -> Piece:
+    return _round(2.0 / 3.0 * pi * r**3, 3.0 / 8.0 * r, r**2 / 5.0, r**2 / 5.0)
+
+
+def _frustum(a: float, b: float, h: float) -> Piece:
+    square = a**2 + a * b + b**2
+    across = 3.0 * (a**4 + a**3 * b + a**2 * b**2 + a * b**3 + b**4) / (20.0 * square)
+    along = h**2 * (a**2 + 3.0 * a * b + 6.0 * b**2) / (10.0 * square)
+    return _round(pi * h * square / 3.0, h * (a**2 + 2.0 * a * b + 3.0 * b**2) / (4.0 * square), across, along)
+
+
+def _torus(ring: float, r: float) -> Piece:
+    return _round(2.0 * pi**2 * ring * r**2, 0.0, ring**2 / 2.0 + 3.0 * r**2 / 8.0, r**2 / 4.0)
+
+
+def _less(outer: Piece, inner: Piece) -> "Pieces":
+    return [outer, (-inner[0], *inner[1:])]
+
+
+def _cone_shell(a: float, b: float, h: float) -> Piece:
+    """A conical sheet from a at the base to b at the top: weights by the circumference."""
+    total = a + b
+    across = (a**3 + a**2 * b + a * b**2 + b**3) / (4.0 * total)
+    return _round(pi * total * hypot(a - b, h), h * (a + 2.0 * b) / (3.0 * total), across, h**2 * (a + 3.0 * b) / (
+        6.0 * total
+    ))  # fmt: skip
+
+
+def _can(s: "Any") -> "Pieces":
+    half = 0.5 * s.length
+    wall = _round(2.0 * pi * s.radius * s.length, 0.0, s.radius**2 / 2.0, s.length**2 / 12.0)
+    ends = {"open": (), "one": (-half,), "both": (-half, half)}[str(s.ends)]
+    return [wall, *(_disk(s.radius, z) for z in ends)]
+
+
+def _box(s: "Any") -> "Pieces":
+    """Six rectangles, each with what the parallel axis theorem adds."""
+    a, b, c = s.width, s.depth, s.height
+    return [
+        _symmetric(2.0 * a * b, a**2 / 12.0, b**2 / 12.0, c**2 / 4.0),
+        _symmetric(2.0 * b * c, a**2 / 4.0, b**2 / 12.0, c**2 / 12.0),
+        _symmetric(2.0 * c * a, a**2 / 12.0, b**2 / 4.0, c**2 / 12.0),
+    ]
+
+
+def _capsule(s: "Any") -> "Pieces":
+    """A cylinder and two half balls, moved out by L/2: ∫z² = R²/5 + 2·(L/2)·(3R/8) + L²/4."""
+    r, half = s.radius, 0.5 * s.length
+    along = r**2 / 5.0 + 0.75 * r * half + half**2
+    return [_cylinder(r, s.length), _round(4.0 / 3.0 * pi * r**3, 0.0, r**2 / 5.0, along)]
+
+
+def _sides(vertices: "Any") -> "Pieces":
+    """Sums over the sides from the origin: A = Σ (xᵢyⱼ − xⱼyᵢ)/2, and so on, each side's triangle with the origin."""
+    made = []
+    for one, two in zip(vertices, (*vertices[1:], vertices[0]), strict=True):
+        a, b, c, d = one.x, one.y, two.x, two.y
+        made.append(
+            (
+                0.5 * (a * d - c * b),
+                ((a + c) / 3.0, (b + d) / 3.0, 0.0),
+                ((a * a + a * c + c * c) / 6.0, (b * b + b * d + d * d) / 6.0, 0.0,
+                 (a * d + 2.0 * a * b + 2.0 * c * d + c * b) / 12.0, 0.0, 0.0),
+            )
+        )  # fmt: skip
+    turn = 1.0 if sum(piece[0] for piece in made) > 0.0 else -1.0
+    return [(turn * size, centre, second) for size, centre, second in made]
+
+
+def _prism(s: "Any") -> "Pieces":
+    own = s.height**2 / 12.0
+    return [(size * s.height, c, (xx, yy, own, xy, 0.0, 0.0)) for size, c, (xx, yy, _, xy, _, _) in _sides(s.vertices)]
+
+
+def _regular(s: "Any") -> "Pieces":
+    step = 2.0 * pi / s.sides
+    across = s.radius**2 * (2.0 + cos(step)) / 12.0
+    return [_round(0.5 * s.sides * s.radius**2 * sin(step) * s.height, 0.0, across, s.height**2 / 12.0)]
+
+
+def _triangle(s: "Any") -> "Pieces":
+    """About the corner at the origin: ∫x² = (a² + a·b + b²)/6, ∫y² = h²/6, ∫xy = h·(2a + b)/12."""
+    b, h, a = s.base, s.height, s.offset
+    second = ((a**2 + a * b + b**2) / 6.0, h**2 / 6.0, 0.0, h * (2.0 * a + b) / 12.0, 0.0, 0.0)
+    return [(0.5 * b * h, ((a + b) / 3.0, h / 3.0, 0.0), second)]
+
+
+def _wedge(s: "Any") -> "Pieces":
+    a, b, c = s.width, s.height, s.length
+    return [(0.5 * a * b * c, (a / 3.0, b / 3.0, 0.0), (a**2 / 6.0, b**2 / 6.0, c**2 / 12.0, a * b / 12.0, 0.0, 0.0))]
+
+
+def _tetrahedron(s: "Any") -> "Pieces":
+    """∫ r·rᵀ = (Σ rᵢ·rᵢᵀ + s·sᵀ)/20 about the origin, s the sum of the corners."""
+    import numpy as np
+
+    corners = np.array([s.first, s.second, s.third, s.fourth])
+    total = corners.sum(axis=0)
+    second = (corners.T @ corners + np.outer(total, total)) / 20.0
+    volume = abs(float(np.linalg.det(corners[1:] - corners[0]))) / 6.0
+    x, y, z = (float(v) / 4.0 for v in total)
+    xx, yy, zz, xy, yz, zx = (float(second[i, j]) for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)))
+    return [(volume, (x, y, z), (xx, yy, zz, xy, yz, zx))]
+
+
+def _dome(s: "Any") -> "Pieces":
+    sheet = _round(2.0 * pi * s.radius**2, 0.5 * s.radius, s.radius**2 / 3.0, s.radius**2 / 3.0)
+    return [sheet, _disk(s.radius)] if s.closed else [sheet]
+
+
+SHAPES: "dict[str, Callable[[Any], Pieces]]" = {
+    "Rod": lambda s: [_symmetric(s.length, s.length**2 / 12.0, 0.0, 0.0)],
+    "RingRod": lambda s: [_round(2.0 * pi * s.radius, 0.0, s.radius**2 / 2.0, 0.0)],
+    "ArcRod": lambda s: [_arc(s.radius * s.angle, s.radius, s.radius**2, 0.5 * s.angle)],
+    "SemicircleRod": lambda s: [_arc(pi * s.radius, s.radius, s.radius**2, 0.5 * pi)],
+    "QuarterCircleRod": lambda s: [_quarter(0.5 * pi * s.radius, s.radius, s.radius**2)],
+    "Triangle": _triangle,
+    "Rectangle": lambda s: [_symmetric(s.width * s.height, s.width**2 / 12.0, s.height**2 / 12.0, 0.0)],
+    "Polygon": lambda s: _sides(s.vertices),
+    "Disk": lambda s: [_disk(s.radius)],
+    "HalfDisk": lambda s: [_arc(0.5 * pi * s.radius**2, 2.0 * s.radius / 3.0, s.radius**2 / 2.0, 0.5 * pi)],
+    "QuarterDisk": lambda s: [_quarter(0.25 * pi * s.radius**2, 2.0 * s.radius / 3.0, s.radius**2 / 2.0)],
+    "Sector": lambda s: [
+        _arc(0.5 * s.angle * s.radius**2, 2.0 * s.radius / 3.0, s.radius**2 / 2.0, 0.5 * s.angle)
+    ],
+    "Ellipse": lambda s: [_symmetric(pi * s.x_radius * s.y_radius, s.x_radius**2 / 4.0, s.y_radius**2 / 4.0, 0.0)],
+    "Annulus": lambda s: _less(_disk(s.radius), _disk(s.radius - s.thickness)),
+    "CylindricalShell": _can,
+    "HalfCylindricalShell": lambda s: [
+        _arc(pi * s.radius * s.length, s.radius, s.radius**2, 0.5 * pi, s.length**2 / 12.0)
+    ],
+    "ConicalShell": lambda s: [_cone_shell(s.radius, 0.0, s.height), *([_disk(s.radius)] if s.closed else [])],
+    "FrustumShell": lambda s: [_cone_shell(s.base_radius, s.top_radius, s.height)],
+    "SphericalShell": lambda s: [_round(4.0 * pi * s.radius**2, 0.0, s.radius**2 / 3.0, s.radius**2 / 3.0)],
+    "HemisphericalShell": _dome,
+    "BoxShell": _box,
+    "TorusShell": lambda s: [
+        _round(4.0 * pi**2 * s.ring_radius * s.radius, 0.0, s.ring_radius**2 / 2.0 + 0.75 * s.radius**2,
+               s.radius**2 / 2.0)
+    ],
+    "Sphere": lambda s: [_ball(s.radius)],
+    "Hemisphere": lambda s: [_half_ball(s.radius)],
+    "Cylinder": lambda s: [_cylinder(s.radius, s.length)],
+    "HalfCylinder": lambda s: [
+        _arc(0.5 * pi * s.radius**2 * s.length, 2.0 * s.radius / 3.0, s.radius**2 / 2.0, 0.5 * pi, s.length**2 / 12.0)
+    ],
+    "QuarterCylinder": lambda s: [
+        _quarter(0.25 * pi * s.radius**2 * s.length, 2.0 * s.radius / 3.0, s.radius**2 / 2.0, s.length**2 / 12.0)
+    ],
+    "EllipticCylinder": lambda s: [
+        _symmetric(pi * s.x_radius * s.y_radius * s.length, s.x_radius**2 / 4.0, s.y_radius**2 / 4.0,
+                   s.length**2 / 12.0)
+    ],
+    "Cone": lambda s: [_frustum(s.radius, 0.0, s.height)],
+    "Frustum": lambda s: [_frustum(s.base_radius, s.top_radius, s.height)],
+    "Paraboloid": lambda s: [
+        _round(0.5 * pi * s.radius**2 * s.height, 2.0 * s.height / 3.0, s.radius**2 / 6.0, s.height**2 / 2.0)
+    ],
+    "Capsule": _capsule,
+    "Ellipsoid": lambda s: [
+        _symmetric(4.0 / 3.0 * pi * s.x_radius * s.y_radius * s.z_radius, s.x_radius**2 / 5.0, s.y_radius**2 / 5.0,
+                   s.z_radius**2 / 5.0)
+    ],
+    "HalfEllipsoid": lambda s: [
+        _symmetric(2.0 / 3.0 * pi * s.x_radius * s.y_radius * s.z_radius, s.x_radius**2 / 5.0, s.y_radius**2 / 5.0,
+                   s.z_radius**2 / 5.0, 3.0 / 8.0 * s.z_radius)
+    ],
+    "Torus": lambda s: [_torus(s.ring_radius, s.radius)],
+    "Block": lambda s: [_block(s.width, s.depth, s.height)],
+    "Wedge": _wedge,
+    "Prism": _prism,
+    "RegularPrism": _regular,
+    "Pyramid": lambda s: [
+        _symmetric(s.width * s.depth * s.height / 3.0, s.width**2 / 20.0, s.depth**2 / 20.0, s.height**2 / 10.0,
+                   s.height / 4.0)
+    ],
+    "Tetrahedron": _tetrahedron,
+    "HollowSphere": lambda s: _less(_ball(s.radius), _ball(s.radius - s.thickness)),
+    "HollowHemisphere": lambda s: _less(_half_ball(s.radius), _half_ball(s.radius - s.thickness)),
+    "HollowCylinder": lambda s: _less(_cylinder(s.radius, s.length), _cylinder(s.radius - s.thickness, s.length)),
+    "ClosedCylinder": lambda s: _less(
+        _cylinder(s.radius, s.length), _cylinder(s.radius - s.thickness, s.length - 2.0 * s.thickness)
+    ),
+    "HollowFrustum": lambda s: _less(
+        _frustum(s.base_radius, s.top_radius, s.height),
+        _frustum(s.base_radius - s.thickness, s.top_radius - s.thickness, s.height),
+    ),
+    "HollowBlock": lambda s: _less(
+        _block(s.width, s.depth, s.height), _block(*(x - 2.0 * s.thickness for x in (s.width, s.depth, s.height)))
+    ),
+    "RectangularTube": lambda s: _less(
+        _block(s.width, s.depth, s.length),
+        _block(s.width - 2.0 * s.thickness, s.depth - 2.0 * s.thickness, s.length),
+    ),
+    "HollowTorus": lambda s: _less(_torus(s.ring_radius, s.radius), _torus(s.ring_radius, s.radius - s.thickness)),
+}  # fmt: skip
+
+
+def shape(*, shape: "Any", amount: "Any") -> "dict[str, float]":
+    """Integrals as handbooks print them about the origin of the shape, and parallel axes."""
+    return results(shape, amount, SHAPES)

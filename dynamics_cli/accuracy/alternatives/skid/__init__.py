@@ -1,0 +1,1 @@
+"""Alternatives to the program's methods for skids and flights."""

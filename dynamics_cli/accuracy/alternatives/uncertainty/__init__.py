@@ -1,0 +1,1 @@
+"""Alternatives to the program's methods for propagation of uncertainty."""

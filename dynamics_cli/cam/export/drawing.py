@@ -1,0 +1,167 @@
+"""Outlines of a cam with the deviation proved for them, and its tables."""
+
+from math import pi
+
+import numpy as np
+
+from dynamics_cli.cam.export.approximation import controls, fit
+from dynamics_cli.cam.export.path import Path
+from dynamics_cli.cam.export.records import LiftPoint, PolarPoint, SwingPoint
+from dynamics_cli.cam.geometry.contact import Geometry, check_speed, turned_back
+from dynamics_cli.cam.program.pieces import sample
+from dynamics_cli.cam.proof.deviation import proved
+from dynamics_cli.errors import require
+from dynamics_cli.outlines import Arc, Cubic, Outline, Points
+from dynamics_cli.quantities import Angle, Size
+from dynamics_cli.records import Columns
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+TRIES = 5
+# What the fit leaves to the proof: its samples miss a little, and its cells cost a little.
+FIT = 0.96
+
+
+def drawn(
+    geometry: Geometry, motion: "Any", away: float, start_angle: float, form: str, tolerance: float, name: str
+) -> Outline:
+    """The curve as an outline whose proved deviation keeps the tolerance.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+    away : float
+        Distance of the curve from the contact, into the follower [m].
+    start_angle : Angle
+        Angle by which the cam's frame is turned on.
+    form : str
+        "arcs", "cubics" or "lines".
+    tolerance : Size
+        Largest deviation allowed.
+    name : str
+        Name of the outline.
+
+    Returns
+    -------
+    Outline
+        The outline.
+
+    Raises
+    ------
+    InadmissibleError
+        When the curve is undercut or broken, or the tolerance cannot be kept.
+    """
+    path = Path(geometry, motion, away=away, start_angle=start_angle)
+    path.require_regular()
+    points = _joints(path)
+    size = float(np.abs(points).max())
+    require(
+        tolerance >= 2e-12 * size,
+        "a tolerance of {tolerance} is below the rounding of coordinates of {size}",
+        tolerance=(tolerance, Size),
+        size=(size, Size),
+        least=(2e-12 * size, Size),
+        code="too-fine",
+        hint="take a tolerance of at least {least:2}",
+    )
+    aim = FIT * tolerance
+    for _ in range(TRIES):
+        pieces, bounds = _fitted(path, form, aim, tolerance, points)
+        deviation = float(max(bounds))
+        if deviation <= tolerance:
+            break
+        aim *= 0.8
+    require(
+        deviation <= tolerance,
+        "a deviation of {deviation} could be proved; wanted {tolerance}",
+        deviation=(deviation, Size),
+        tolerance=(tolerance, Size),
+        code="not-proved",
+        hint="allow a wider tolerance",
+    )
+    return Outline(tuple(pieces), True, deviation, name)
+
+
+def _joints(path: Path) -> "Any":
+    """Where the smooth pieces meet, from either side; one point each, or a refusal where the curve is broken."""
+    after = np.stack(path.at(path.starts)[:2], axis=1)
+    ends = [np.stack(path.at(path.ends[index : index + 1], index)[:2], axis=1) for index in range(path.ends.size)]
+    before = np.roll(np.concatenate(ends), 1, axis=0)
+    gap = np.hypot(*(after - before).T)
+    worst = int(np.argmax(gap))
+    require(
+        gap[worst] <= 1e-9 * np.abs(after).max(),
+        "the follower's velocity jumps at a cam angle of {place:6}: the curve breaks by {gap} there",
+        place=(path.starts[worst], Angle),
+        gap=(gap[worst], Size),
+        code="velocity-jump",
+        hint="choose laws whose velocities join, for example 3-4-5 or cycloidal in place of linear",
+    )
+    return after
+
+
+def _fitted(path: Path, form: str, aim: float, tolerance: float, joints: "Any") -> "tuple[list[Any], list[float]]":
+    pieces: list[Any] = []
+    bounds: list[float] = []
+    for index, places, shape in fit(path, form, aim):
+        own = path.on(index)
+        points = np.stack(own.at(places)[:2], axis=1)
+        points[0], points[-1] = joints[index], joints[(index + 1) % len(joints)]
+        if form == "cubics":
+            cx, cy = controls(own, places, shape)
+            shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
+        # what is proved is what is written, to the bit
+        bounds.append(float(proved(path, index, places, shape, form, points, tolerance).max()))
+        ends = points.tolist()
+        if form == "arcs":
+            pieces += [Arc(a, b, bulge) for a, b, bulge in zip(ends, ends[1:], shape.tolist(), strict=False)]
+        elif form == "cubics":
+            inner = shape.tolist()
+            pieces += [Cubic(a, p, q, b) for a, b, (p, q) in zip(ends, ends[1:], inner, strict=False)]
+        else:
+            pieces.append(Points(tuple(map(tuple, ends))))
+    return pieces, bounds
+
+
+def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int) -> "tuple[Any, Any, Any]":
+    """Exact points in polar coordinates, and the lift for a controller.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+    away : float
+        Distance of the curve from the contact [m].
+    start_angle : Angle
+        Angle by which the cam's frame is turned on.
+    count : int
+        Points of a turn; the controller's table repeats the first at its end.
+
+    Returns
+    -------
+    tuple
+        Columns of points, of lifts or None, of swings or None.
+    """
+    theta = np.arange(count + 1) * (2.0 * pi / count)
+    s, s1, s2 = sample(motion, theta, 2)
+    check_speed(geometry, s1)
+    touch = geometry.touch(s, s1, s2)
+    (x, y), (nx, ny) = touch.point, touch.normal
+    x, y = (x + away * nx)[:-1], (y + away * ny)[:-1]
+    cos, sin = turned_back(count, start_angle, geometry.turn)
+    x, y = x * cos + y * sin + 0.0, y * cos - x * sin + 0.0
+    angle = np.arctan2(y, x)
+    polar = Columns(
+        PolarPoint, cam_angle=theta[:-1], polar_angle=np.where(angle < 0.0, angle + 2.0 * pi, angle),
+        radius=np.hypot(x, y), x=x, y=y,
+    )  # fmt: skip
+    if geometry.oscillating:
+        return polar, None, Columns(SwingPoint, cam_angle=theta, swing=s, velocity=s1, acceleration=s2)
+    return polar, Columns(LiftPoint, cam_angle=theta, lift=s, velocity=s1, acceleration=s2), None

@@ -1,0 +1,109 @@
+"""What a user should know about the forces on a cam: leaving it, being near to, impacts and surge."""
+
+from dynamics_cli.cam.forces.records import ArmOnSpring, Train
+from dynamics_cli.errors import worded
+from dynamics_cli.quantities import Angle, Force, Fraction, Ratio, ShaftSpeed, Torque
+from dynamics_cli.records import Advice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.cam.forces.loads import Load
+    from dynamics_cli.cam.program.motion import Motion
+    from dynamics_cli.cam.proof.extremes import Found
+
+SURGE_ORDER = 12.0
+
+
+def impacts(motion: "Motion") -> "tuple[Advice, ...]":
+    """Warn of joints at which the velocity jumps: no extreme of a force includes the impact there."""
+    from dynamics_cli.cam.program.pieces import joint_jumps
+
+    jumps = joint_jumps(motion)[0]
+    if not jumps:
+        return ()
+    return (
+        Advice(
+            "velocity-jump",
+            f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
+            "the extremes reported here do not include",
+            "serious",
+            "choose laws whose velocities join; `dynamics cam motion` lists the jumps",
+        ),
+    )
+
+
+def advice_of(
+    load: "Load", train: Train, omega: float, low: "Found", leaves: "Found | None", order: float | None
+) -> "tuple[Advice, ...]":
+    """Say when the follower leaves its cam or nearly does, that nothing makes it jump, and that its spring surges.
+
+    Parameters
+    ----------
+    load : Load
+        Inertia, spring and load.
+    train : Train
+        What they came from.
+    omega : float
+        Speed of the cam shaft [rad/s].
+    low : Found
+        Least force, or an arm's torque.
+    leaves : Found
+        The speed of the jump; None where there is none.
+    order : float
+        The harmonic of the cam at which the spring surges; None without its mass.
+
+    Returns
+    -------
+    tuple of Advice
+        What a user should know.
+    """
+    found = []
+    force: Any = Torque if load.arm else Force
+    if low.value < 0.0:
+        needed = (load.preload - low.value) / load.spring_radius
+        stays = bool(leaves and leaves.value)
+        found.append(
+            Advice(
+                "follower-leaves",
+                worded(
+                    "the {what} falls to {low:6} at {at:6}: the follower leaves the cam",
+                    what="torque" if load.arm else "force", low=(low.value, force), at=(low.at, Angle),
+                ),
+                "serious",
+                worded(
+                    "raise the preload to {needed:6}" + (", or stay below {speed:6}" if stays else ""),
+                    needed=(needed, Force if isinstance(train, ArmOnSpring) else force),
+                    speed=(leaves.value if leaves else 0.0, ShaftSpeed),
+                ),
+            )
+        )  # fmt: skip
+    elif leaves is not None and 0.0 < leaves.value < 1.2 * omega:
+        found.append(
+            Advice(
+                "near-jump",
+                worded(
+                    "the follower jumps at {speed:6}, {share:2} above this speed",
+                    speed=(leaves.value, ShaftSpeed), share=(leaves.value / omega - 1.0, Fraction),
+                ),
+                "caution",
+                "raise the preload or the spring rate",
+            )
+        )  # fmt: skip
+    if leaves is None:
+        found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
+    if order is not None and order < SURGE_ORDER:
+        found.append(
+            Advice(
+                "spring-surge",
+                worded(
+                    "the spring surges at {order} times the shaft's speed: "
+                    "harmonics of the cam up to the twelfth excite it",
+                    order=(order, Ratio),
+                ),
+                "caution" if order > 0.7 * SURGE_ORDER else "serious",
+                "take a lighter or a stiffer spring",
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,150 @@
+"""How long a valve's follower is above a lift, and its ramps."""
+
+from math import pi
+
+from dynamics_cli.cam.forces.records import Duration, Ramp
+from dynamics_cli.cam.laws.peaks import extremes
+from dynamics_cli.errors import require, worded
+from dynamics_cli.quantities import Coordinate
+from dynamics_cli.records import Advice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.cam.program.motion import Motion
+
+TURN = 2.0 * pi
+# Lifts at which engine makers quote durations: 0.050 in and 1 mm.
+QUOTED = (0.00127, 0.001)
+
+
+def durations(
+    motion: "Motion", lifts: "tuple[float, ...]", omega: float
+) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
+    """Give the cam angles above some lifts, and say which are never passed.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    lifts : tuple of float
+        Lifts above the lowest [m].
+    omega : float
+        Speed of the cam shaft [rad/s].
+
+    Returns
+    -------
+    (tuple of Duration, tuple of Advice)
+        One for every time a lift is passed upwards; a note for every lift that never is.
+    """
+    found = []
+    missed = []
+    least = motion.stroke[0]
+    for lift in lifts:
+        ways = crossings(motion, least + lift)
+        ups = [angle for angle, up in ways if up]
+        downs = [angle for angle, up in ways if not up]
+        if not ups:
+            message = worded(
+                "the follower never passes a lift of {lift:6}: there is no duration above it", lift=(lift, Coordinate)
+            )
+            missed.append(Advice("duration", message, "note"))
+        for opens in ups:
+            closes = min((angle if angle > opens else angle + TURN) for angle in downs)
+            span = closes - opens
+            speeds = [motion.at(angle, 1)[1] * omega for angle in (opens, closes)]
+            found.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
+    return tuple(found), tuple(missed)
+
+
+def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omega: float) -> "tuple[Ramp, ...] | None":
+    """Give the ramps from the lash to the highest of some lifts, opening and closing; None without a lash.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    lash : float
+        Lash of the valve gear [m].
+    lifts : tuple of float
+        Lifts above the lowest [m].
+    omega : float
+        Speed of the cam shaft [rad/s].
+
+    Returns
+    -------
+    tuple of Ramp
+        In order of the angle at which they end.
+
+    Raises
+    ------
+    InadmissibleError
+        When the lash is not below the highest lift.
+    """
+    if lash is None or not lifts:
+        return None
+    top = max(lifts)
+    require(
+        lash < top,
+        "the lash of {lash} is not below the lift of {top} at which the ramps end",
+        lash=(lash, Coordinate),
+        top=(top, Coordinate),
+        code="lash",
+        hint="give a higher lift by --at-lifts",
+    )
+    least = motion.stroke[0]
+    low, high = crossings(motion, least + lash), crossings(motion, least + top)
+    found = []
+    for angle, up in high:
+        side = [other for other, way in low if way == up]
+        if side:
+            span = min((angle - other if up else other - angle) % TURN for other in side)
+            mean = (top - lash) / span * abs(omega) * (1.0 if up else -1.0)
+            found.append(Ramp("opening" if up else "closing", lash, top, span, mean))
+    return tuple(found)
+
+
+def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
+    """Cam angles at which the lift passes a level, and whether upwards.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    level : float
+        The lift [m].
+
+    Returns
+    -------
+    list of (float, bool)
+        In order of the angle. A touch without passing is none.
+    """
+    found = []
+    for index, span in enumerate(motion.segments):
+        if span.law is None:
+            continue
+        start, end = motion.joints[index], motion.joints[index + 1]
+        places = sorted({x for x, _ in extremes(span.law, 0)})
+        angles = [start, *(start + x * (end - start) for x in places if 0.0 < x < 1.0), end]
+        values = [motion.at(angle, 0, 1 if angle < end else -1)[0] - level for angle in angles]
+        for low, high, before, after in zip(angles, angles[1:], values, values[1:], strict=False):
+            if (before < 0.0) != (after < 0.0):
+                angle = _passed(motion, level, low, high)
+                found.append((angle if angle < TURN else high, after >= 0.0))
+    return found
+
+
+def _passed(motion: "Motion", level: float, low: float, high: float) -> float:
+    """Where a monotone stretch passes a level: Newton's steps, halved where they leave what is left of the stretch."""
+    below = motion.at(low, 0)[0] < level
+    angle = 0.5 * (low + high)
+    while low < angle < high:
+        lift, slope = motion.at(angle, 1)
+        if (lift < level) == below:
+            low = angle
+        else:
+            high = angle
+        step = (level - lift) / slope if slope else high - low
+        if abs(step) <= 2.0**-52 * angle:
+            break
+        angle = angle + step if low < angle + step < high else 0.5 * (low + high)
+    return angle

@@ -1,0 +1,124 @@
+"""The speed of the cam at which its follower first leaves it."""
+
+from math import sqrt
+
+from dynamics_cli.cam.forces.loads import load_of
+from dynamics_cli.cam.forces.records import ArmOnTorsionSpring, Slide
+from dynamics_cli.cam.program.summary import extreme
+from dynamics_cli.cam.proof.extremes import Found, Sum, Survey
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Force, Torque
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.cam.forces.loads import Load
+    from dynamics_cli.cam.program.motion import Motion
+
+    Optional = tuple[float | None, float | None, float | None]
+
+DROP = 1e-9
+EXACT = 2.0**-51
+
+
+def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Found | None":
+    """Give the speed above which a follower leaves its cam, and where it leaves first.
+
+    ω² = min (k s + P)/(−J s″) over s″ < 0; P is preload and load together, J the mass, or an arm's moment of inertia.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    load : Load
+        Inertia, spring and load.
+    survey : Survey
+        One of the same motion, when there is one.
+
+    Returns
+    -------
+    Found | None
+        The speed [rad/s], the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops
+        at a joint; None when nothing slows the follower down.
+    """
+    survey = survey or Survey(motion)
+    exact = load.enclosed()
+    falling, held = Sum((0.0, 0.0, -load.inertia)), Sum((exact.rate,), exact.steady)
+    if load.rate * motion.stroke[0] + load.steady < 0.0:
+        return Found(0.0, extreme(motion, 0).least_at, 0.0)
+    drop = dropping(motion)
+    if drop is not None:
+        return Found(0.0, drop, 0.0)
+    found = survey.greatest_quotient(falling, held)
+    if found.value <= 0.0:
+        return None
+    speed = 1.0 / sqrt(found.value)
+    return Found(speed, found.at, (0.5 * found.error / found.value + EXACT) * speed if speed else 0.0)
+
+
+def asked_jump(
+    motion: "Motion", slide: "Optional", arm: "Optional", *, asked: bool
+) -> "tuple[float | None, float | None, float] | None":
+    """Give the jump of a follower of which mass (or inertia), spring rate and preload are known, for a verdict.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    slide : (float | None, float | None, float | None)
+        Mass, spring rate and preload of a slide.
+    arm : (float | None, float | None, float | None)
+        Moment of inertia, torsion rate and preload torque of an arm.
+    asked : bool
+        Whether a verdict is wanted, so that the three must be there.
+
+    Returns
+    -------
+    (float | None, float | None, float) | None
+        Speed, place and the bound of the speed's error, None and None where nothing makes it jump; None alone where
+        nothing was asked.
+
+    Raises
+    ------
+    InadmissibleError
+        When one of the three is missing, those of the other kind of follower are given, or the spring is slack.
+    """
+    own, other = (arm, slide) if motion.swing else (slide, arm)
+    given = [value is not None for value in (*own, *other)]
+    if not any(given) and not asked:
+        return None
+    require(
+        all(given[:3]) and not any(given[3:]),
+        "the jump of an arm needs its moment of inertia, its torsion spring's rate and its preload torque"
+        if motion.swing
+        else "a jump needs the moved mass, the spring's stiffness and its preload",
+        code="spring",
+        hint='--inertia "0.002 kg*m^2" --torsion-rate "10 N*m/rad" --preload-torque "2 N*m"'
+        if motion.swing
+        else '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N"',
+    )
+    train = ArmOnTorsionSpring if motion.swing else Slide
+    load = load_of(train(*own), motion)  # type: ignore[arg-type]
+    floor = load.steady + load.rate * motion.stroke[0]
+    require(
+        floor > 0.0,
+        "the spring is slack at the minimum {lift}: its {what} there is {floor}",
+        lift="swing" if motion.swing else "lift",
+        what="torque" if motion.swing else "force",
+        floor=(floor, Torque if motion.swing else Force),
+        code="slack",
+        hint="raise the preload",
+    )
+    found = jump(motion, load)
+    return (None, None, 0.0) if found is None else (found.value, found.at, found.error)
+
+
+def dropping(motion: "Motion") -> float | None:
+    """The first joint at which the velocity drops, beyond rounding: no finite force holds the follower there."""
+    count = len(motion.zones)
+    ends = [(motion.in_zone(i, 0.0, 1)[1], motion.in_zone(i, 1.0, 1)[1]) for i in range(count)]
+    middles = [motion.in_zone(i, 0.37, 1)[1] for i in range(count)]
+    peak = max(map(abs, (*(value for pair in ends for value in pair), *middles)))
+    for index, zone in enumerate(motion.zones):
+        if ends[index][0] < ends[index - 1][1] - DROP * peak:
+            return zone.start
+    return None

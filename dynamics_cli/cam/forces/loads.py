@@ -1,0 +1,158 @@
+"""What a follower's inertia, spring and load ask of the cam, in forces for a slide and in torques for an arm."""
+
+from math import sqrt
+
+from dynamics_cli.cam.forces.records import ArmOnSpring, ArmOnTorsionSpring, Slide, Train
+from dynamics_cli.errors import UsageError, require
+from dynamics_cli.quantities import Force, Inertia, Mass, Torque
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.cam.program.motion import Motion
+
+SLIDES = 'write "rise 20 mm in 90 deg …" for a slide'
+SWINGS = 'write "rise 15 deg in 90 deg …" for an arm'
+
+
+class Load:
+    """Q = k s + P + J ω² s″, which the cam has to give: a force, or for an arm a torque about its pivot.
+
+    Parameters
+    ----------
+    train : Train
+        What moves, and what presses it.
+    omega : float
+        Speed of the cam shaft [rad/s].
+    """
+
+    __slots__ = ("arm", "inertia", "inertial", "preload", "rate", "spring_radius", "steady", "surging")
+
+    def __init__(self, train: Train, omega: float = 0.0) -> None:
+        self.arm = not isinstance(train, Slide)
+        self.spring_radius = 1.0
+        if isinstance(train, Slide):
+            self.inertia, self.rate, self.preload = train.mass, train.spring_rate, train.preload
+            self.steady = train.preload + train.load
+            self.surging = train.spring_mass, train.spring_rate
+        elif isinstance(train, ArmOnSpring):
+            r = self.spring_radius = train.spring_radius
+            self.inertia, self.rate, self.preload = train.inertia, train.spring_rate * r * r, train.preload * r
+            self.steady = self.preload + train.load_torque
+            self.surging = train.spring_mass, train.spring_rate
+        else:
+            self.inertia, self.rate, self.preload = train.inertia, train.torsion_rate, train.preload_torque
+            self.steady = train.preload_torque + train.load_torque
+            self.surging = train.spring_inertia, train.torsion_rate
+        self.inertial = self.inertia * omega * omega
+
+    def force(self, s: "Any", s2: "Any") -> "Any":
+        """The force or torque, from the lift or swing and its second derivative by cam angle."""
+        return self.rate * s + self.steady + self.inertial * s2
+
+    def enclosed(self) -> "Load":
+        """The same load with what its own constants round by, for discs."""
+        from dynamics_cli.numerics.discs import Disc
+
+        made = Load.__new__(Load)
+        for name in self.__slots__:
+            setattr(made, name, getattr(self, name))
+        # k r r, m ω ω and P + L
+        for name in ("rate", "inertial", "steady"):
+            value = getattr(self, name)
+            setattr(made, name, Disc(value, 2.0**-51 * abs(value)))
+        return made
+
+
+def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
+    """Give the load of a train on a motion of its own kind.
+
+    Parameters
+    ----------
+    train : Train
+        What moves, and what presses it.
+    motion : Motion
+        The motion.
+    omega : float
+        Speed of the cam shaft [rad/s].
+
+    Returns
+    -------
+    Load
+        The load.
+
+    Raises
+    ------
+    UsageError
+        When the program slides and the train is an arm's, or the other way round.
+    InadmissibleError
+        When nothing moves, a preload pulls, or a spring acts at the pivot itself.
+    """
+    if motion.swing and isinstance(train, Slide):
+        raise UsageError(
+            "mass: the program swings an arm, and a mass, a force and a spring rate are those of a slide",
+            parameter="mass", code="lift-kind",
+            hint='give --inertia "0.002 kg*m^2" with --torsion-rate and --preload-torque, or with --spring-radius, '
+            f"--spring-rate and --preload; or {SLIDES}",
+        )  # fmt: skip
+    if not motion.swing and not isinstance(train, Slide):
+        raise UsageError(
+            "inertia: the program's lift is a length, and a moment of inertia and torques are those of an arm",
+            parameter="inertia", code="lift-kind",
+            hint=f'give --mass "0.5 kg" with --spring-rate and --preload; or {SWINGS}',
+        )  # fmt: skip
+    load = Load(train, omega)
+    what = "moment of inertia" if load.arm else "mass"
+    require(
+        load.inertia > 0.0,
+        "the {what} is {inertia}; wanted a positive one",
+        what=what, inertia=(load.inertia, Inertia if load.arm else Mass), code="mass",
+    )  # fmt: skip
+    if isinstance(train, ArmOnSpring):
+        require(
+            train.spring_radius > 0.0,
+            "a spring whose line passes through the pivot gives no torque",
+            code="spring-radius",
+            hint="leave the spring out, or give its distance from the pivot",
+        )
+    preload = train.preload_torque if isinstance(train, ArmOnTorsionSpring) else train.preload
+    require(
+        preload >= 0.0,
+        "a preload of {preload} would pull; a spring presses",
+        preload=(preload, Torque if isinstance(train, ArmOnTorsionSpring) else Force),
+        code="preload",
+        hint=f"use the load{' torque' if load.arm else ''}",
+    )
+    return load
+
+
+def surge(load: Load) -> float | None:
+    """Lowest natural frequency of the spring between its ends, both held: f = ½√(k/m) [Hz]; None without its mass.
+
+    Parameters
+    ----------
+    load : Load
+        The load, with the mass of the spring's coils or their moment of inertia.
+
+    Returns
+    -------
+    float
+        The frequency [Hz].
+
+    Raises
+    ------
+    InadmissibleError
+        When a spring's mass is zero, or its rate.
+    """
+    mass, rate = load.surging
+    if mass is None:
+        return None
+    require(
+        mass > 0.0,
+        "the spring's mass is zero: its surge needs a positive mass",
+        code="spring-mass",
+        hint="leave the spring's mass out",
+    )
+    require(rate > 0.0, "the spring's rate is zero: its surge needs a positive rate", code="spring-rate")
+    return 0.5 * sqrt(rate / mass)

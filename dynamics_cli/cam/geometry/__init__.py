@@ -1,0 +1,1 @@
+"""The radial cam and its followers: contact, profile, curvature, undercut."""

@@ -1,0 +1,126 @@
+"""Certified extremes of curvature, pressure angle and contact of a whole cam."""
+
+from math import inf
+
+import numpy as np
+
+from dynamics_cli.cam.geometry.contact import Geometry, check_speed
+from dynamics_cli.cam.geometry.followers import FlatFace
+from dynamics_cli.cam.program.pieces import Cover, Ends
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import ErrorBound, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+@record
+class Analysis:
+    """Extremes of one cam."""
+
+    curvature: Annotated[Ends, "Curvature of the pitch curve, or under a flat face the radius of curvature of the cam."]
+    pressure: Annotated[Ends, "Pressure angle."]
+    along: Annotated[
+        Ends | None,
+        "Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.",
+    ]
+
+
+def analyse(geometry: Geometry, motion: "Any") -> Analysis:
+    """Find every extreme of curvature, pressure angle and contact.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+
+    Returns
+    -------
+    Analysis
+        The extremes.
+
+    Raises
+    ------
+    InadmissibleError
+        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
+        rocker turns as fast as the cam.
+
+    Notes
+    -----
+    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, give the places;
+    the values are those of the formulas there, with their own roundings followed. See `numerics.chebyshev` and
+    `cam.proof`. No value on the turn is beyond the extremes by more than their errors.
+    """
+    slip = start_slip(geometry)
+
+    def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
+        check_speed(geometry, s1.centre)
+        return np.stack(geometry.bends(s.widened(slip), s1, s2))
+
+    try:
+        with np.errstate(all="ignore"):
+            made = Cover(motion, functions)
+    except ValueError:
+        refuse_size()
+        raise
+    found = made.ends()
+    require(
+        found[1].error < inf,
+        "the pressure angle passes 180 deg: the cam would have to pull the follower through",
+        code="pulled",
+        hint="take another base circle, or let an arm start farther from the line of pivot and axis",
+    )
+    return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+
+
+def refuse_size() -> None:
+    """Refuse a cam whose proxies are not finite."""
+    require(
+        False,
+        "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
+        code="through-axis",
+        hint="take a base radius above zero, of the size of the lift",
+    )
+
+
+def runs_forward(geometry: Geometry, found: Analysis) -> bool:
+    """Whether the cam's curve is proved to stand nowhere and to run backwards nowhere within the zones of the motion.
+
+    1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
+    """
+    bend = found.curvature
+    if geometry.flat:
+        return bend.smallest()[0] > bend.error
+    tightest = bend.largest()[0] if geometry.side > 0.0 else -bend.smallest()[0]
+    return geometry.roller * (tightest + bend.error) < 1.0 - 2.0**-50
+
+
+def start_slip(geometry: Geometry) -> float:
+    """What the height or angle of the follower at zero lift is off by rounding.
+
+    Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
+    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    """
+    f = geometry.follower
+    if isinstance(f, FlatFace):
+        return 0.0
+    left = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
+    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + left)
+    return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
+
+
+def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
+    """Proved bounds of the two extremes of the pressure angle, relative to each."""
+    own = found.pressure
+    return tuple(
+        ErrorBound(name, error / abs(value))
+        for name, value, error in (
+            ("largest_pressure_angle", own.greatest, own.greatest_error),
+            ("least_pressure_angle", own.least, own.least_error),
+        )
+        if value and error < inf
+    )

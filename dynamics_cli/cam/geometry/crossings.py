@@ -1,0 +1,195 @@
+"""Where a curve of many arcs crosses itself: boxes round halved arcs leave few pairs, and Newton ends each."""
+
+from cmath import phase
+from itertools import pairwise
+from math import pi, tan
+
+import numpy as np
+
+from dynamics_cli.cam.geometry.envelope import MARGIN, Arc, Envelope
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+# A curve that turns by less than half a turn in all does not meet itself.
+APART = 2.8
+# Shares of the cam's size: points so close are one to rounding, and arcs so short cross where they come so close.
+CLOSE = 1e-14
+TINY = 1e-12
+
+
+@record
+class Crossing:
+    """The curve passes one point twice."""
+
+    first: Annotated[float, "Places of the curve, in order."]
+    second: Annotated[float, "Places of the curve, in order."]
+    point: Annotated[complex, "The point [m]."]
+    turn: Annotated[float, "Angle from the first direction to the second [rad]."]
+    exact: Annotated[
+        bool, "Whether Newton's method has found it; else it is one of many points too near to each other to separate."
+    ] = True
+
+
+def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing]":
+    """Every point that forward arcs share, but for those where one goes on as the next.
+
+    Parameters
+    ----------
+    curve : Envelope
+        The curve.
+    arcs : list of Arc
+        Its forward arcs, in order.
+    size : float
+        Size of the cam, for rounding [m].
+
+    Returns
+    -------
+    list of Crossing
+        The crossings.
+
+    Notes
+    -----
+    An arc whose tangent turns by β lies within ½·tan β of its chord's length from the chord: pairs whose boxes are
+    apart share no point. Pairs whose tangents never point alike share one point at most, found by Newton's method;
+    others are halved, to 1e-12 of the size at most. The result depends on no sampling of the curve but that of how far
+    an arc turns, which is taken a quarter larger.
+    """
+    found: list[Crossing] = []
+    stack = [(arcs[i], arcs[j]) for i, j in _pairs(arcs, len(curve.parts), size)]
+    while stack:
+        one, two = stack.pop()
+        if _apart(one, two, size):
+            continue
+        length = max(abs(one.last - one.first), abs(two.last - two.first))
+        short, point = length <= TINY * size, length <= CLOSE * size
+        crossing = _newton(curve, one, two, size) if not point and (short or _cross_once(one, two)) else None
+        if crossing is not None:
+            found.append(crossing)
+        elif short:
+            middles = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
+            found.append(_made(curve, one, middles[0], two, middles[1], exact=False))
+        else:
+            tiny = TINY * size
+            stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
+    return _distinct(found)
+
+
+def _pairs(arcs: "list[Arc]", parts: int, size: float) -> "list[tuple[int, int]]":
+    """Arcs whose boxes overlap and between which the curve breaks off or turns far."""
+    count = len(arcs)
+    if not count:
+        return []
+    first, last = np.array([arc.first for arc in arcs]), np.array([arc.last for arc in arcs])
+    bend = np.array([arc.bend for arc in arcs])
+    wide = 0.5 * np.abs(last - first) * np.tan(bend) + CLOSE * size
+    boxes = []
+    for a, b in ((first.real, last.real), (first.imag, last.imag)):
+        boxes.append((np.minimum(a, b) - wide, np.maximum(a, b) + wide))
+    i, j = np.triu_indices(count, 1)
+    near = np.ones(i.size, dtype=bool)
+    for low, high in boxes:
+        near &= (low[i] <= high[j]) & (low[j] <= high[i])
+    i, j = i[near], j[near]
+    turned = np.concatenate(([0.0], np.cumsum(bend)))
+    start, end = np.array([arc.start for arc in arcs]), np.array([arc.end for arc in arcs])
+    breaks = np.concatenate(([0], np.cumsum(np.append(start[1:] != end[:-1], end[-1] - parts != start[0]))))
+    through = (breaks[j] == breaks[i]) & (turned[j + 1] - turned[i] <= APART)
+    round_ = (breaks[count] - breaks[j] + breaks[i] == 0) & (turned[count] - turned[j] + turned[i + 1] <= APART)
+    keep = ~(through | round_)
+    return list(zip(i[keep].tolist(), j[keep].tolist(), strict=True))
+
+
+def _apart(one: Arc, two: Arc, size: float) -> bool:
+    """Whether boxes along the chord of either keep the two apart."""
+    for a, b in ((one, two), (two, one)):
+        chord = a.last - a.first
+        length = abs(chord)
+        if not length:
+            continue
+        way = chord.conjugate() / length
+        wide = 0.5 * length * tan(min(a.bend, 1.2)) + CLOSE * size
+        room = 0.5 * abs(b.last - b.first) * tan(min(b.bend, 1.2)) + CLOSE * size
+        p, q = (b.first - a.first) * way, (b.last - a.first) * way
+        if min(p.imag, q.imag) - room > wide or max(p.imag, q.imag) + room < -wide:
+            return True
+        if min(p.real, q.real) - room > length + wide or max(p.real, q.real) + room < -wide:
+            return True
+    return False
+
+
+def _cross_once(one: Arc, two: Arc) -> bool:
+    """Whether tangents of the two never are parallel."""
+    a, b = one.last - one.first, two.last - two.first
+    if not a or not b:
+        return True
+    between = abs(phase(b / a))
+    return min(between, pi - between) > one.bend + two.bend
+
+
+def _split(curve: Envelope, arc: Arc, tiny: float) -> "tuple[Arc, ...]":
+    """The halves of an arc that has a length worth halving."""
+    return (arc,) if abs(arc.last - arc.first) <= tiny else _halves(curve, arc)
+
+
+def _halves(curve: Envelope, arc: Arc) -> "tuple[Arc, Arc]":
+    middle = 0.5 * (arc.low + arc.high)
+    share = np.array([0.5 * (arc.low + middle), middle, 0.5 * (middle + arc.high)])
+    points, _ = curve.at(arc.part, share)
+    # the tangent turns by at least what the chords do, and by about twice that on a short arc
+    corners = [arc.first, *(complex(point) for point in points), arc.last]
+    chords = [b - a for a, b in pairwise(corners)]
+    angles = [abs(phase(b / a)) if a and b else arc.bend for a, b in pairwise(chords)]
+    left, right = (min(arc.bend, 2.0 * MARGIN * (angles[k] + angles[1]) + 1e-14) for k in (0, 2))
+    return (
+        Arc(arc.part, arc.low, middle, arc.first, corners[2], left),
+        Arc(arc.part, middle, arc.high, corners[2], arc.last, right),
+    )
+
+
+def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | None":
+    """The point that two arcs share, from the middles of both; None where they share none."""
+    a, b = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
+    most = (one.high - one.low, two.high - two.low)
+    seen = set()
+    for _ in range(60):
+        (p, u), (q, v) = (_single(curve, arc.part, t) for arc, t in ((one, a), (two, b)))
+        away = q - p
+        cross = (u.conjugate() * v).imag
+        if cross == 0.0:
+            return None
+        step = (away.conjugate() * v).imag / cross, (away.conjugate() * u).imag / cross
+        before = a, b
+        a = min(max(a + min(max(step[0], -most[0]), most[0]), one.low), one.high)
+        b = min(max(b + min(max(step[1], -most[1]), most[1]), two.low), two.high)
+        # places met before come again and again: at a point the last bits', where there is none those of the ends
+        if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16 or (a, b) in seen:
+            break
+        seen.add((a, b))
+    p, q = (_single(curve, arc.part, t)[0] for arc, t in ((one, a), (two, b)))
+    if abs(p - q) > CLOSE * size:
+        return None
+    return _made(curve, one, a, two, b)
+
+
+def _made(curve: Envelope, one: Arc, a: float, two: Arc, b: float, *, exact: bool = True) -> Crossing:
+    point = 0.5 * (_single(curve, one.part, a)[0] + _single(curve, two.part, b)[0])
+    # velocities vanish at a cusp, the tangent does not
+    turn = phase(curve.way(two.part, b) / curve.way(one.part, a))
+    return Crossing(one.part + a, two.part + b, point, turn, exact)
+
+
+def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex]":
+    point, velocity = curve.at(part, np.array([share]))
+    return complex(point[0]), complex(velocity[0])
+
+
+def _distinct(found: "list[Crossing]") -> "list[Crossing]":
+    """Neighbouring arcs may both end in one crossing."""
+    kept: list[Crossing] = []
+    for crossing in sorted(found, key=lambda one: (one.first, one.second)):
+        if not any(
+            abs(other.first - crossing.first) <= 1e-11 and abs(other.second - crossing.second) <= 1e-11
+            for other in kept[-4:]
+        ):
+            kept.append(crossing)
+    return kept

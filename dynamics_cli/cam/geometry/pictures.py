@@ -1,0 +1,224 @@
+"""Pictures of a cam: its profile with the follower, pressure angle and radius of curvature."""
+
+from cmath import exp
+from math import pi
+
+from dynamics_cli.cam.geometry import followers
+from dynamics_cli.cam.geometry.contact import Geometry
+from dynamics_cli.cam.geometry.figures import CIRCLE, Figure, figure, turning_arrow
+from dynamics_cli.cam.geometry.followers import Flank, Rotation
+from dynamics_cli.cam.geometry.profile import CamProfile, profile
+from dynamics_cli.cam.program.pictures import ABOVE, BELOW, extreme_mark, named_program
+from dynamics_cli.cam.program.reading import Program, motion_of
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Coordinate, Size
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from typing import Any
+
+TURN = 2.0 * pi
+# Fewer points than this look like a polygon.
+SMOOTH = 720
+# Radii beyond this many times the cam are straight for the eye.
+FAR = 4.0
+# Where the words of a negative convex radius stand, clear of the curve.
+LOWER = (6.0, -24.0)
+# Pressure angles below this are rounding.
+ROUNDING = 1e-12
+CCW = Rotation("counter-clockwise")
+INNER = Flank("inner")
+
+
+def profile_picture(
+    result: CamProfile,
+    scene: Program,
+    program: str = "",
+    follower: "Any" = None,
+    rotation: Rotation = CCW,
+    flank: Flank = INNER,
+    start_angle: float = 0.0,
+    **given: "Any",
+) -> Picture:
+    """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
+
+    Parameters
+    ----------
+    result : CamProfile
+        The profile.
+    scene : Program
+        The program from a file.
+    program : str
+        The program in one line.
+    follower : Follower
+        The follower and where it stands.
+    rotation : Rotation
+        Which way the cam turns.
+    flank : Flank
+        Which surface.
+    start_angle : float
+        Angle by which the cam's drawing is turned on [rad].
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Three panels.
+    """
+    del result
+    cam = profile(
+        scene, program=program, follower=follower, rotation=rotation, flank=flank, start_angle=start_angle,
+        cutter_radius=given.get("cutter_radius"), points=SMOOTH,
+    )  # fmt: skip
+    geometry = Geometry(follower, rotation, flank)
+    title = _title("Cam for {follower}, base circle radius {base}{pair}", follower, scene, program)
+    return _picture(title, cam, geometry, motion_of(scene, program), start_angle, given.get("cutter_radius"))
+
+
+def check_picture(
+    result: "Any",
+    scene: Program,
+    program: str = "",
+    follower: "Any" = None,
+    rotation: Rotation = CCW,
+    flank: Flank = INNER,
+    rise_limit: float = pi / 6.0,
+    return_limit: float = pi / 6.0,
+    least_radius: float | None = None,
+    **given: "Any",
+) -> Picture:
+    """The same with the limits of `cam check`, whose parameters these are."""
+    del given
+    cam = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=SMOOTH)
+    geometry = Geometry(follower, rotation, flank)
+    verdict = "all limits kept" if getattr(result, "fits", True) else f"not kept: {result.binding}"
+    title = _title("Cam for {follower}, base circle radius {base}{pair}\n" + verdict, follower, scene, program)
+    limits = (rise_limit, -return_limit)
+    return _picture(title, cam, geometry, motion_of(scene, program), limits=limits, least_radius=least_radius)
+
+
+def size_picture(result: "Any", scene: Program, program: str = "", follower: "Any" = None, **given: "Any") -> Picture:
+    """The cam that `cam size` found, of a pair the first, with the limits that it keeps."""
+    kind = getattr(followers, type(follower).__name__.removeprefix("Conjugate"))
+    found = {}
+    for name in kind.fields:
+        value = getattr(result, name, None)
+        found[name] = getattr(follower, name) if value is None else value
+    return check_picture(None, scene, program, kind(**found), **given)
+
+
+def _title(template: str, follower: "Any", scene: Program, program: str) -> str:
+    name = type(follower).tag[1].replace("-", " ")
+    return worded(
+        f"{template}\n{{program}}",
+        follower=f"{'an' if name[0] == 'o' else 'a'} {name}" + ("" if "roller" in name else " follower"),
+        base=(follower.base_radius, Size), pair=" of the first cam" if isinstance(follower, followers.MATES) else "",
+        program=named_program(scene, program),
+    )  # fmt: skip
+
+
+def _picture(
+    title: str, cam: CamProfile, geometry: Geometry, motion: "Any", start_angle: float = 0.0,
+    cutter: float | None = None, limits: "tuple[float, ...]" = (), least_radius: float | None = None,
+) -> Picture:  # fmt: skip
+    """Cam with its follower, pressure angle and radius of curvature, with limits as lines."""
+    arrays = {name: column.tolist() for name, column in cam.points.arrays.items()}
+    face = None if cam.face_low is None or cam.face_high is None else (cam.face_low, cam.face_high)
+    shown = figure(geometry, float(motion.at(0.0, 0)[0]), cam.largest_radius, face)
+    shape = Panel(
+        Axis("x", Coordinate),
+        Axis("y", Coordinate),
+        tuple(_items(arrays, geometry, shown, exp(1j * start_angle), cutter)),
+        f"at cam angle 0, turning {'clockwise' if geometry.turn < 0.0 else 'counter-clockwise'}",
+        equal=True,
+    )
+    way = Axis("cam angle θ", Angle, ends=(0.0, TURN), step=pi / 6.0)
+    angle = [*arrays["cam_angle"], TURN]
+    # a flat face square to its way has none but rounding, which is nothing to enlarge
+    none = max(map(abs, arrays["pressure_angle"])) < ROUNDING
+    lines = [Band(limit, limit, vertical=False) for limit in limits]
+    low = cam.least_pressure_angle
+    pressure = Panel(
+        way,
+        Axis("pressure angle α", Angle, ends=(-pi / 18.0, pi / 18.0) if none and not limits else None),
+        (
+            Curve(angle, _closed(arrays["pressure_angle"]), role=0),
+            *extreme_mark(cam.largest_pressure_angle_at, cam.largest_pressure_angle, Angle, ABOVE),
+            # no second mark on top of the first where the pressure angle is constant
+            *(
+                ()
+                if low == cam.largest_pressure_angle
+                else extreme_mark(cam.least_pressure_angle_at, low, Angle, BELOW)
+            ),
+            *(lines or [Band(0.0, 0.0, vertical=False)]),
+        ),
+        "pressure angle; its limits dash-dotted" if limits else "",
+    )
+    return Picture((shape, pressure, _curvature(cam, arrays, way, angle, least_radius)), title)
+
+
+def _items(
+    arrays: "dict[str, list[float]]", geometry: Geometry, shown: Figure, on: complex, cutter: "float | None"
+) -> "list[Any]":
+    """What the first panel shows, in the cam's frame at its first angle."""
+    items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
+    if geometry.roller:
+        items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
+    if cutter:
+        items.append(Curve(_closed(arrays["cutter_x"]), _closed(arrays["cutter_y"]), "cutter path", "dotted", 3))
+    if shown.base:
+        items.append(_line((shown.base * step for step in CIRCLE), "base circle", "thin", 6))
+    items += [
+        _line((on * point for point in shown.shape), shown.name, "solid", 1),
+        _line((on * point for point in shown.holder), shown.holder_name, "thin", 1),
+        _line(turning_arrow(geometry.turn, 0.3 * (shown.base or _size(arrays))), "", "thin", 6),
+        Mark(0.0, 0.0, ""),
+        Mark(arrays["x"][0], arrays["y"][0], ""),
+    ]
+    if shown.pivot is not None:
+        pivot = on * shown.pivot
+        items.append(Mark(pivot.real, pivot.imag, "pivot"))
+    return items
+
+
+def _curvature(
+    cam: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]", least_radius: float | None
+) -> Panel:
+    """The radius of curvature, broken where the curve is all but straight."""
+    reach = FAR * cam.largest_radius
+    radii = [radius if abs(radius) <= reach else float("nan") for radius in _closed(arrays["radius_of_curvature"])]
+    convex, hollow = cam.least_convex_radius, cam.least_concave_radius
+    marks: list[Mark] = []
+    if convex is not None and abs(convex) <= reach:
+        marks += extreme_mark(cam.least_convex_radius_at, convex, Coordinate, BELOW if convex > 0.0 else LOWER)
+    if hollow is not None and cam.least_concave_radius_at is not None and hollow <= reach:
+        words = convex is None or convex > 0.0
+        at = cam.least_concave_radius_at
+        marks += extreme_mark(at, -hollow, Coordinate, ABOVE) if words else (Mark(at, -hollow),)
+    limit = [Band(least_radius, least_radius, "limit", vertical=False)] if least_radius else []
+    return Panel(
+        way,
+        Axis("radius of curvature ρ", Coordinate),
+        (Curve(angle, radii, role=0), *marks, *limit, Band(0.0, 0.0, vertical=False)),
+        "radius of curvature: convex above zero, broken where nearly straight",
+    )
+
+
+def _flank(geometry: Geometry) -> str:
+    return "cam" if geometry.side > 0.0 else "outer flank"
+
+
+def _line(points: "Iterable[complex]", label: str, style: "Any", role: int) -> Curve:
+    points = list(points)
+    return Curve([point.real for point in points], [point.imag for point in points], label, style, role)
+
+
+def _size(arrays: "dict[str, list[float]]") -> float:
+    return max(arrays["radius"])
+
+
+def _closed(values: "list[float]") -> "list[float]":
+    return [*values, values[0]]

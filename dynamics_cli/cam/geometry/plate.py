@@ -1,0 +1,314 @@
+"""What the plate of a cam weighs: area, perimeter, centroid and polar second moment of what its edge encloses."""
+
+from functools import lru_cache
+from itertools import pairwise
+from math import ceil, hypot, inf, pi
+
+import numpy as np
+
+from dynamics_cli.cam.geometry.contact import Geometry, check_speed
+from dynamics_cli.cam.geometry.corners import BLURRED, Corner
+from dynamics_cli.cam.geometry.envelope import Bridge, Envelope
+from dynamics_cli.cam.program.pieces import pieces, widths, within
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import Advice, ErrorBound, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.cam.geometry.undercut import Loss
+
+GAUSS = 16
+"""Nodes of a quadrature on a piece of 15 degrees at most and its halves."""
+
+PIECE = pi / 12.0
+# Roundings of a quadrature, as a share of a size that does not cancel.
+QUADRATURE = 8e-15
+# A piece is short enough when halving it moves the whole by this share at most; so often at most, and so many.
+GOOD = 4e-17
+DEPTH = 24
+# What places of a crossing are rounded by, of the sizes of cam and roller.
+ROUNDED = 2.0**-50
+MOST = 4096
+# A centroid nearer to the axis than this share of the perimeter is less than its own rounding.
+SETTLED = 1e-15
+UNIT = 2.0**-53
+# What a plate has; the last three need its thickness and density.
+NAMES = ("area", "perimeter", "centroid_x", "centroid_y", "mass", "inertia", "inertia_about_centroid")
+
+
+@record
+class Plate:
+    """Area, perimeter, centroid and polar second moment of what the cam's curve encloses, by quadrature."""
+
+    area: Annotated[float, "Area [m²]."]
+    perimeter: Annotated[float, "Length of the curve [m]."]
+    x: Annotated[float, "Centroid in the cam's frame [m]."]
+    y: Annotated[float, "Centroid in the cam's frame [m]."]
+    polar: Annotated[float, "Second moment of the area about the cam's axis [m⁴]."]
+    area_error: Annotated[
+        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+    ]
+    perimeter_error: Annotated[
+        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+    ]
+    centroid_error: Annotated[float, "The same of the centroid [m]."]
+    polar_error: Annotated[float, "The same of the second moment, as a share of it."]
+
+
+@record
+class Weighed:
+    """A plate as `cam profile` gives it, its bounds, and what is to be said of it; None where there is no plate."""
+
+    area: Annotated[float | None, "Area [m²]."] = None
+    perimeter: Annotated[float | None, "Length of its edge [m]."] = None
+    centroid_x: Annotated[float | None, "Centroid in the cam's frame [m]."] = None
+    centroid_y: Annotated[float | None, "Centroid in the cam's frame [m]."] = None
+    mass: Annotated[float | None, "Mass [kg]."] = None
+    inertia: Annotated[float | None, "Moment of inertia about the cam's axis [kg·m²]."] = None
+    inertia_about_centroid: Annotated[float | None, "Moment of inertia about the centroid [kg·m²]."] = None
+    bounds: tuple[ErrorBound, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+@lru_cache(maxsize=2)
+def _gauss(count: int) -> "tuple[Any, Any]":
+    return np.polynomial.legendre.leggauss(count)
+
+
+def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple[Corner, ...]" = ()) -> Plate:
+    """Integrate over the edge of the cam's plate.
+
+    A = ½∮ r·n ds, z_C = (1/3A)∮ z (r·n) ds, I_p = ¼∮ r² (r·n) ds.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+    start_angle : Angle
+        Angle by which the cam's frame is turned on.
+    corners : tuple of Corner
+        Corners of an undercut plate, between which the curve is its edge (`undercut.Loss`).
+
+    Returns
+    -------
+    Plate
+        The integrals.
+
+    Raises
+    ------
+    InadmissibleError
+        When a flat rocker turns as fast as the cam.
+
+    Notes
+    -----
+    Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
+    short steep rise, a curve turns fast. Where the velocity jumps, the edge is the arc of the roller or the length of
+    the face that joins both contacts. A corner that is off by δ moves every integral by what the curve adds to it on δ.
+    """
+    curve = Envelope(geometry, motion)
+    kept = _kept(curve, corners)
+    spans = widths(motion)
+    zone, low, high = (np.array(column) for column in zip(*_shares(curve, kept, spans), strict=True))
+    frame = geometry, motion, start_angle, np.array(spans)
+    values = _integrals(*frame, zone, low, high)
+    sums, left, most = _bridged(curve, kept, start_angle), np.zeros(5), np.zeros(2)
+    for depth in range(DEPTH):
+        middle = 0.5 * (low + high)
+        rows = (np.concatenate(pair) for pair in ((zone, zone), (low, middle), (middle, high)))
+        halves = _integrals(*frame, *rows).reshape(5, 2, -1)
+        both = halves.sum(axis=1)
+        moved = np.abs(both - values)
+        most = np.maximum(most, np.abs(sums + both.sum(axis=1))[:2])
+        good = (moved[:2] <= GOOD * most[:, None]).all(axis=0) | (depth == DEPTH - 1) | (zone.size > MOST)
+        sums += both[:, good].sum(axis=1)
+        left += 2.0 * moved[:, good].sum(axis=1)
+        bad = ~good
+        if not bad.any():
+            break
+        zone = np.concatenate((zone[bad], zone[bad]))
+        low, high = np.concatenate((low[bad], middle[bad])), np.concatenate((middle[bad], high[bad]))
+        values = halves[:, :, bad].reshape(5, -1)
+    return _plate(geometry, sums, left + _blurred(curve, corners))
+
+
+def _plate(geometry: Geometry, sums: "Any", left: "Any") -> Plate:
+    """The plate from the integrals and what they are off besides rounding."""
+    area, perimeter, x, y, polar = sums.tolist()
+    third = 1.0 / (3.0 * area) if area else 0.0
+    shares = [
+        off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
+    ]
+    # an arm's contact is a difference of lengths that reach to its pivot, however small the cam
+    reach = 2.0**-51 * getattr(geometry.follower, "pivot_distance", 0.0)
+    if area and perimeter:
+        across, along = reach * perimeter / abs(area), reach * 2.0 * pi / perimeter
+        shares = [share + more for share, more in zip(shares, (across, along, 0.0, 0.0, 2.0 * across), strict=True)]
+    away = abs(third) * hypot(x, y)
+    # first moments are sums of a mean radius times the area
+    centroid = abs(third) * float(left[2] + left[3]) + away * shares[0] + QUADRATURE * perimeter / (2.0 * pi)
+    return Plate(area, perimeter, third * x, third * y, polar, shares[0], shares[1], centroid, shares[4])
+
+
+def _kept(curve: Envelope, corners: "tuple[Corner, ...]") -> "list[tuple[int, float, float]]":
+    """The edge of the plate: parts of the curve in order, and the shares of each that it reaches from and to."""
+    end = float(len(curve.parts))
+    ways = [(0.0, end)] if not corners else []
+    for corner, after in zip(corners, (*corners[1:], *corners[:1]), strict=True):
+        if after.leaves < corner.returns:
+            ways += [(corner.returns, end), (0.0, after.leaves)]
+        else:
+            ways.append((corner.returns, after.leaves))
+    return [
+        (part, max(low - part, 0.0), min(high - part, 1.0))
+        for low, high in ways
+        for part in range(int(low), ceil(high))
+    ]
+
+
+def _shares(
+    curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
+) -> "list[tuple[int, float, float]]":
+    """Zones of the edge cut into pieces of 15 degrees or less: zone, and the shares of it each reaches from and to."""
+    made = []
+    for part, low, high in kept:
+        zone = curve.parts[part]
+        if isinstance(zone, Bridge):
+            continue
+        parts = max(1, ceil(spans[zone] * (high - low) / PIECE - 1e-9))
+        cuts = [low + (high - low) * (index / parts) for index in range(parts)] + [high]
+        made += [(zone, first, last) for first, last in pairwise(cuts)]
+    return made
+
+
+def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angle: float) -> "Any":
+    """The integrals over what single positions of the follower leave where the velocity jumps."""
+    nodes, weights = _gauss(GAUSS)
+    turn = curve.geometry.turn
+    total = np.zeros(5)
+    for part, low, high in kept:
+        bridge = curve.parts[part]
+        if not isinstance(bridge, Bridge) or not bridge.run:
+            continue
+        parts = max(1, ceil(abs(bridge.turning) / PIECE))
+        half = 0.5 * (high - low) / parts
+        starts = low + 2.0 * half * np.arange(parts)
+        point, velocity = curve.at(part, (starts[:, None] + half * (1.0 + nodes)).ravel())
+        weight = half * np.tile(weights, parts)
+        swept = -turn * (point.conj() * velocity).imag * weight
+        turned = point * np.exp(1j * start_angle)
+        square = point.real * point.real + point.imag * point.imag
+        rows = (0.5 * swept, np.abs(velocity) * weight, turned.real * swept, turned.imag * swept, 0.25 * square * swept)
+        total += np.array([row.sum() for row in rows])
+    return total
+
+
+def _blurred(curve: Envelope, corners: "tuple[Corner, ...]") -> "Any":
+    """What the integrals may be off because the corners are: both arcs end there, each as far off as the corner is."""
+    total = np.zeros(5)
+    for corner in corners:
+        ends, ways = [], []
+        for place in (corner.leaves, corner.returns):
+            part = min(int(place), len(curve.parts) - 1)
+            ends.append(complex(curve.at(part, np.array([place - part]))[0][0]))
+            ways.append(curve.way(part, place - part))
+        away = abs(corner.point)
+        off = abs(ends[1] - ends[0]) + BLURRED * away
+        if corner.exact:
+            # arcs that cross under a small angle leave their crossing open along both
+            slope = abs((ways[0].conjugate() * ways[1]).imag)
+            gap = abs(ends[1] - ends[0]) + ROUNDED * (away + curve.geometry.roller)
+            off = gap / slope if slope else inf
+        total += 2.0 * off * np.array([0.5 * away, 1.0, away * away, away * away, 0.25 * away**3])
+    return total
+
+
+def _integrals(
+    geometry: Geometry, motion: "Any", start_angle: float, spans: "Any", zone: "Any", low: "Any", high: "Any"
+) -> "Any":
+    """Area, length, first moments (thrice) and polar second moment of pieces, (5, n)."""
+    starts, _ = pieces(motion)
+    nodes, weights = _gauss(GAUSS)
+    half = 0.5 * (high - low)
+    place = 0.5 * (low + high)[:, None] + half[:, None] * nodes
+    theta = starts[zone][:, None] + spans[zone][:, None] * place
+    weight = (spans[zone] * half)[:, None] * weights
+    s, s1, s2 = within(motion, place, zone)
+    check_speed(geometry, s1)
+    touch = geometry.touch(s, s1, s2)
+    (x, y), (nx, ny) = touch.point, touch.normal
+    swept = (x * nx + y * ny) * touch.run * weight
+    zx, zy = geometry.turned((x, y), theta, start_angle)
+    rows = (0.5 * swept, np.abs(touch.run) * weight, zx * swept, zy * swept, 0.25 * ((x * x + y * y) * swept))
+    return np.stack([row.sum(axis=1) for row in rows])
+
+
+def weighed(
+    geometry: Geometry, motion: "Any", start_angle: float, loss: "Loss | None", thickness: float | None,
+    density: float | None,
+) -> Weighed:  # fmt: skip
+    """Give the plate of a cam; that of an undercut one is what is left about its axis.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        The follower in place.
+    motion : Motion
+        The program.
+    start_angle : Angle
+        Angle by which the cam's frame is turned on.
+    loss : Loss | None
+        What an undercut costs.
+    thickness : float | None
+        Thickness of the plate [m].
+    density : float | None
+        Its density [kg/m³].
+
+    Returns
+    -------
+    Weighed
+        The plate; without results, and with the reason, where nothing is left about the axis.
+    """
+    weight = None if thickness is None or density is None else thickness * density
+    if loss is not None and not loss.corners:
+        return Weighed(advice=tuple(_missing(name) for name in (NAMES[:4] if weight is None else NAMES)))
+    body = plate(geometry, motion, start_angle, () if loss is None else loss.corners)
+    x, y = (value if abs(value) > SETTLED * body.perimeter else 0.0 for value in (body.x, body.y))
+    about = body.polar - body.area * (body.x * body.x + body.y * body.y)
+    return Weighed(
+        body.area, body.perimeter, x, y,
+        None if weight is None else weight * body.area,
+        None if weight is None else weight * body.polar,
+        None if weight is None else weight * about,
+        bounds=_bounds(body, weight),
+        advice=() if loss is None else (_trimmed(loss),),
+    )  # fmt: skip
+
+
+def _missing(name: str) -> Advice:
+    message = f"nothing is left of the plate about the axis of the cam: it has no {name.replace('_', ' ')}"
+    return Advice("no-plate", message, "serious", "raise the base radius", result=name)
+
+
+def _trimmed(loss: "Loss") -> Advice:
+    message = "area, perimeter, centroid and inertia are those of the plate that is left; the table is of all the curve"
+    if loss.pieces:
+        message += f"; pieces cut off: {loss.pieces}"
+    return Advice("trimmed-plate", message, "note")
+
+
+def _bounds(body: Plate, weight: "float | None") -> tuple[ErrorBound, ...]:
+    """Bounds of the quadrature."""
+    made = [ErrorBound("area", body.area_error), ErrorBound("perimeter", body.perimeter_error)]
+    off = body.centroid_error
+    made += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
+    if weight is not None:
+        away = hypot(body.x, body.y)
+        about = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
+        made.append(ErrorBound("mass", body.area_error + UNIT))
+        made.append(ErrorBound("inertia", body.polar_error + UNIT))
+        made.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
+    return tuple(one for one in made if one.bound < inf)

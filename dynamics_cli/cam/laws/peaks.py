@@ -1,0 +1,210 @@
+"""Peaks of rise laws, where they are, and how smooth the laws are."""
+
+from math import inf
+
+from dynamics_cli.cam.laws.normalised import Law, Piece
+from dynamics_cli.cam.proof.law_enclosures import bound, derivative, reach_of, rounding
+from dynamics_cli.cam.proof.law_rounding import HALVES_OF_FLOATS, slips
+
+DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
+STILL = 2.0**-53
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
+    """(x, value) of every stationary point and one-sided end of that derivative (0 to 3), piece by piece.
+
+    Parameters
+    ----------
+    law : Law
+        The law.
+    order : int
+        Which derivative: 0 for f, 3 for jerk.
+
+    Returns
+    -------
+    list of (float, float)
+        Places and values; a jump gives two values at one place.
+
+    Notes
+    -----
+    Sign changes of the next derivative g, bisected to the last bit; that there are no others is proved from bounds of
+    the law's derivatives (`cam.proof`). A step of length h with ends of one sign has none where both exceed
+    h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g equals zero to rounding
+    in it, or the function moves by less than 2⁻⁵³ of its size: neighbouring steps of that kind count as one.
+    """
+    if order not in law.known:
+        law.known[order] = _extremes(law, order)
+    return law.known[order]  # type: ignore[no-any-return]
+
+
+def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
+    found: list[tuple[float, float]] = []
+    turned: dict[tuple[int, float], list[float]] = {}
+    for piece in law.pieces:
+        # Measured from its own end, a piece and its mirror image turn at the same places.
+        ends = piece.ends
+        key = (id(piece.shape), ends[0])
+        if key not in turned:
+            turned[key] = _turning(piece, order, *ends, 16 if law.monotone else 64)
+        found.extend(
+            (1.0 - t if piece.far else t, law.upright(piece, t, order)[order]) for t in (ends[0], *turned[key], ends[1])
+        )
+    return sorted(found)
+
+
+def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "list[float]":
+    shape = piece.shape
+
+    def slope(t: float) -> float:
+        return shape(t, order + 1)[order + 1]  # type: ignore[no-any-return]
+
+    reach = reach_of(shape, (low, high))
+    size, *bent = (bound(shape, order + more, reach) for more in (0, 3, 4))
+    slips = [rounding(shape, order + more, reach) for more in (1, 2)]
+    grid = [low + (high - low) * i / steps for i in range(steps + 1)]
+    values = [slope(t) for t in grid]
+    # the last first: cells are taken from the end
+    cells = list(zip(grid, grid[1:], values, values[1:], strict=False))[::-1]
+    found = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
+    # neighbouring cells within which rounding decides the sign: together they turn once or not at all
+    flat: list[list[float]] = []
+    while cells:
+        start, end, a, b = cells.pop()
+        step, changes = end - start, a * b < 0.0
+        room, least = 0.125 * step * step, min(abs(a), abs(b))
+        most = max(abs(a), abs(b), room * bent[0])
+        still = most <= 4.0 * slips[0] or 2.0 * step * most <= STILL * size
+        if not changes and least > room * bent[0] + slips[0]:
+            continue
+        if still:
+            if flat and flat[-1][1] == start:
+                flat[-1][1], flat[-1][3] = end, b
+            else:
+                flat.append([start, end, a, b])
+        elif _one_sign(shape, order + 2, start, end, room * bent[1] + slips[1]):
+            if a == 0.0 and start > low and start not in found:
+                found.append(start)
+            if changes:
+                found.append(_settled(piece, order, _bisected(slope, start, end, a)))
+        else:
+            middle = 0.5 * (start + end)
+            here = slope(middle)
+            cells += [(middle, end, here, b), (start, middle, a, here)]
+    for start, end, a, b in flat:
+        root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
+        if a * b < 0.0 and root not in found:
+            found.append(root)
+    return sorted(found)
+
+
+def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:
+    """Whether a derivative keeps its sign between two places: it is off its chord by `room` at most."""
+    p, q = derivative(shape, order, start), derivative(shape, order, end)
+    return p * q > 0.0 and min(abs(p), abs(q)) > room
+
+
+def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low: float) -> float:
+    while True:
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            return low
+        if (slope(middle) < 0.0) == (at_low < 0.0):
+            low = middle
+        else:
+            high = middle
+
+
+def _settled(piece: Piece, order: int, t: float) -> float:
+    """The plain fraction beside t, where the curve is too flat for bisection to find it."""
+    plain = round(t * 64.0) / 64.0
+    there, here = (piece.shape(u, order)[order] for u in (plain, t))
+    return plain if abs(plain - t) < 1e-3 and abs(there - here) <= 4e-16 * abs(here) else t
+
+
+def peak(law: Law, order: int, step: int = 1) -> tuple[float, float]:
+    """Maximum magnitude of that derivative, infinite where one below it jumps, and its first place, or last (-1)."""
+    known = ("peak", order, step)
+    if known not in law.known:
+        law.known[known] = _peak(law, order, step)
+    return law.known[known]  # type: ignore[no-any-return]
+
+
+def _peak(law: Law, order: int, step: int) -> tuple[float, float]:
+    values = extremes(law, order)[::step]
+    top = max(abs(value) for _, value in values)
+    # Equal peaks differ in their last bits; the first of them is named.
+    place = next(x for x, value in values if abs(value) >= top * (1.0 - 1e-12))
+    for x in (0.0, *law.breaks, 1.0)[::step]:
+        if any(jump(law, x, below) for below in range(order)):
+            return inf, x
+    return top, place
+
+
+def value_error(law: Law, x: float, order: int) -> float:
+    """What an extreme of a derivative at x, as `extremes` gives it, may be off: the more of both sides of a joint.
+
+    Its rounding there, and that the function moves by less than a rounding of its size between distinct places.
+    """
+    found = 0.0
+    for piece in law.pieces:
+        if piece.low <= x <= piece.high:
+            t = min(max(1.0 - x if piece.far else x, piece.ends[0]), piece.ends[1])
+            # a place nearer than a rounding is as good, and an end may be rounded
+            error = slips(piece.shape, t, 4.0 * STILL * t, order, HALVES_OF_FLOATS)[order]
+            value = abs(law.upright(piece, t, order)[order])
+            found = max(found, error + 3.0 * STILL * value)
+    return found
+
+
+def peak_bound(law: Law, order: int) -> float:
+    """Bound of the error of the peak of a derivative, as a share of it."""
+    if ("bound", order) not in law.known:
+        law.known["bound", order] = _peak_bound(law, order)
+    return law.known["bound", order]  # type: ignore[no-any-return]
+
+
+def _peak_bound(law: Law, order: int) -> float:
+    values = extremes(law, order)
+    top = max(abs(value) for _, value in values)
+    if not top:
+        return 0.0
+    # of peaks equal to rounding any may be the true one
+    alike = {x for x, value in values if abs(value) >= top * (1.0 - 1e-9)}
+    return max(value_error(law, x, order) for x in alike) / top
+
+
+def jump(law: Law, x: float, order: int) -> float:
+    """How much that derivative jumps at x, at ends that rest from rest; zero where it only rounds."""
+    if (x == 0.0 and not law.rests[0]) or (x == 1.0 and not law.rests[1]):
+        return 0.0
+    before = 0.0 if x == 0.0 else _at_end(law, next(piece for piece in law.pieces if piece.high == x), order, 1)
+    rest = 0.0 if order else law.total
+    after = rest if x == 1.0 else _at_end(law, next(piece for piece in law.pieces if piece.low == x), order, 0)
+    step = after - before
+    return step if step and abs(step) > 1e-11 * _size(law, order) else 0.0
+
+
+def _size(law: Law, order: int) -> float:
+    """The size of a derivative: the greatest of its values at 33 places."""
+    if ("size", order) not in law.known:
+        law.known["size", order] = max(abs(law.at(i / 32.0, order)[order]) for i in range(33))
+    return law.known["size", order]  # type: ignore[no-any-return]
+
+
+def _at_end(law: Law, piece: Piece, order: int, which: int) -> float:
+    """A derivative at the lower (0) or upper (1) end of a piece, by the coordinate the piece is measured in."""
+    return law.upright(piece, piece.ends[which ^ piece.far], order)[order]  # type: ignore[no-any-return]
+
+
+def continuity(law: Law) -> "tuple[int, float | None]":
+    """Order of the highest derivative (to 4) continuous with all below it, and where the next first jumps."""
+    for order in range(5):
+        for x in (0.0, *law.breaks, 1.0):
+            if jump(law, x, order):
+                return order - 1, x
+    return 4, None

@@ -1,0 +1,1 @@
+"""Programs of cam motion: segments read, joined into one revolution, and reported."""

@@ -1,0 +1,113 @@
+"""Segments of a motion between exact ends, and the parts that its laws are made of, in cam angles."""
+
+from dynamics_cli.cam.laws.normalised import Law  # noqa: TC001 (annotations of a record)
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# π cut after 50 decimals, over 10^50.
+_PI = 314159265358979323846264338327950288419716939937510
+_PI_SCALE = 10**50
+Exact = tuple[int, int]
+
+
+def radians(angle: "Exact") -> "tuple[float, float]":
+    """An exact number of degrees in radians, as the nearest double and what it is short of."""
+    top, bottom = angle[0] * _PI, angle[1] * 180 * _PI_SCALE
+    high = top / bottom
+    a, b = high.as_integer_ratio()
+    return high, (top * b - a * bottom) / (bottom * b)
+
+
+def from_radians(angle: "Exact") -> "Exact":
+    """Degrees of an exact number of radians, to 50 digits."""
+    return angle[0] * 180 * _PI_SCALE, angle[1] * _PI
+
+
+@record
+class Span:
+    """One segment of a motion, ready to be computed."""
+
+    start: Annotated["Exact", "Its ends, exactly, in degrees."]
+    end: Annotated["Exact", "Its ends, exactly, in degrees."]
+    low: Annotated[float, "Lift at its start and end."]
+    high: Annotated[float, "Lift at its start and end."]
+    law: Annotated["Law | None", "How it goes from one to the other; None where the lift rests."]
+    name: Annotated[str, "What it is called."] = ""
+    scale: Annotated[
+        float | None, "Lift that the law's unit stands for; the difference of the ends when not given."
+    ] = None
+    off: Annotated["tuple[float, float]", "What the lifts at its ends are off, being sums of those given."] = (0.0, 0.0)
+
+
+@record
+class Zone:
+    """Cam angles between which all derivatives of the lift exist."""
+
+    start: Annotated[float, "Its ends [rad]."]
+    end: Annotated[float, "Its ends [rad]."]
+    segment: Annotated[int, "Which segment it belongs to, from 0."]
+    dwell: Annotated[bool, "Whether the lift rests."]
+
+
+class Part:
+    """A piece of a law in cam angles: s = base + scales[0] g(t), t = ±((θ − origin) − origin_low)/span."""
+
+    __slots__ = ("base", "law_piece", "off", "origin", "origin_low", "scales", "segment", "sign", "span")
+
+    def __init__(self, span: "Span", segment: int, piece: "Any") -> None:
+        width = (span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1])
+        far = piece is not None and piece.far
+        self.span = radians(width)[0]
+        self.segment = segment
+        self.origin, self.origin_low = radians(span.end if far else span.start)
+        self.sign = -1.0 if far else 1.0
+        self.base = span.high if far else span.low
+        # the lift from one end to the other is off by both
+        self.off = span.off[0] + span.off[1]
+        self.law_piece = piece
+        rise = span.high - span.low if span.scale is None else span.scale
+        self.scales = [rise * self.sign]
+        for order in range(1, 5):
+            rise = rise / self.span
+            self.scales.append(rise if not far or order % 2 else -rise)
+
+    def negated(self) -> "Part":
+        """The same piece of the motion upside down."""
+        made = Part.__new__(Part)
+        for name in self.__slots__:
+            setattr(made, name, getattr(self, name))
+        made.base, made.scales = -self.base, [-scale for scale in self.scales]
+        return made
+
+    def local(self, theta: "Any") -> "Any":
+        """Distance from the end of the segment this piece is measured from, as a share of the segment."""
+        away = theta - self.origin
+        if type(away) is float:
+            return self.sign * ((away - self.origin_low) / self.span) if away else 0.0
+        t = (away - self.origin_low) * (self.sign / self.span)
+        t[away == 0.0] = 0.0
+        return t
+
+    def local_of_sorted(self, theta: "Any") -> "Any":
+        """The same for angles in order, of which only the first or the last can be the origin."""
+        t = (theta - self.origin - self.origin_low) * (self.sign / self.span)
+        if theta[0] == self.origin:
+            t[: theta.searchsorted(self.origin, side="right")] = 0.0
+        elif theta[-1] == self.origin:
+            t[theta.searchsorted(self.origin) :] = 0.0
+        return t
+
+    def give(self, t: "Any", derivatives: int) -> "list[Any]":
+        """Lift and derivatives per radian."""
+        if self.law_piece is None:
+            still = 0.0 * t
+            return [still + self.base] + [still] * derivatives
+        found = self.law_piece.shape(t, derivatives)
+        lift = self.scales[0] * found[0]
+        out = [self.base + lift if self.base else lift]
+        out.extend(self.scales[order] * found[order] for order in range(1, derivatives + 1))
+        return out

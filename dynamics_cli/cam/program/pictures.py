@@ -1,0 +1,172 @@
+"""Pictures of cam motion: lift, velocity, acceleration and jerk over the turn, and peak factors."""
+
+from math import nan, pi
+
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.laws.rise import Rise, rise
+from dynamics_cli.cam.program.motion import Motion
+from dynamics_cli.cam.program.reading import Program, motion_of
+from dynamics_cli.cam.program.revolution_records import Revolution
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import (
+    Angle,
+    CamAcceleration,
+    CamJerk,
+    CamVelocity,
+    Coordinate,
+    SwingAcceleration,
+    SwingJerk,
+    SwingVelocity,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+STEPS = 96
+LENGTHS = (("lift", Coordinate), ("velocity", CamVelocity), ("acceleration", CamAcceleration), ("jerk", CamJerk))
+SWINGS = (("swing", Angle), ("velocity", SwingVelocity), ("acceleration", SwingAcceleration), ("jerk", SwingJerk))
+SYMBOLS = {"lift": "lift s", "velocity": "velocity v", "acceleration": "acceleration a", "jerk": "jerk j"}
+SWING_SYMBOLS = {"swing": "swing ψ", "velocity": "velocity ψ′", "acceleration": "acceleration ψ″", "jerk": "jerk ψ‴"}
+# Where the words of a maximum and of a minimum stand, in points of print.
+ABOVE, BELOW, LEFT = (4.0, 4.0), (4.0, -11.0), -4.0
+
+
+def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") -> Picture:
+    """Draw lift, velocity, acceleration and jerk one below another; a jump is a gap.
+
+    Parameters
+    ----------
+    result : Revolution
+        What `cam motion` found.
+    scene : Program
+        The program from a file.
+    program : str
+        The program in one line.
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Four panels over the cam angle, the segments shaded in turn.
+    """
+    del given
+    motion = motion_of(scene, program)
+    angles, columns = sampled(motion)
+    axes = SWINGS if motion.swing else LENGTHS
+    found: tuple[Any, ...] = (result.lift, result.velocity, result.acceleration, result.jerk)
+    if result.swing is not None:
+        found = _of_swing(motion)
+    symbols = SWING_SYMBOLS if motion.swing else SYMBOLS
+    panels = []
+    for order, (name, kind) in enumerate(axes):
+        items: list[Band | Curve | Mark] = [*bands(motion, order), Curve(angles, columns[order])]
+        ends = found[order]
+        if ends is not None:
+            items += extreme_mark(ends.greatest_at, ends.greatest, kind, ABOVE)
+            items += extreme_mark(ends.least_at, ends.least, kind, BELOW)
+        panels.append(Panel(turn_axis(motion), Axis(symbols[name], kind), tuple(items)))
+    title = worded(
+        "Cam motion, continuity {continuity}\n{program}",
+        continuity=result.continuity,
+        program=named_program(scene, program),
+    )
+    return Picture(tuple(panels), title)
+
+
+def _of_swing(motion: Motion) -> "tuple[Any, ...]":
+    from dynamics_cli.cam.program.summary import extreme
+
+    return tuple(extreme(motion, order) for order in range(4))
+
+
+def turn_axis(motion: Motion) -> Axis:
+    """The cam angle over one turn."""
+    return Axis("cam angle θ", Angle, ends=(motion.joints[0], motion.joints[-1]), step=pi / 6.0)
+
+
+def extreme_mark(
+    at: float | None, value: float | None, kind: "Any", aside: "tuple[float, float]"
+) -> "tuple[Mark, ...]":
+    """An extreme with its value beside it, to its left near the end of the turn."""
+    if at is None or value is None:
+        return ()
+    across = LEFT if at > 1.7 * pi else aside[0]
+    return (Mark(at, value, worded("{value}", value=(value, kind)), (across, aside[1])),)
+
+
+def named_program(scene: Program, program: str) -> str:
+    """A program as it was written, or how many segments a file has."""
+    return " ".join(program.split()) or f"{len(scene.segments)} segments"
+
+
+def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":
+    """Angles and the four curves, zone by zone, broken between zones where any of them may jump.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    steps : int
+        Steps on each zone.
+
+    Returns
+    -------
+    (list of float, list of list of float)
+        Angles, and s, v, a, j at them; NaN parts the zones.
+    """
+    import numpy as np
+
+    t = np.linspace(0.0, 1.0, steps + 1)
+    angles: list[float] = []
+    columns: list[list[float]] = [[], [], [], []]
+    for index, zone in enumerate(motion.zones):
+        angles += (zone.start + (zone.end - zone.start) * t).tolist() + [zone.end]
+        for column, values in zip(columns, motion.in_zone(index, t), strict=True):
+            column += values.tolist() + [nan]
+    return angles, columns
+
+
+def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
+    """Every segment that moves; the legend of the first panel says so once."""
+    moving = [i for i, span in enumerate(motion.segments) if span.law is not None]
+    return tuple(
+        Band(motion.joints[i], motion.joints[i + 1], "follower moves" if order == 0 and i == moving[0] else "")
+        for i in moving
+    )
+
+
+def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any") -> Picture:
+    """Draw one rise: lift, velocity, acceleration and jerk, with the points asked for.
+
+    Parameters
+    ----------
+    result : Rise
+        What `cam rise` found.
+    law : LawName
+        The law.
+    lift : float
+        The lift [m].
+    span : float
+        The span [rad].
+    **given
+        The task's other parameters.
+
+    Returns
+    -------
+    Picture
+        Four panels over the cam angle.
+    """
+    given = {key: value for key, value in given.items() if key not in ("at", "count", "shaft_speed")}
+    dense = rise(law=law, lift=lift, span=span, count=401, **given).points
+    angles = [point.angle for point in dense]
+    asked = [point.angle for point in result.points]
+    panels = []
+    for name, kind in LENGTHS:
+        curve = Curve(angles, [getattr(point, name) for point in dense])
+        points = Curve(asked, [getattr(point, name) for point in result.points], style="points")
+        panels.append(Panel(Axis("cam angle θ", Angle, ends=(0.0, span)), Axis(SYMBOLS[name], kind), (curve, points)))
+    title = worded("Rise of {lift} in {span}, {law}", lift=(lift, Coordinate), span=(span, Angle), law=str(law))
+    return Picture(tuple(panels), title)

@@ -1,0 +1,329 @@
+"""Pieces of a motion on which it is smooth, and proved extremes over them, each piece in a coordinate of its own."""
+
+from itertools import pairwise
+from math import ceil, pi
+
+import numpy as np
+
+from dynamics_cli.cam.program.parts import radians
+from dynamics_cli.cam.proof.law_discs import Parts, discs
+from dynamics_cli.numerics.chebyshev.proxies import Extremes, Proxies, extremes, proxies
+from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
+from dynamics_cli.numerics.chebyshev.summits import doubtful, settled, summits
+from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.cam.program.motion import Motion
+
+STEP = pi / 12.0
+# A bound beyond this share is looked into again, on so few pieces at most, each cut so often about its place.
+ROUGH = 30.0 * 2.0**-53
+FEW = 8
+FINER = 7
+# So many places of these cuts are computed one by one: about a flat place a proxy errs by its values' rounding.
+SINGLY = 2048
+
+
+def pieces(motion: "Motion") -> "tuple[Any, Any]":
+    """Starts and ends of the pieces of one turn, in radians and in order."""
+    return np.array([zone.start for zone in motion.zones]), np.array([zone.end for zone in motion.zones])
+
+
+def widths(motion: "Motion") -> "list[float]":
+    """Widths of the zones; the ends of a narrow one, as angles, would lose their digits."""
+    found = []
+    for span in motion.segments:
+        width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
+        cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
+        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
+    return found
+
+
+def sample(motion: "Motion", theta: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
+    """Lift and its derivatives by cam angle at an array of angles."""
+    return motion.at(theta, derivatives)
+
+
+def within(motion: "Motion", place: "Any", piece: "Any", derivatives: int = 2) -> "tuple[Any, ...]":
+    """Lift and its derivatives at shares (m, n) of the pieces that the m rows lie in."""
+    out = np.empty((derivatives + 1, *place.shape))
+    # numpy.unique would import numpy.ma, a quarter of the import of numpy
+    for index in sorted(set(piece.tolist())):
+        rows = piece == index
+        out[:, rows] = motion.in_zone(index, place[rows], derivatives)
+    return tuple(out)
+
+
+@record
+class Ends:
+    """The least and the greatest value of a function over the turn, each the function's own at the place named."""
+
+    least: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
+    least_at: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
+    least_error: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
+    greatest: Annotated[float, "The same of the greatest."]
+    greatest_at: Annotated[float, "The same of the greatest."]
+    greatest_error: Annotated[float, "The same of the greatest."]
+    proved: Annotated[bool, "Whether the bounds are proved."] = True
+
+    @property
+    def error(self) -> float:
+        """The larger of both bounds."""
+        return max(self.least_error, self.greatest_error)
+
+    def smallest(self) -> tuple[float, float]:
+        """The least value, and where."""
+        return self.least, self.least_at
+
+    def largest(self) -> tuple[float, float]:
+        """The greatest value, and where."""
+        return self.greatest, self.greatest_at
+
+
+class Cover:
+    """Functions of lift and derivatives over a motion: their proxies, and their own values with their roundings.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    function : callable
+        Takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents, `numpy.stack` and
+        the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values do not: such a
+        function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is false); so it
+        is for a motion without `parts_of`.
+    derivatives : int
+        How many derivatives.
+
+    Raises
+    ------
+    ValueError
+        When a function is not finite inside a piece.
+    """
+
+    def __init__(self, motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> None:
+        self.motion, self.function, self.derivatives = motion, function, derivatives
+        self.owner: Any = None
+        self.finer = False
+        if not hasattr(motion, "parts_of"):
+            self.made = _estimated(motion, function, derivatives)
+            return
+        self.parts, self.rows = _rows(motion)
+        self.whole = Parts(self.parts)
+        owner = self.rows.owner
+        try:
+            made = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
+        except TypeError:
+            self.made = _estimated(motion, function, derivatives)
+            return
+        self.owner = made.owner
+        self.still = np.array([part.law_piece is None for part in self.parts])[self.rows.which[made.owner]]
+        self.made = Proxies(
+            owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved, made.steep
+        )
+
+    def _sampled(self, place: Disc, piece: "Any") -> "Any":
+        rows = self.rows
+        which, width = rows.which[piece], rows.width[piece]
+        t = rows.first[piece][:, None]
+        t = t + width[:, None] * np.where(rows.far[piece][:, None], 1.0 - place.centre, place.centre)
+        if self.finer and not np.ndim(place.radius):
+            flat = discs(
+                self.whole, np.repeat(which, t.shape[1]), t.ravel(), np.zeros(t.size), self.derivatives, shares=True,
+                singly=SINGLY,
+            )  # fmt: skip
+            return self.function(*(Disc(one.centre.reshape(t.shape), one.radius.reshape(t.shape)) for one in flat))
+        radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
+        radius = radius * (width * self.whole.span[which])[:, None]
+        return self.function(*discs(self.whole, which, t, radius, self.derivatives, shares=True))
+
+    def state(self, pieces_: "Any", units: "Any") -> "tuple[Any, ...]":
+        """Lift and derivatives at places (n,) of the proxies' pieces, with what they round by."""
+        rows, made, row = self.rows, self.made, self.owner[pieces_]
+        starts, ends = made.starts[pieces_], made.ends[pieces_]
+        share = 0.5 * (starts + ends) + 0.5 * (ends - starts) * units
+        share = np.where(units == 1.0, ends, np.where(units == -1.0, starts, share))
+        t = rows.first[row] + rows.width[row] * np.where(rows.far[row], 1.0 - share, share)
+        # ends of parts are theirs to the bit
+        t = np.where(share == rows.starts[row], rows.opens[row], np.where(share == rows.ends[row], rows.closes[row], t))
+        which = rows.which[row]
+        return discs(self.whole, which, t, np.zeros(t.shape), self.derivatives, shares=True, exact=True)
+
+    def angles(self, pieces_: "Any", units: "Any") -> "Any":
+        """Cam angles of places of the proxies' pieces."""
+        made = self.made
+        starts, ends = pieces(self.motion)
+        middle, half = 0.5 * (made.ends + made.starts)[pieces_], 0.5 * (made.ends - made.starts)[pieces_]
+        share = np.where(units == 1.0, made.ends[pieces_], middle + half * units)
+        share = np.where(units == -1.0, made.starts[pieces_], share)
+        owner = made.owner[pieces_]
+        return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
+
+    def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
+        """The functions (q, n) at places of the proxies' pieces, and what they round by."""
+        found = self.function(*self.state(pieces_, units))
+        shape = np.broadcast_shapes(found.centre.shape, (1, np.size(units)))
+        return np.broadcast_to(found.centre, shape), np.broadcast_to(found.radius, shape)
+
+    def ends(self, *which: int, again: bool = True) -> "list[Ends]":
+        """The certified extremes of some of the functions, or of all; `again` about places that are too flat."""
+        which = which or tuple(range(self.made.coefficients.shape[0]))
+        if self.owner is None:
+            return [self._loose(index) for index in which]
+        with np.errstate(all="ignore"):
+            found = [top for index in which for top in summits(self.made, index, self.still)]
+            rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
+            centres, radii = self.values(rows, units)
+            made, places, low = [], [], 0
+            for number, top in enumerate(found):
+                own = slice(low, low + top.rows.size)
+                low = own.stop
+                index, sign = which[number // 2], 1.0 - 2.0 * (number % 2)
+                value, place, error = settled(top, sign * centres[index, own], radii[index, own])
+                places.append(own.start + place)
+                if again and error > ROUGH * abs(value):
+                    value, error = self._closer(index, sign, top, centres[index, own], radii[index, own], error)
+                made.append((sign * value, error))
+            angles = self.angles(rows[places], units[places]).tolist()
+        ends = [(value, angle, error) for (value, error), angle in zip(made, angles, strict=True)]
+        return [Ends(*low_, *high) for high, low_ in zip(ends[::2], ends[1::2], strict=True)]
+
+    def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
+        """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
+        made = self.made
+        starts, ends, owner = [], [], []
+        for row, unit in zip(rows.tolist(), units.tolist(), strict=True):
+            steps = 2.0 * 4.0 ** -np.arange(FINER)
+            edges = np.concatenate((unit - steps, unit + steps[::-1]))
+            inner = sorted({-1.0, unit, 1.0, *edges[np.abs(edges) < 1.0].tolist()})
+            low, high = float(made.starts[row]), float(made.ends[row])
+            shares = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
+            starts += shares[:-1]
+            ends += shares[1:]
+            owner += [int(self.owner[row])] * (len(shares) - 1)
+        own = Cover.__new__(Cover)
+        own.motion, own.derivatives, own.rows = self.motion, self.derivatives, self.rows
+        own.parts, own.whole = self.parts, self.whole
+        own.function, own.finer = lambda *state: which(self.function(*state)), True
+        origin = np.array(owner)
+        found = proved_proxies(
+            lambda place, piece: own._sampled(place, origin[piece]), np.array(starts), np.array(ends)
+        )
+        own.owner = origin[found.owner]
+        own.still = np.zeros(found.starts.shape, dtype=bool)
+        own.made = Proxies(
+            self.rows.owner[own.owner], found.starts, found.ends, found.coefficients, found.error, True, found.steep
+        )
+        return own
+
+    def _closer(
+        self, which: int, sign: float, top: "Any", values: "Any", errors: "Any", error: float
+    ) -> "tuple[float, float]":
+        """The greatest value and its error where pieces are too flat for their proxies: these are cut about the place.
+
+        Small pieces about a flat place vary little, and their proxies err by little more than the function rounds.
+        """
+        values = sign * values
+        best, sure = float(values.max()), float((values - errors).max())
+        loose = doubtful(top, sure)
+        rows = np.flatnonzero(loose)
+        if not 0 < rows.size <= FEW:
+            return best, error
+        units = np.array([best_unit(top, values, row) for row in rows.tolist()])
+        own = self.cut(lambda found: sign * found[which : which + 1], rows, units)
+        (ends,) = own.ends(again=False)
+        kept = ~loose[top.rows]
+        gains = np.where(np.isinf(top.gains), 0.0, top.gains)
+        reach = max(float((values + errors + gains)[kept].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
+        sure = max(sure, ends.greatest - ends.greatest_error)
+        best = max(best, ends.greatest)
+        return best, min(error, max(reach - best, best - sure) * (1.0 + 2.0**-40))
+
+    def _loose(self, which: int) -> Ends:
+        found = extremes(self.made, which)
+        starts, ends = pieces(self.motion)
+        theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
+        placed = Extremes(found.owner, theta, found.values, found.inside, found.error)
+        low, high = placed.smallest(), placed.largest()
+        return Ends(*low, found.error, *high, found.error, proved=False)
+
+
+def best_unit(top: "Any", values: "Any", row: int) -> float:
+    """Where on a piece its best place is; its start where none is known."""
+    own = np.flatnonzero(top.rows == row)
+    return float(top.units[own[values[own].argmax()]]) if own.size else -1.0
+
+
+def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
+    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece."""
+    return Cover(motion, function, derivatives).made
+
+
+def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
+    """Proxies by arrays, their remainders estimated from the last coefficients."""
+    count = len(motion.zones)
+    return proxies(
+        lambda place, piece: function(*within(motion, place, piece, derivatives)), np.zeros(count), np.ones(count)
+    )
+
+
+@record
+class Rows:
+    """Rows of shares of zones that each lie in one part of a motion."""
+
+    owner: Annotated["Any", "The zone."]
+    starts: Annotated["Any", "Shares of the zone."]
+    ends: Annotated["Any", "Shares of the zone."]
+    opens: Annotated["Any", "The same in the part's own coordinate."]
+    closes: Annotated["Any", "The same in the part's own coordinate."]
+    which: Annotated["Any", "The part."]
+    far: Annotated["Any", "Whether its coordinate runs backwards."]
+    first: Annotated["Any", "The part's coordinate is `first` and `width` times the share, or what the share leaves."]
+    width: Annotated["Any", "The part's coordinate is `first` and `width` times the share, or what the share leaves."]
+
+
+def _rows(motion: "Motion") -> "tuple[Any, Rows]":
+    """Parts of the motion, and the rows: parts cut into steps of 15 degrees or less."""
+    parts: list[Any] = []
+    owner: list[int] = []
+    rows: list[tuple[float, ...]] = []
+    for index in range(len(motion.zones)):
+        own = motion.parts_of(index)
+        laws = [part.law_piece for part in own]
+        low, high = (0.0, 1.0) if laws[0] is None else (laws[0].low, laws[-1].high)
+        for part, law in zip(own, laws, strict=True):
+            a, b = (0.0, 1.0) if law is None else ((law.low - low) / (high - low), (law.high - low) / (high - low))
+            steps = 1 if law is None else max(1, ceil((b - a) * (high - low) * part.span / STEP - 1e-9))
+            edges = [a + (b - a) * i / steps for i in range(steps)] + [1.0 if part is own[-1] else b]
+            far = law is not None and law.far
+            first, width = 1.0 - high if far else low, high - low
+            own_t = [first + width * (1.0 - edge if far else edge) for edge in edges]
+            if law is not None:
+                own_t[0], own_t[-1] = law.ends[::-1] if far else law.ends
+            rows += [
+                (start, end, opens, closes, len(parts), far, first, width)
+                for (start, end), (opens, closes) in zip(pairwise(edges), pairwise(own_t), strict=True)
+            ]
+            owner += [index] * steps
+            parts.append(part)
+    starts, ends, opens, closes, which, fars, first, width = (np.array(column) for column in zip(*rows, strict=True))
+    return parts, Rows(np.array(owner), starts, ends, opens, closes, which.astype(int), fars.astype(bool), first, width)
+
+
+def joint_jumps(motion: "Motion") -> tuple[int, int]:
+    """Joints where velocity or acceleration jumps, beyond rounding."""
+    counts = [0, 0]
+    before = [motion.in_zone(index, 1.0, 2) for index in range(len(motion.zones))]
+    after = [motion.in_zone(index, 0.0, 2) for index in range(len(motion.zones))]
+    for order in (1, 2):
+        peak = max(abs(state[order]) for state in (*before, *after))
+        peak = max(peak, *(abs(motion.in_zone(index, 0.37, 2)[order]) for index in range(len(before))))
+        for index, state in enumerate(after):
+            counts[order - 1] += abs(state[order] - before[index - 1][order]) > 1e-9 * peak
+    return counts[0], counts[1]

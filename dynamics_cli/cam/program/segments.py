@@ -1,0 +1,93 @@
+"""The records a program of cam motion is written in."""
+
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    CamAcceleration,
+    CamVelocity,
+    Coordinate,
+    Count,
+    Fraction,
+    Ratio,
+)
+from dynamics_cli.records import Choice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.cam.program.parts import Exact
+
+# Sizes of cams and followers beyond these overflow in the integrals of a plate.
+SMALLEST, LARGEST = 1e-60, 1e60
+
+
+class Move(Choice):
+    """What the follower does."""
+
+    names = ("rise", "return", "dwell")
+    aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012
+
+
+@record
+class Point:
+    """A point a spline goes through."""
+
+    at: Annotated[Angle, "Cam angle from the start of the segment [rad]."]
+    lift: Annotated[Coordinate, "Lift above the level at the start of the segment [m]."]
+
+
+@record
+class Segment:
+    """One segment of a program."""
+
+    move: Annotated[Move, "Rise, return or dwell."]
+    span: Annotated[
+        Angle | None, "Cam angle it takes; one segment may leave it out and takes what is left of the turn [rad]."
+    ] = None
+    lift: Annotated[
+        Coordinate | None,
+        "How far the follower rises or returns; a return without it goes back to the level of the start [m].",
+    ] = None
+    swing: Annotated[Angle | None, "In place of the lift, how far an arm swings [rad]."] = None
+    law: Annotated[LawName | None, "The law; 3-4-5 when not given."] = None
+    shares: Annotated[
+        tuple[Ratio, ...], "Shares b, c, d of sine, constant and cosine acceleration of an scca law."
+    ] = ()
+    constant: Annotated[Fraction | None, "Share of the rise at constant velocity of a modified constant velocity."] = (
+        None
+    )
+    degree: Annotated[
+        Count | None, "Degree 3, 5, 7 or 9 of a polynomial between the states at its ends; 5 when not given."
+    ] = None
+    start_velocity: Annotated[
+        CamVelocity | None,
+        "Velocity at the start of a polynomial or spline; that of the segment before when not given [m/rad].",
+    ] = None
+    end_velocity: Annotated[
+        CamVelocity | None, "Velocity at its end; that of the segment after when not given [m/rad]."
+    ] = None
+    start_acceleration: Annotated[
+        CamAcceleration | None,
+        "Acceleration at the start of a polynomial; that of the segment before when not given [m/rad^2].",
+    ] = None
+    end_acceleration: Annotated[
+        CamAcceleration | None, "Acceleration at its end; that of the segment after when not given [m/rad^2]."
+    ] = None
+    points: Annotated[tuple[Point, ...], "Points a spline goes through between its ends."] = ()
+
+
+@record
+class Program:
+    """A revolution of cam motion, segment by segment."""
+
+    segments: Annotated[tuple[Segment, ...], "The segments in order; together they make one turn."] = ()
+    start: Annotated[Angle, "Cam angle at which the first begins [rad]."] = 0.0
+
+
+@record
+class Step:
+    """A segment as both ways of writing it come to: spans exact, in degrees."""
+
+    segment: Annotated[Segment, "What was asked."]
+    span: Annotated["Exact | None", "Its span in degrees, exactly."]
+    level: Annotated[float | None, "Lift to go to, in place of how far."] = None

@@ -1,0 +1,177 @@
+"""What a motion comes to: extremes with their places, jumps at the joints, means over a turn."""
+
+from functools import partial
+from math import inf, sqrt
+
+from dynamics_cli.cam.laws.peaks import extremes, value_error
+from dynamics_cli.cam.laws.selection import GAUSS
+from dynamics_cli.cam.proof.law_rounding import slips
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.cam.laws.normalised import Law
+    from dynamics_cli.cam.program.motion import Motion
+    from dynamics_cli.cam.program.parts import Span
+
+JUMP = 1e-10
+UNIT = 2.0**-53
+TURN = 6.283185307179586
+MOST_TURNED = 8.0
+NODES = [-node for node, _ in GAUSS[::-1]] + [node for node, _ in GAUSS]
+WEIGHTS = [weight for _, weight in GAUSS[::-1]] + [weight for _, weight in GAUSS]
+
+
+@record
+class Extreme:
+    """Minimum and greatest value of one derivative, with their places."""
+
+    least: Annotated[float, "Values, and cam angles [rad]."]
+    least_at: Annotated[float, "Values, and cam angles [rad]."]
+    greatest: Annotated[float, "Values, and cam angles [rad]."]
+    greatest_at: Annotated[float, "Values, and cam angles [rad]."]
+    least_error: Annotated[float, "What the values may be off."]
+    greatest_error: Annotated[float, "What the values may be off."]
+
+
+def extreme(motion: "Motion", order: int) -> Extreme:
+    """Give the extremes of the lift (0) or a derivative per radian (1 to 3) over the turn, one-sided values included.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    order : int
+        Which derivative.
+
+    Returns
+    -------
+    Extreme
+        The first place of each.
+
+    Notes
+    -----
+    From the extremes of the normalised laws, to the last bits; equal values to 10⁻¹² count as one, the first is named.
+    """
+    found: list[tuple[float, float, Callable[[], float]]] = []
+    for index, span in enumerate(motion.segments):
+        start, end = motion.joints[index], motion.joints[index + 1]
+        if span.law is None:
+            value = span.low if order == 0 else 0.0
+            found += [(place, value, partial(float, sum(span.off) if order == 0 else 0.0)) for place in (start, end)]
+            continue
+        scale = span.high - span.low if span.scale is None else span.scale
+        # the span is not the difference of its ends, which are rounded
+        factor = scale / motion.width(index) ** order
+        base = span.low if order == 0 else 0.0
+        for x, f in extremes(span.law, order):
+            at = end - (1.0 - x) * (end - start) if x > 0.5 else start + x * (end - start)
+            value = span.high if order == 0 and x == 1.0 else base + factor * f
+            found.append((at, value, partial(_value_error, span, x, order, factor, f)))
+    size = max(abs(value) for _, value, _ in found) * 1e-12
+    least, most = min(value for _, value, _ in found), max(value for _, value, _ in found)
+    low = [(at, error) for at, value, error in found if value <= least + size]
+    high = [(at, error) for at, value, error in found if value >= most - size]
+    return Extreme(
+        least, low[0][0], most, high[0][0], max(error() for _, error in low), max(error() for _, error in high)
+    )
+
+
+def _value_error(span: "Span", x: float, order: int, factor: float, value: float) -> float:
+    """What a level, or factor·value on it, may be off; the factor counts a rounding, and two for each division."""
+    level = sum(span.off)
+    if order == 0 and x in (0.0, 1.0):
+        return level
+    rise = abs(span.high - span.low if span.scale is None else span.scale)
+    law: Any = span.law
+    error = value_error(law, x, order) + ((2.0 * order + 2.0) * UNIT + level / rise) * abs(value)
+    base = abs(span.low) + abs(span.low + factor * value) if order == 0 else 0.0
+    return (abs(factor) * error + level + UNIT * base) * (1.0 + 2.0**-40)
+
+
+def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
+    """Root mean square of a derivative over the turn, and its bound.
+
+    Gauss's rule of 16 points on parts short enough that no wave of a law turns by more than four radians in half of
+    one: exact to rounding. The root mean square of what the values may be off is all that it may be off by them.
+    """
+    total = slipped = 0.0
+    for index, span in enumerate(motion.segments):
+        if span.law is None:
+            continue
+        width = motion.width(index)
+        scale = (span.high - span.low if span.scale is None else span.scale) / width**order
+        mean, off = _mean_square(span.law, order)
+        total += width * scale * scale * mean
+        slipped += width * scale * scale * off
+    found = sqrt(total / TURN)
+    # weights, sums and factors, of the square
+    return found, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * found) * (1.0 + 2.0**-40)
+
+
+def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
+    """Mean squares of a derivative and of what its values may be off."""
+    import numpy as np
+
+    total = slipped = 0.0
+    for piece in law.pieces:
+        start, end = piece.ends
+        shape: Any = piece.shape
+        quickest = max((w for _, w, _ in shape.parts[1]), default=0.0)
+        count = 1 + int(quickest * (end - start) / MOST_TURNED)
+        edges = np.linspace(start, end, count + 1)
+        half = 0.5 * np.diff(edges)
+        t = (edges[:-1] + half)[:, None] + half[:, None] * NODES
+        value = np.asarray(piece.shape(t.ravel(), order)[order]).reshape(t.shape)
+        error = np.asarray(slips(piece.shape, t.ravel(), 4.0 * UNIT * t.ravel(), order)[order]).reshape(t.shape)
+        weight = half[:, None] * WEIGHTS
+        total += float((weight * value * value).sum())
+        slipped += float((weight * error * error).sum())
+    return total, slipped
+
+
+def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
+    """Every zone boundary: its angle, what meets there, and how much lift, velocity, acceleration and jerk jump.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+
+    Returns
+    -------
+    list of (float, str, list of float)
+        Angle, words, and the four jumps; a difference that rounding explains is zero.
+    """
+    zones = motion.zones
+    sizes = [max(abs(one.least), abs(one.greatest)) for one in (extreme(motion, order) for order in range(4))]
+    found = []
+    for index, zone in enumerate(zones):
+        before = zones[index - 1]
+        left = motion.in_zone((index - 1) % len(zones), 1.0)
+        right = motion.in_zone(index, 0.0)
+        steps = [
+            b - a if abs(b - a) > JUMP * max(abs(a), abs(b), 1e-4 * size) else 0.0
+            for a, b, size in zip(left, right, sizes, strict=True)
+        ]
+        words = _name(motion, zone.segment)
+        if before.segment != zone.segment or len(motion.segments) == 1:
+            words = f"{_name(motion, before.segment)} to {words}"
+        else:
+            words = f"within {words}"
+        found.append((zone.start, words, steps))
+    return found
+
+
+def _name(motion: "Motion", segment: int) -> str:
+    return f"{motion.segments[segment].name} {segment + 1}"
+
+
+def order_of_continuity(found: "list[tuple[float, str, list[float]]]") -> int:
+    """The highest derivative that jumps nowhere with none below it jumping; -1 where the lift itself steps."""
+    first = min((next((i for i, step in enumerate(steps) if step), inf) for _, _, steps in found), default=inf)
+    return 3 if first == inf else int(first) - 1

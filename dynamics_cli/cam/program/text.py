@@ -1,0 +1,290 @@
+"""A motion program in one line: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`.
+
+program   = clause { ";" clause }
+clause    = "start" angle | move [ ["to"] amount ] [ ("in" | "over" | "for") angle ] [ law ]
+move      = "rise" | "return" | "dwell"                     amount = length or angle
+law       = name { number | key "=" value }                 numbers: shares, degree or share at constant velocity
+"""
+
+from dynamics_cli.cam.laws.names import LawName
+from dynamics_cli.cam.program.parts import Exact, from_radians
+from dynamics_cli.cam.program.segments import Move, Segment, Step
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, NoReturn
+
+# Metres, as ratios.
+LENGTHS: "dict[str, Exact]" = {
+    "mm": (1, 1000), "m": (1, 1), "cm": (1, 100), "um": (1, 10**6), "µm": (1, 10**6), "μm": (1, 10**6),
+    "micron": (1, 10**6), "in": (127, 5000), "inch": (127, 5000), "inches": (127, 5000), "ft": (381, 1250),
+    "mil": (127, 5 * 10**6), "thou": (127, 5 * 10**6),
+}  # fmt: skip
+# Degrees, as ratios.
+ANGLES: "dict[str, Exact]" = {
+    "deg": (1, 1), "°": (1, 1), "degree": (1, 1), "degrees": (1, 1), "rev": (360, 1), "turn": (360, 1),
+    "turns": (360, 1), "grad": (9, 10), "gon": (9, 10), "arcmin": (1, 60), "arcsec": (1, 3600),
+}  # fmt: skip
+STATES = {
+    "v0": "start_velocity", "v1": "end_velocity", "a0": "start_acceleration", "a1": "end_acceleration",
+    "start_velocity": "start_velocity", "end_velocity": "end_velocity",
+    "start_acceleration": "start_acceleration", "end_acceleration": "end_acceleration",
+}  # fmt: skip
+LONGEST = 40
+
+
+def read_program(text: str) -> "tuple[list[Step], Exact | None]":
+    """Segments of a program written in words, and the angle it starts at when it says one.
+
+    Parameters
+    ----------
+    text : str
+        The program.
+
+    Returns
+    -------
+    (list of Step, (int, int) | None)
+        The segments and the start in degrees.
+
+    Raises
+    ------
+    UsageError
+        Where a clause is not understood; the message says which and what was wanted.
+    """
+    steps: list[Step] = []
+    start: Exact | None = None
+    for clause in text.replace("\n", ";").replace("−", "-").split(";"):
+        if not clause.strip():
+            continue
+        words = _Words(clause)
+        if words.peek() == "start":
+            words.take()
+            words.skip("at", "from")
+            start = words.angle()
+            words.end()
+        else:
+            steps.append(_step(words))
+    return steps, start
+
+
+def _step(words: "_Words") -> Step:
+    given = words.take()
+    try:
+        move = Move(given)
+    except ValueError:
+        words.fail(f"read {given!r}, wanted rise, return or dwell")
+    fields: dict[str, Any] = {"move": move}
+    span: Exact | None = None
+    level: float | None = None
+    if move == "dwell":
+        words.skip("in", "for", "over", "of")
+        if words.peek():
+            span = words.angle()
+        words.end()
+        return Step(Segment(**fields), span)
+    absolute = words.skip("to")
+    words.skip("by")
+    if words.at_number():
+        amount, is_angle = words.amount()
+        if absolute:
+            # A level needs the program's dimension too: its kind rides on the lift's name.
+            fields["swing" if is_angle else "lift"] = None
+            level = amount
+            fields.update({"swing": abs(amount)} if is_angle else {})
+        else:
+            fields["swing" if is_angle else "lift"] = amount
+    if words.skip("in", "over", "for"):
+        span = words.angle()
+    _read_law(words, fields)
+    return Step(Segment(**fields), span, level)
+
+
+def _near_laws(given: str) -> str:
+    """The laws that may be meant, as a question."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(given.lower(), (*LawName.names, *LawName.aliases))
+    # another spelling of a law already named adds no choice
+    laws = list(dict.fromkeys(str(LawName(name)) for name in near))
+    return f"did you mean {' or '.join(laws)}? " if laws else ""
+
+
+def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
+    if not words.peek():
+        return
+    given = words.take()
+    while words.peek() and not words.at_number() and "=" not in words.peek():
+        given += "-" + words.take()
+    try:
+        fields["law"] = LawName(given)
+    except ValueError:
+        words.fail(f"there is no law {given!r}: {_near_laws(given)}`dynamics cam laws` lists them")
+    numbers = []
+    while words.at_number():
+        numbers.append(words.number())
+    _place_numbers(words, fields, [top / bottom for top, bottom in numbers])
+    while words.peek():
+        key, _, value = words.take().partition("=")
+        if key not in STATES or not value:
+            words.fail(f"read {key!r}, wanted v0=, v1=, a0= or a1= with a value")
+        fields[STATES[key]] = words.rate(value)
+
+
+def _place_numbers(words: "_Words", fields: "dict[str, Any]", numbers: "list[float]") -> None:
+    law = fields["law"]
+    if law == "scca" and len(numbers) in (3, 4):
+        fields["shares"] = tuple(numbers[:3])
+        if numbers[3:]:
+            fields["constant"] = numbers[3]
+    elif law == "polynomial" and len(numbers) == 1:
+        fields["degree"] = int(numbers[0]) if numbers[0] == int(numbers[0]) else 0
+    elif law == "modified-constant-velocity" and len(numbers) == 1:
+        fields["constant"] = numbers[0]
+    elif numbers:
+        words.fail(f"the law {law} does not take {len(numbers)} numbers")
+
+
+class _Words:
+    """The words of one clause, with what to say when they are not understood."""
+
+    def __init__(self, clause: str) -> None:
+        self.clause = clause.strip()
+        text = self.clause.replace(",", " ").replace("(", " ").replace(")", " ").replace(" = ", "=")
+        self.words = [part for word in text.split() for part in _parted(word)]
+
+    def fail(self, message: str) -> "NoReturn":
+        """Refuse the clause."""
+        raise UsageError(
+            f"in {self.clause!r}: {message}",
+            code="program-words",
+            parameter="program",
+            hint="for example: rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell",
+        )
+
+    def peek(self) -> str:
+        """The next word, or nothing."""
+        return self.words[0] if self.words else ""
+
+    def take(self) -> str:
+        """The next word, which there must be."""
+        if not self.words:
+            self.fail("the clause is not complete")
+        return self.words.pop(0)
+
+    def skip(self, *fillers: str) -> bool:
+        """Pass over the next word if it is one of these; whether it was."""
+        if self.peek().lower() in fillers:
+            self.words.pop(0)
+            return True
+        return False
+
+    def at_number(self) -> bool:
+        """Whether a number is next."""
+        return bool(self.words) and _ratio(self.words[0]) is not None
+
+    def end(self) -> None:
+        """Refuse words that are left over."""
+        if self.words:
+            self.fail(f"{self.words[0]!r} is not expected here")
+
+    def number(self) -> "Exact":
+        """The next word as an exact number."""
+        word = self.take()
+        value = _ratio(word)
+        if value is None:
+            self.fail(f"read {word!r}, wanted a number")
+        return value
+
+    def amount(self) -> "tuple[float, bool]":
+        """A length in metres, or an angle in radians."""
+        top, bottom = self.number()
+        unit = self.take()
+        if unit in LENGTHS:
+            a, b = LENGTHS[unit]
+            return top * a / (bottom * b), False
+        return _as_radians(self._angle(top, bottom, unit)), True
+
+    def angle(self) -> "Exact":
+        """An angle in degrees, as an exact ratio."""
+        top, bottom = self.number()
+        return self._angle(top, bottom, self.take())
+
+    def _angle(self, top: int, bottom: int, unit: str) -> "Exact":
+        if unit in ("rad", "radian", "radians"):
+            return from_radians((top, bottom))
+        if unit not in ANGLES:
+            self.fail(f"read {unit!r}, wanted a unit of angle such as deg" + (" or of length" if unit else ""))
+        a, b = ANGLES[unit]
+        return top * a, bottom * b
+
+    def rate(self, text: str) -> float:
+        """A length per angle or per angle squared, such as 5 mm/rad or 0.1 mm/deg^2, or a pure number."""
+        value = _ratio(text)
+        if value is None:
+            parts = _parted(text)
+            value = _ratio(parts[0])
+            if value is None or len(parts) != 2:
+                self.fail(f"read {text!r}, wanted a number and a unit such as 5 mm/rad")
+            self.words.insert(0, parts[1])
+        top, bottom = value
+        number = top / bottom
+        if not self.peek() or "=" in self.peek():
+            return number
+        unit = self.take()
+        length, _, angle = unit.partition("/")
+        name, _, power = angle.replace("²", "^2").partition("^")
+        if (length not in LENGTHS and length not in ("1", *ANGLES, "rad")) or power not in ("", "2"):
+            self.fail(f"read {unit!r}, wanted a unit such as mm/rad or mm/rad^2")
+        up = LENGTHS[length][0] / LENGTHS[length][1] if length in LENGTHS else _unit_radians(length)
+        down = _unit_radians(name)
+        return number * up / (down * down if power else down)
+
+
+def _unit_radians(name: str) -> float:
+    return _as_radians(ANGLES[name]) if name in ANGLES else 1.0
+
+
+def _as_radians(degrees: "Exact") -> float:
+    from dynamics_cli.cam.program.parts import radians
+
+    return radians(degrees)[0]
+
+
+def _parted(word: str) -> "list[str]":
+    """`20mm` and `90°` as number and unit; law names such as 3-4-5 stay whole."""
+    if _ratio(word) is not None:
+        return [word]
+    cut = 0
+    for i in range(1, len(word)):
+        if _ratio(word[:i]) is not None:
+            cut = i
+    head, tail = word[:cut], word[cut:]
+    return [head, tail] if cut and (tail in LENGTHS or tail in ANGLES or tail == "rad" or "/" in tail) else [word]
+
+
+def _ratio(text: str) -> "Exact | None":
+    """A decimal number or a ratio of two, exactly; None for other text."""
+    top, slash, bottom = text.partition("/")
+    first = _plain_decimal(top)
+    if first is None or not slash:
+        return first
+    second = _plain_decimal(bottom)
+    if second is None or not second[0]:
+        return None
+    return first[0] * second[1], first[1] * second[0]
+
+
+def _plain_decimal(text: str) -> "Exact | None":
+    body = text[1:] if text[:1] in ("+", "-") else text
+    mantissa, letter, exponent = body.lower().partition("e")
+    whole, _, tail = mantissa.partition(".")
+    digits = whole + tail
+    power = exponent[1:] if exponent[:1] in ("+", "-") else exponent
+    if not digits.isdecimal() or not digits.isascii() or len(digits) > LONGEST:
+        return None
+    if letter and not (power.isdecimal() and power.isascii() and len(power) <= 3):
+        return None
+    shift = (int(exponent) if letter else 0) - len(tail)
+    value = int(digits) * (-1 if text[:1] == "-" else 1)
+    return (value * 10**shift, 1) if shift >= 0 else (value, 10**-shift)

@@ -1,0 +1,251 @@
+"""Certified extremes of functions of a motion, and of quotients of their sums, with bounds of all that they err by."""
+
+from math import inf
+
+import numpy as np
+
+from dynamics_cli.cam.program.pieces import FEW, ROUGH, Cover, best_unit, widths, within
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.chebyshev.proxies import Proxies
+from dynamics_cli.numerics.chebyshev.summits import Summits, doubtful, summits
+from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.cam.program.motion import Motion
+
+    Law = Callable[[Any, Any, Any], Any]
+
+# quotients that differ by less are one, and the first place of it is named
+ALIKE = 4e-15
+
+
+@record
+class Found:
+    """A value, the cam angle it was found at, and what it may err by."""
+
+    value: Annotated[float, "The value."]
+    at: Annotated[float, "Cam angle [rad]."]
+    error: Annotated[float, "Bound of its error, in its own unit."]
+
+
+class Sum:
+    """A weighted sum of a survey's rows (s, s′, s″ and its functions) and a constant.
+
+    Parameters
+    ----------
+    weights : tuple of float or Disc
+        One for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
+    constant : float or Disc
+        The constant.
+    """
+
+    __slots__ = ("constant", "weights")
+
+    def __init__(self, weights: "tuple[Any, ...]", constant: "float | Disc" = 0.0) -> None:
+        self.weights = weights
+        self.constant = constant
+
+    def of(self, rows: "Disc") -> "Disc":
+        """The sum of rows (q, n)."""
+        total = Disc(np.zeros(rows.shape[1:]), np.zeros(rows.shape[1:])) + _disc(self.constant)
+        for index, weight in enumerate(self.weights):
+            if not isinstance(weight, float) or weight:
+                total = total + rows[index] * _disc(weight)
+        return total
+
+    def middles(self, count: int) -> "tuple[Any, float]":
+        """Weights of so many rows, and the constant, without what they round by."""
+        made = np.zeros(count)
+        made[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
+        return made, float(_disc(self.constant).centre)
+
+
+def _disc(value: "float | Disc") -> "Disc":
+    return value if isinstance(value, Disc) else Disc(value, 0.0)
+
+
+class Survey:
+    """Functions of s, s′ and s″ over a motion, ready for their extremes.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    functions : callable
+        Each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there.
+
+    Raises
+    ------
+    InadmissibleError
+        When numbers overflow.
+    """
+
+    def __init__(self, motion: "Motion", *functions: "Law") -> None:
+        self.motion = motion
+        self.count = 3 + len(functions)
+        rows = (lambda s, s1, s2: s, lambda s, s1, s2: s1, lambda s, s1, s2: s2, *functions)
+        try:
+            with np.errstate(all="ignore"):
+                self.cover = Cover(motion, lambda s, s1, s2: np.stack([row(s, s1, s2) + 0.0 * s for row in rows]))
+        except ValueError:
+            require(False, "the forces overflow: the speed or the spring is beyond all bounds", code="overflow")
+            raise
+        self.made = self.cover.made
+
+    def extremes(self, which: int) -> tuple[Found, Found]:
+        """Give the least and the greatest value of a function over the turn, one-sided values included.
+
+        Parameters
+        ----------
+        which : int
+            Which of the functions.
+
+        Returns
+        -------
+        (Found, Found)
+            The least and the greatest, each at the first place that is equal to the best within rounding.
+        """
+        (ends,) = self.cover.ends(3 + which)
+        return Found(ends.least, ends.least_at, ends.least_error), Found(
+            ends.greatest, ends.greatest_at, ends.greatest_error
+        )
+
+    def greatest_quotient(self, top: Sum, bottom: Sum) -> Found:
+        """Give the greatest quotient of two sums over the turn; the lower one is nowhere below zero.
+
+        Parameters
+        ----------
+        top, bottom : Sum
+            The sums.
+
+        Returns
+        -------
+        Found
+            The quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
+            its rounding, zero where the upper one is that nowhere.
+
+        Notes
+        -----
+        Dinkelbach's iteration: q = top/bottom rises to where top − q·bottom, whose greatest value over the turn is
+        certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
+        0/0 where a spring of no preload rests.
+        """
+        found = self._places(top, None, 0.0)
+        above, below = self._sums(top, bottom, found)
+        quotient = float(_quotients(above, below)[0])
+        while -inf < quotient < inf:
+            found = self._places(top, bottom, quotient)
+            above, below = self._sums(top, bottom, found)
+            better = float(_quotients(above, below).max())
+            if not better > quotient + 1e-15 * abs(quotient):
+                break
+            quotient = better
+        quotients = _quotients(above, below)
+        index = int(quotients.argmax())
+        if not -inf < quotient < inf:
+            return Found(max(quotient, 0.0), self._angle(found, index), 0.0)
+        alike = np.flatnonzero(quotients >= quotient - ALIKE * quotient)
+        error, loose = _off(found, above, below, quotients, quotient)
+        if loose.size and error > ROUGH * quotient:
+            more = self._closer(top, bottom, quotient, found, loose)
+            error, _ = _off(found, above, below, quotients, quotient, more)
+        return Found(quotient, self._angle(found, int(alike[0]) if alike.size else index), error)
+
+    def _closer(self, top: Sum, bottom: Sum, quotient: float, found: Summits, loose: "Any") -> float:
+        """The most that top − quotient·bottom is on pieces too flat for their proxies: these are cut about a place."""
+        if loose.size > FEW:
+            return inf
+
+        middles = top.of(Disc(*self.cover.values(found.rows, found.units))).centre
+        units = np.array([best_unit(found, middles, row) for row in loose.tolist()])
+        # what vanishes at its summit has no size to be resolved beside: it is lifted by a share of its parts
+        size = 0.0625 * float(np.abs(middles).max())
+
+        def left(rows: Disc) -> Disc:
+            return (top.of(rows) - bottom.of(rows) * quotient + size)[None]
+
+        with np.errstate(all="ignore"):
+            (ends,) = self.cover.cut(left, loose, units).ends(again=False)
+        most = ends.greatest - size
+        return most + ends.greatest_error + 2.0**-52 * abs(most)
+
+    def _angle(self, found: Summits, index: int) -> float:
+        own = slice(index, index + 1)
+        return float(self.cover.angles(found.rows[own], found.units[own])[0])
+
+    def _places(self, top: Sum, bottom: "Sum | None", quotient: float) -> Summits:
+        """Where top − quotient·bottom may be greatest."""
+        weights, constant = top.middles(self.count)
+        if bottom is not None:
+            lower, less = bottom.middles(self.count)
+            weights, constant = weights - quotient * lower, constant - quotient * less
+        made = self.made
+        own = np.tensordot(weights, made.coefficients, 1)
+        own[:, 0] += constant
+        rounded = 2.0**-50 * np.abs(made.coefficients).sum(axis=2)
+        error = np.abs(weights) @ (made.error + rounded) + 2.0**-51 * abs(constant)
+        steep = np.abs(weights) @ (made.steep + rounded * own.shape[1] ** 2) if made.steep is not None else None
+        whole = Proxies(
+            made.owner, made.starts, made.ends, own[None], error[None], made.proved,
+            None if steep is None else steep[None],
+        )  # fmt: skip
+        with np.errstate(all="ignore"):
+            return summits(whole, 0, self.cover.still, (1.0,))[0]
+
+    def _sums(self, top: Sum, bottom: Sum, found: Summits) -> "tuple[Disc, Disc]":
+        with np.errstate(all="ignore"):
+            rows = Disc(*self.cover.values(found.rows, found.units))
+            return top.of(rows), bottom.of(rows)
+
+    def integral(self, which: int) -> tuple[float, float]:
+        """Integral of a function over the turn by cam angle, and a bound of that of its magnitude."""
+        made = self.made
+        own = made.coefficients[3 + which]
+        even = np.arange(0, own.shape[1], 2)
+        width = (made.ends - made.starts) * np.array(widths(self.motion))[made.owner]
+        return (
+            float(width @ (own[:, even] @ (1.0 / (1.0 - even * even)))),
+            float(width @ np.abs(own).sum(axis=1)),
+        )
+
+
+def _quotients(above: Disc, below: Disc) -> "Any":
+    """Quotients at places; minus infinity where rounding leaves the sign of the upper sum open."""
+    with np.errstate(all="ignore"):
+        made = np.where(below.centre > 0.0, above.centre / below.centre, inf)
+    return np.where(above.centre > above.radius, made, -inf)
+
+
+def _off(
+    found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float, most: float = inf
+) -> "tuple[float, Any]":
+    """What the greatest quotient may be off, from the greatest value of above − quotient·below, and what pieces say so.
+
+    These are the pieces about whose places nothing is known; what that is on them is `most` or less, where known.
+    """
+    counts = quotients > 0.0
+    left = above.centre - quotient * below.centre
+    slip = above.radius + quotient * below.radius + 2.0**-52 * (np.abs(above.centre) + quotient * np.abs(below.centre))
+    with np.errstate(all="ignore"):
+        share = slip / below.centre
+        best = int(quotients.argmax())
+        more = (left + slip + np.where(np.isinf(found.gains), 0.0, found.gains)) / below.centre
+        error = max(float(share[best]), float(more[counts].max()))
+        loose = doubtful(found, float((left - slip)[best]))
+        open_ = counts & loose[found.rows]
+        if open_.any():
+            tops = np.minimum(found.tops[found.rows], most)
+            error = max(error, float((np.maximum(tops, slip) / below.centre)[open_].max()))
+    return error * (1.0 + 2.0**-40), np.flatnonzero(np.bincount(found.rows[open_], minlength=1))
+
+
+def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":
+    """Lift and its derivatives at equal shares of every zone, ends included, zone by zone."""
+    zones = len(motion.zones)
+    return within(motion, np.tile(np.linspace(0.0, 1.0, count), (zones, 1)), np.arange(zones))

@@ -1,0 +1,1 @@
+"""The smallest cam that keeps its limits, for each kind of follower."""

@@ -1,0 +1,1 @@
+"""One case answered: the model chosen, the physics called, its limits, bounds and formulas."""

@@ -1,0 +1,169 @@
+"""From a call to the raw input: words and options put where the signature says, over what files give."""
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.reader import Reader
+from dynamics_cli.core.inputs.settings import Call, Settings
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+
+# Words between a quantity and the unit it is to be converted to, among the first few.
+CONNECTIVES = ("to", "into", "->", "→")
+MOST_WORDS = 4
+
+
+class Gathered:
+    """Raw input, and the reader that knows where it came from."""
+
+    __slots__ = ("raw", "reader")
+
+    def __init__(self, raw: "dict[str, Any]", reader: Reader) -> None:
+        self.raw = raw
+        self.reader = reader
+
+
+def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, rows: bool = False) -> Gathered:
+    """Everything a call says about its parameters; with `rows`, words bind only to what the rows do not give."""
+    fields = task.specification.fields
+    raw, scene = read_words(fields, call.words, rows=rows or bool(settings.input))
+    for name, value in call.options.items():
+        put(raw, task.options[name].path, value)
+    file = settings.input or scene
+    if scene and settings.input:
+        raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
+    if not file:
+        return Gathered(raw, Reader(terminal.environ))
+    return over_file(task, raw, file, terminal)
+
+
+def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal") -> Gathered:
+    """Raw input over the parameters of a file."""
+    import os
+
+    from dynamics_cli.core.inputs.sources.files import parameters_of, read_object
+    from dynamics_cli.core.inputs.sources.hashes import entry_of
+
+    loaded, data = read_object(file, terminal)
+    known = {key for field in task.specification.fields for key in keys_of(field)}
+    units = loaded.pop("units", {}) if "units" not in known else {}
+    if not isinstance(units, dict):
+        raise UsageError("[units] names default units, one for each kind", parameter="units")
+    folder = "" if file == "-" else os.path.dirname(file)
+    reader = Reader(terminal.environ, folder=folder, units=units)
+    if file != "-":
+        reader.files.append(entry_of(file, data))
+    below = parameters_of(loaded, known)
+    covariance = loaded.get("covariance") if "covariance" not in known else None
+    if covariance is not None:
+        reader.origins.update((name, (file, name, covariance)) for name in below if name not in raw)
+    return Gathered(merge(task, below, raw), reader)
+
+
+def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
+    """Options over the file's parameters, with what they exclude in the file left out."""
+    merged = dict(below)
+    for field in task.specification.fields:
+        for key in _excluded(field, below, above):
+            merged.pop(key, None)
+    return _deep(merged, above)
+
+
+def _excluded(field: Field, below: "dict[str, Any]", above: "dict[str, Any]") -> "set[str]":
+    """The file's keys that cannot stand beside what the command line gives for the same parameter."""
+    keys = keys_of(field)
+    given = keys.intersection(above)
+    if not given:
+        return set()
+    if isinstance(field.node, Many) and field.node.single:
+        # A list replaces a lone item's fields, and a lone item's fields replace a list.
+        return keys - {field.key} if field.key in given else {field.key}
+    if isinstance(field.node, OneOf):
+        together = given.union(keys.intersection(below))
+        fits = any(member.names >= together for member in field.node.members)
+        return set() if fits else keys
+    return set()
+
+
+def _deep(below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
+    merged = dict(below)
+    for key, value in above.items():
+        old = merged.get(key)
+        merged[key] = _deep(old, value) if isinstance(old, dict) and isinstance(value, dict) else value
+    return merged
+
+
+def keys_of(field: Field) -> "set[str]":
+    """The keys under which a task's parameter may be given."""
+    if isinstance(field.node, Record) and field.place:
+        return set(field.node.names)
+    return set(field.spread())
+
+
+def put(raw: "dict[str, Any]", path: "tuple[str, ...]", value: "Any") -> None:
+    """Put a value where its path of keys says."""
+    for key in path[:-1]:
+        raw = raw.setdefault(key, {})
+    raw[path[-1]] = value
+
+
+def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -> "tuple[dict[str, Any], str]":
+    """Words put to the positional parameters in order; a number's unit may be a word of its own."""
+    raw: dict[str, Any] = {}
+    rest = list(words)
+    scene = ""
+    for field in fields:
+        if not field.place or not rest:
+            continue
+        node = field.node
+        if field.place == "words":
+            raw[field.key] = rest
+            rest = []
+        elif isinstance(node, Record):
+            scene = rest.pop(0)
+        elif isinstance(node, Tagged):
+            raw[node.key] = rest.pop(0)
+        elif isinstance(node, Leaf) and node.kind.form == "exact" and (split := _at_connective(rest)) != rest:
+            raw[field.key] = split[0]
+            rest = split[1:]
+        elif rows and isinstance(node, Leaf) and node.kind.form == "exact" and not _has_number(rest[0]):
+            continue
+        else:
+            raw[field.key] = rest.pop(0)
+            if rest and _is_bare(raw[field.key]) and _takes_unit(node) and not _has_number(rest[0]):
+                raw[field.key] += " " + rest.pop(0)
+    if rest:
+        raise UsageError(f"unexpected word {rest[0]!r}", code="unexpected", hint="quote a value that has spaces")
+    return raw, scene
+
+
+def _at_connective(words: "list[str]") -> "list[str]":
+    """The words of `60 mph to m/s`, however it is quoted, as the quantity and the units."""
+    for at, word in enumerate(words[:MOST_WORDS]):
+        if at and word in CONNECTIVES:
+            return [" ".join(words[:at]), *words[at + 1 :]]
+    for connective in CONNECTIVES:
+        quantity, found, unit = words[0].partition(f" {connective} ")
+        if found:
+            return [quantity, unit, *words[1:]]
+    return words
+
+
+def _takes_unit(node: object) -> bool:
+    """Whether the word after a bare number can only be its unit."""
+    return isinstance(node, Leaf) and (node.kind.form == "exact" or bool(node.kind.unit))
+
+
+def _has_number(word: str) -> bool:
+    """Whether a word begins with a number that is not the 1 of a unit such as 1/in."""
+    return word.lstrip("+-−.")[:1].isdigit() and not word.startswith("1/")
+
+
+def _is_bare(word: str) -> bool:
+    """Whether a word is a number and nothing more."""
+    return bool(word) and not word.strip("+-−.0123456789eE")

@@ -1,0 +1,134 @@
+"""One case answered: the model chosen, the physics called with tracked numbers, the record it returned."""
+
+from itertools import product
+
+from dynamics_cli.core.answering.task import Model, Task, load
+from dynamics_cli.core.inputs.specification import Leaf, Record
+from dynamics_cli.core.inputs.values import Fields
+from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any
+
+    from dynamics_cli.quantities import Kind
+
+# More inputs than these have no condition numbers, only bounds.
+MOST_SLOPES = 400
+
+
+class Answer:
+    """What the physics returned, by which model, and which inputs its slopes belong to."""
+
+    __slots__ = ("leaves", "model", "record", "why")
+
+    def __init__(self, record: "Any", model: Model, why: str, leaves: "list[tuple[str, float]]") -> None:
+        self.record = record
+        self.model = model
+        self.why = why
+        self.leaves = leaves
+
+
+def choose(task: Task, bound: Fields, asked: str) -> "tuple[Model, str]":
+    """The model asked for, or the smallest that suffices, and why."""
+    if asked:
+        for model in task.models:
+            if asked.lower() == model.key:
+                return model, "asked for"
+        known = ", ".join(model.key for model in task.models)
+        raise UsageError(f"there is no model {asked!r} of {task.path}", parameter="model", hint=f"there is {known}")
+    for model in task.models[:-1]:
+        args, kwargs = arguments(task, bound)
+        why = load(model.suffices)(*args, **kwargs)
+        if why is not None:
+            return model, why
+    last = task.models[-1]
+    return last, "no smaller model suffices" if len(task.models) > 1 else ""
+
+
+def arguments(
+    task: Task, bound: Fields, values: "Mapping[str, Any] | None" = None
+) -> "tuple[list[Any], dict[str, Any]]":
+    """Positional and keyword arguments for the physics function, with `values` at their addresses."""
+    made = bound.assemble(values or {})
+    args: list[Any] = []
+    for field in task.specification.words:
+        if field.name in made:
+            value = made.pop(field.name)
+            args.extend(value if field.place == "words" else (value,))
+    return args, made
+
+
+def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, Any] | None" = None) -> "Any":
+    """The physics function's record; leaving the range of a double is a refusal, never a traceback."""
+    args, kwargs = arguments(task, bound, values)
+    try:
+        return model.call()(*args, **kwargs)
+    except DynamicsError as error:
+        from dynamics_cli.core.answering.messages import FEWEST_TO_GIVE, in_written_units
+
+        error.message = in_written_units(error.message, bound)
+        error.hint = in_written_units(error.hint, bound, FEWEST_TO_GIVE) if error.hint else None
+        raise
+    except ArithmeticError as error:
+        raise InadmissibleError(
+            f"the calculation leaves the range of a double ({error})", code="range", hint="check the size of the inputs"
+        ) from None
+
+
+def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
+    """Answer one case, with derivatives and rounding bounds where the model can carry them."""
+    model, why = choose(task, bound, asked)
+    leaves = [(address, si) for address, _, si in bound.leaves()] if task.tracked else []
+    if not leaves:
+        return Answer(call_model(task, model, bound), model, why, [])
+    from dynamics_cli.core.answering.tightening import tighten
+    from dynamics_cli.numerics.tracked import Tracked
+
+    def call(numbers: "list[Any]") -> "Any":
+        values = {address: number for (address, _), number in zip(leaves, numbers, strict=True)}
+        return call_model(task, model, bound, values)
+
+    doubles = [si for _, si in leaves]
+    # every number carries its slope by every input, which takes the square of their count
+    sloped = len(leaves) <= MOST_SLOPES
+    record = call(Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles])
+    tighten(record, doubles, call)
+    return Answer(record, model, why, leaves if sloped else [])
+
+
+def result_leaves(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
+    """Every real number of a result record that is not within a table: address, kind, value."""
+    return (leaf for leaf in _leaves(record, spec, "") if leaf[1].form in ("scalar", "slope"))
+
+
+def result_components(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
+    """Every component (`velocity[0]`) of a vector or tensor that has a unit and is not within a table.
+
+    Directions and axes are left out: a small change may turn them end for end.
+    """
+    for own, kind, value in _leaves(record, spec, ""):
+        if kind.unit and kind.form in ("vector", "planar"):
+            yield from ((f"{own}[{i}]", kind, value[i]) for i in range(kind.size))
+        elif kind.unit and kind.form == "tensor":
+            cells = product(range(kind.size), repeat=2)
+            yield from ((f"{own}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
+
+
+def _leaves(record: "Any", spec: Record, address: str) -> "Iterator[tuple[str, Kind, Any]]":
+    for field in spec.fields:
+        value = getattr(record, field.name)
+        own = f"{address}.{field.key}" if address else field.key
+        if value is None:
+            continue
+        if isinstance(field.node, Record):
+            yield from _leaves(value, field.node, own)
+        elif isinstance(field.node, Leaf) and field.node.choice is None:
+            yield own, field.node.kind, value
+
+
+def result_numbers(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
+    """Every real number of a result record that is not within a table, components of vectors last."""
+    yield from result_leaves(record, spec)
+    yield from result_components(record, spec)

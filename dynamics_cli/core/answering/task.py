@@ -1,0 +1,175 @@
+"""Tasks and families: what a family's commands.py declares, from which everything a user touches is derived."""
+
+from dynamics_cli.core.inputs.options import Option, options
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
+from dynamics_cli.core.inputs.specification import DRAWING, Specification, SpecificationError, specification
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+# No parameter may use the name of an option that every task has.
+UNIVERSAL = (*UNIVERSAL_OPTIONS, "help", "version")
+# Where the files of examples are in a checkout; `dynamics examples NAME --copy` writes them into the current folder.
+EXAMPLES_FOLDER = "examples/"
+
+
+def load(reference: str) -> "Any":
+    """The object that "package.module:name" names, imported now."""
+    module, _, name = reference.partition(":")
+    return getattr(__import__(module, fromlist=[name]), name)
+
+
+class Model:
+    """One way to answer a task, and where it comes from.
+
+    A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
+    several, one for each alternative of the inputs, the one whose numbers are there is shown.
+    `suffices` names a function of the same parameters that says, in words, why this model is enough, or None.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        function: str,
+        *,
+        source: str,
+        formula: "str | tuple[str, ...]" = "",
+        assumptions: "tuple[str, ...]" = (),
+        method: str = "closed form",
+        suffices: str = "",
+    ) -> None:
+        self.name = name
+        self.function = function
+        self.source = source
+        self.formulas = (formula,) if isinstance(formula, str) else formula
+        self.assumptions = assumptions
+        self.method = method
+        self.suffices = suffices
+
+    @property
+    def key(self) -> str:
+        """The name as `--model` takes it."""
+        return self.name.split(",")[0].strip().lower().replace(" ", "-").replace("–", "-")
+
+    def call(self) -> "Callable[..., Any]":
+        """The physics function."""
+        return load(self.function)  # type: ignore[no-any-return]
+
+
+class Task:
+    """One command: its models in order of size (all of one signature), a line of help, and examples that run.
+
+    `table` names the result table that CSV writes (several, parted by spaces: the one there is); `arrays` says that the
+    function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is how many a table shows unless
+    asked (17: all there are). `writers` names, for endings of `--drawing` of the task's own, a function of the result
+    record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the task's
+    own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result record and
+    then the task's own parameters by name. `layout` names the function that writes the results in a table for people
+    where rows and columns would not be read: it takes the document's results, digits and the terminal's width (0: not a
+    terminal), and gives lines. `names` says where the names are that an option's text may be, for completion:
+    `{"material": "module:names"}`. `headline` names the results of the short answer in the order of the trade, tables
+    among them, each with its label where its address is not the word of the trade: "centre_distance: centre distance
+    a_w"; a table may name the columns that it shows first: "points: motion | angle=θ, lift=s". `columns` says that the
+    task takes --column. `listing` says that the table is what is asked for: CSV writes it. `notes` stands behind the
+    examples of the help: the language of an option. `verdict` says that the checks are what was asked for: one that
+    fails is in the document, and the status tells.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        summary: str,
+        *models: Model,
+        examples: "tuple[str, ...]" = (),
+        table: str = "",
+        arrays: bool = True,
+        tracked: bool = True,
+        digits: int = 6,
+        writers: "dict[str, str] | None" = None,
+        plot: str = "",
+        layout: str = "",
+        verdict: bool = False,
+        names: "dict[str, str] | None" = None,
+        headline: "tuple[str, ...]" = (),
+        columns: bool = False,
+        listing: bool = False,
+        notes: str = "",
+    ) -> None:
+        self.name = name
+        self.summary = summary
+        self.plot = plot
+        self.notes = notes
+        self.headline = tuple(_labelled(entry) for entry in headline)
+        self.names = names or {}
+        self.columns = columns
+        self.listing = listing
+        self.layout = layout
+        self.verdict = verdict
+        self.models = models
+        self.examples = examples
+        self.table = table
+        self.arrays = arrays
+        self.tracked = tracked
+        self.digits = digits
+        self.writers = writers or {}
+        self.family = ""
+        self._specification: Specification | None = None
+        self._options: dict[str, Option] | None = None
+
+    @property
+    def path(self) -> str:
+        """The command as typed: "skid speed"."""
+        return f"{self.family} {self.name}".strip()
+
+    @property
+    def shown_examples(self) -> "tuple[str, ...]":
+        """The examples as a user runs them who has copied their files into the current folder."""
+        return tuple(example.replace(EXAMPLES_FOLDER, "") for example in self.examples)
+
+    @property
+    def specification(self) -> Specification:
+        """What the signature of the first model says."""
+        if self._specification is None:
+            made = specification(self.models[0].call())
+            named = options(made.fields)
+            taken = sorted(set(named) & set(UNIVERSAL))
+            if taken:
+                raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
+            if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
+                raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
+            nodes = [getattr(field.node, "item", field.node) for field in made.result.fields]
+            drawn = any(getattr(node, "kind", None) is DRAWING for node in nodes)
+            if drawn and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
+                raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
+            self._specification = made
+        return self._specification
+
+    @property
+    def options(self) -> "dict[str, Option]":
+        """The task's own options by name."""
+        if self._options is None:
+            self._options = options(self.specification.fields)
+        return self._options
+
+
+def _labelled(entry: str) -> "tuple[str, str]":
+    address, _, label = entry.partition(":")
+    return address.strip(), label.strip()
+
+
+class Family:
+    """A family of tasks, or a command that is one task."""
+
+    def __init__(self, name: str, summary: str, *tasks: Task) -> None:
+        self.name = name
+        self.summary = summary
+        self.tasks = {task.name: task for task in tasks}
+        for task in tasks:
+            task.family = name
+
+    @property
+    def alone(self) -> "Task | None":
+        """The one task of a command without a TASK word."""
+        return self.tasks.get("")

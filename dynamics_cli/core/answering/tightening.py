@@ -1,0 +1,61 @@
+"""Rounding bounds that came out loose, replaced by what rounding did as a second pass in many digits tells.
+
+A running bound is the sum of the worst of every operation. Of a result near zero, or of one whose roundings happened to
+cancel, that is far more than the error; the formula is then run once more in 60 decimal digits, from the same doubles.
+"""
+
+from dynamics_cli.errors import DynamicsError
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+    from dynamics_cli.numerics.exact.many_digits import ManyDigits
+
+# How many half last bits a bound may be of before it is worth a second pass.
+ROOM = 100.0
+# Bounds below this are of underflow, which a measured error would fall under itself.
+_UNDERFLOW = 1e-290
+
+
+def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]], Any]") -> None:
+    """Make the bounds in `record` tight where any is loose; `again` gives the record of other numbers for `numbers`.
+
+    Where many digits go another way (to a refusal, to a gap, to a table of another length) the bounds stay.
+    """
+    if not any(_is_loose(number) for number, _ in _beside(record, record)):
+        return
+    from dynamics_cli.numerics.exact.many_digits import ManyDigits, measured_error, run
+
+    try:
+        exact = run(lambda: again(ManyDigits.inputs(numbers)))
+    except (DynamicsError, ArithmeticError):
+        return
+    for number, own in _beside(record, exact):
+        if type(own) is ManyDigits and _is_loose(number):
+            number.error = measured_error(number.value, own, number.error)
+
+
+def _is_loose(number: Tracked) -> bool:
+    return number.error > max(ROOM * UNIT_ROUNDOFF * abs(number.value), _UNDERFLOW)
+
+
+def _beside(first: "Any", second: "Any") -> "Iterator[tuple[Tracked, Tracked | ManyDigits]]":
+    """Every tracked number of an answer with what stands in its place in another; nothing where the shapes differ."""
+    kind = type(first)
+    if kind is Tracked:
+        yield first, second
+    elif kind is not type(second):
+        return
+    elif kind is tuple or kind is list:
+        if len(first) == len(second):
+            for one, other in zip(first, second, strict=True):
+                yield from _beside(one, other)
+    elif kind is dict:
+        for name, one in first.items():
+            yield from _beside(one, second.get(name))
+    elif hasattr(kind, "fields"):
+        for name in kind.fields:
+            yield from _beside(getattr(first, name), getattr(second, name))

@@ -1,0 +1,1 @@
+"""Many cases: streams of rows, sweeps, and work spread over processes."""

@@ -1,0 +1,187 @@
+"""One row answered as one command would answer it; every faster way through a stream must agree with this one."""
+
+from dynamics_cli.core.answering.gather import gather, keys_of, merge, put, read_words
+from dynamics_cli.core.answering.models import call_model, choose
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.settings import Call, Settings
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many
+from dynamics_cli.core.inputs.values import Fields
+from dynamics_cli.core.output.row_layout import Layout, SpreadPart
+from dynamics_cli.core.units.display import Display
+from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Model
+    from dynamics_cli.core.inputs.reader import Reader
+    from dynamics_cli.core.terminal import Terminal
+
+    Raw = dict[str, Any]
+
+
+class Case:
+    """What all rows of a stream have in common: the task, the parameters the call fixes, how results are shown."""
+
+    def __init__(self, task: Task, call: Call, settings: Settings, terminal: "Terminal") -> None:
+        self.task = task
+        self.asked = settings.model
+        gathered = gather(task, call, settings, terminal, rows=True)
+        self.base: Raw = gathered.raw
+        self.reader: Reader = gathered.reader
+        if not settings.references:
+            # The call itself may refer to files where its rows may not.
+            self.reader.references = tuple(_references(self.base))
+        self.origins = dict(self.reader.origins)
+        # What the command line itself says wins over the rows; what its files say does not.
+        self.fixed, _ = read_words(task.specification.fields, call.words, rows=True)
+        for name, value in call.options.items():
+            put(self.fixed, task.options[name].path, value)
+        self.measure = self._measure()
+        self.default_unit = ""
+        self.settings = settings
+        # What asks for distributions before any row is seen.
+        spread = bool(settings.coverage or settings.method or settings.samples or settings.seed or settings.correlate)
+        display = Display(settings.units, settings.to)
+        self.layout = self._layout(display, self.fixed.get(self.measure[1]), spread=spread and not self.measure[0])
+
+    def _layout(self, display: Display, targets: "list[str] | None" = None, *, spread: bool = False) -> Layout:
+        layout = Layout(self.task.specification.result, display, targets, spread=spread)
+        if self.settings.bounds:
+            from dynamics_cli.core.batch.rows.bounds import BoundPart
+
+            layout.parts.append(BoundPart())
+        return layout
+
+    def check(self) -> None:
+        """Refuse now what would fail in every row: an unknown model, a fixed parameter that cannot be read."""
+        if self.asked:
+            choose(self.task, Fields(None, {}), self.asked)
+        try:
+            self.bind({}, uncertain=True)
+        except DynamicsError as error:
+            wrong = [one for one in error.all() if one.code != "missing"]
+            if wrong:
+                raise (ManyErrors(wrong) if len(wrong) > 1 else wrong[0]) from None
+
+    def _measure(self) -> "tuple[str, str]":
+        """The names of an exact quantity and of its units, where the task's words are those; else empty."""
+        words = self.task.specification.words
+        if len(words) == 2 and _form(words[0]) == "exact" and _form(words[1]) == "unit":
+            return words[0].key, words[1].key
+        return "", ""
+
+    def take_default_unit(self) -> None:
+        """Read the first of several fixed units as that of bare numbers."""
+        name = self.measure[1]
+        targets = self.fixed.get(name, [])
+        if len(targets) > 1 and self.measure[0] not in self.fixed:
+            self.default_unit = targets[0]
+            self.fixed = {**self.fixed, name: targets[1:]}
+            self.base = {**self.base, name: targets[1:]}
+            self.layout = self._layout(self.layout.display, targets[1:])
+
+    def take_spread(self, rows: "Iterable[Raw]") -> None:
+        """Let rows show distributions if the parameters that the call fixes, or one of these rows, are uncertain."""
+        for row in ({}, *rows):
+            if self.layout.spread or self.measure[0]:
+                return
+            try:  # noqa: SIM105  contextlib would have to be imported
+                self.bind(row, uncertain=True)
+            except Exception:
+                pass  # what is wrong with this row is reported in its place
+            if self.reader.uncertain:
+                self.layout = self._layout(self.layout.display, spread=True)
+
+    @property
+    def names(self) -> "set[str]":
+        """The names a row may give at its top."""
+        return {name for field in self.task.specification.fields for name in keys_of(field)}
+
+    def raw(self, row: "Raw") -> "Raw":
+        """A row's parameters over those of `--input`, the command line over both."""
+        if self.default_unit:
+            row = self._with_unit(row)
+        if not self.base:
+            return row
+        merged = merge(self.task, self.base, row)
+        return merge(self.task, merged, self.fixed) if self.fixed else merged
+
+    def is_bare(self, row: "Raw") -> bool:
+        """Whether a row gives the exact quantity as a number without a unit."""
+        value = row.get(self.measure[0])
+        if isinstance(value, dict):
+            value = value.get("value") if not value.get("unit") else None
+        return isinstance(value, str) and value.strip()[-1:] in tuple("0123456789.")
+
+    def _with_unit(self, row: "Raw") -> "Raw":
+        if not self.is_bare(row):
+            return row
+        value = row[self.measure[0]]
+        number = value["value"] if isinstance(value, dict) else value
+        return {**row, self.measure[0]: f"{number} {self.default_unit}"}
+
+    def bind(self, row: "Raw", *, uncertain: bool = False) -> Fields:
+        """The row's inputs as read; distributions are left with the reader."""
+        reader = self.reader
+        reader.uncertain = {} if uncertain else None
+        reader.errors, reader.notes, reader.files = [], [], []
+        reader.origins = dict(self.origins)
+        return reader.read(self.task.specification.fields, self.raw(row))
+
+    def values(self, row: "Raw") -> "list[Any]":
+        """What the row shows; raises what a single call would."""
+        bound = self.bind(row, uncertain=True)
+        model, _ = choose(self.task, bound, self.asked)
+        values = self.shown(model, bound, call_model(self.task, model, bound))
+        if self.settings.bounds:
+            from dynamics_cli.core.batch.rows.bounds import bound_of
+
+            values[-1] = bound_of(self.task, bound, self.asked, self.layout.display, self.layout.parts)
+        return values
+
+    def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
+        """What a row shows of a record, distributions included where inputs are uncertain."""
+        values = self.layout.values(record)
+        if not self.reader.uncertain:
+            return values
+        if not self.layout.spread:
+            raise UsageError(
+                "the row holds an uncertain value, and the rows before it did not",
+                code="uncertain",
+                hint="say --coverage '95 %', so that every row has room for its distribution",
+            )
+        from dynamics_cli.core.uncertainty.document import spread_of
+
+        made = spread_of(self.task, model, bound, record, self.reader, self.settings)
+        vary = made.varying()
+        for place, part in enumerate(self.layout.parts):
+            if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:
+                values[place] = part.shown_value(made.spreads[part.of_result].number(part.which))
+        return values
+
+    def words(self, words: "list[str]") -> "Raw":
+        """The parameters that a line of words gives: those positional ones that the call does not fix."""
+        free = tuple(field for field in self.task.specification.words if field.key not in self.fixed)
+        raw, scene = read_words(free, words, rows=False)
+        if scene:
+            raise UsageError("a row cannot name a scene", code="unexpected")
+        return raw
+
+
+def _references(raw: "Any") -> "Iterator[str]":
+    """The texts below raw input that refer to files."""
+    if isinstance(raw, str):
+        if "@" in raw:
+            yield raw
+    elif isinstance(raw, dict | list):
+        for item in raw.values() if isinstance(raw, dict) else raw:
+            yield from _references(item)
+
+
+def _form(field: Field) -> str:
+    node = field.node
+    leaf = node.item if isinstance(node, Many) else node
+    return leaf.kind.form if isinstance(leaf, Leaf) and leaf.choice is None else ""

@@ -1,0 +1,80 @@
+"""Rows that one array call can answer: what makes them alike, and the plan that answers them."""
+
+from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.plan import Plan
+from dynamics_cli.core.batch.text.columns import Column, Unsuited
+from dynamics_cli.core.batch.text.conversions import ExactPlan
+from dynamics_cli.core.batch.text.shapes import NUMBER
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+# Smaller groups cost more together than one by one.
+SMALLEST_GROUP = 64
+# More makes of rows than this in one stream, and most rows are a make of their own.
+MOST_MAKES = 64
+MOST_TRIES = 6
+
+
+class Group:
+    """Rows (None: all of the block) with their columns of numbers, their plan, and their echoes where already cut."""
+
+    __slots__ = ("columns", "echoes", "plan", "rows")
+
+    def __init__(
+        self,
+        plan: "Plan | ExactPlan",
+        columns: "list[Column]",
+        rows: "list[int] | None" = None,
+        echoes: "list[bytes] | None" = None,
+    ) -> None:
+        self.plan = plan
+        self.columns = columns
+        self.rows = rows
+        self.echoes = echoes
+
+
+def make_plan(
+    case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"
+) -> "Plan | ExactPlan":
+    """The plan for rows like this one; raises Unsuited, or what is wrong with this one row."""
+    if case.measure[0]:
+        return ExactPlan(case, raw, addresses)
+    if not case.task.arrays:
+        raise Unsuited("the physics takes one case at a time")
+    return Plan(case, raw, addresses, units)
+
+
+class Groups:
+    """How one format of rows is sorted."""
+
+    def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
+        """All lines as one group like the last one, or None."""
+        raise NotImplementedError
+
+    def sorted(self, lines: "list[bytes]") -> "list[Group]":
+        """Groups of the lines that can be answered together."""
+        raise NotImplementedError
+
+
+def readable(data: bytes) -> bool:
+    """Whether bytes are UTF-8."""
+    if data.isascii():
+        return True
+    try:
+        data.decode()
+    except UnicodeDecodeError:
+        return False
+    return True
+
+
+def _compiled() -> "Any":
+    import re
+
+    return re.compile(NUMBER).match
+
+
+# Matches the strict JSON number that a token begins with.
+number_at = _compiled()

@@ -1,0 +1,389 @@
+"""`--rows`: a stream of cases, one row out for each row in, in order and in constant memory.
+
+Each row is answered as one command would answer it (`rows.case`). Blocks of many rows go by arrays (`rows.plan`) or by
+exact factors (`rows.exact`), which give the same bits; whatever these cannot take goes back to the single call.
+"""
+
+import itertools
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.batch.jobs import spread
+from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.inputs import (
+    CsvInput,
+    Input,
+    JsonInput,
+    TextInput,
+    decode_line,
+    split_csv,
+    split_header,
+)
+from dynamics_cli.core.batch.rows.outputs import OUTPUTS, Output
+from dynamics_cli.core.batch.text.blocks import Source
+from dynamics_cli.core.batch.text.records import cleared, first_record, records
+from dynamics_cli.core.deadline import Reached, held, reached
+from dynamics_cli.core.inputs.settings import Call, Settings
+from dynamics_cli.core.output.files import output
+from dynamics_cli.errors import DynamicsError, ExitStatus, FaultError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+    from dynamics_cli.core.batch.rows.group import Group, Groups
+    from dynamics_cli.core.terminal import Terminal
+
+# Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
+FIRST_ARRAY_ROWS = 1000
+ARRAY_ROWS = 64
+# Rows in which bare numbers and uncertain values are looked for.
+LOOKED_AT = 50
+# What uncertain values have in them: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
+UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
+# Blocks that another process answers at once.
+BLOCKS_A_PIECE = 4
+# Rows answered one by one may take long: so many are written, or sent to another process, at once.
+ROWS_A_PIECE = 64
+TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
+
+
+def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
+    """Answer every row of a stream; whether all, or not all, could be answered."""
+    form = _format_asked(settings)
+    for name in ("explain", "timing", "limit", "quantile"):
+        if getattr(settings, name):
+            raise UsageError(f"--{name} is for one case and --rows for many", parameter=name, code="exclusive")
+    case = Case(task, call, settings, terminal)
+    source = Source(settings.rows, terminal)
+    stream: _Stream | None = None
+    try:
+        with output(settings.output, terminal) as sink:
+            write = held(sink.write) if settings.time_limit else sink.write
+            from dynamics_cli.core.batch.rows.progress import Progress
+
+            with Progress(source, terminal) as progress:
+                blocks = source.blocks()
+                for lines in blocks:
+                    lines = _without_blank_head(lines)
+                    if lines:
+                        stream, lines = _begin(case, lines, form, terminal)
+                        sink.write(stream.output.head())
+                        break
+                if stream is None:
+                    return ExitStatus.DONE
+                every = itertools.chain([lines], blocks)
+                rows = cleared(records(every) if isinstance(stream.source, CsvInput) else every)
+                pieces = _pieces(rows, settings.jobs, singly=stream.singly)
+                for block in spread(stream.block, pieces, settings.jobs):
+                    stream.take(block)
+                    write(block.text)
+                    if not settings.output:
+                        terminal.stdout.flush()
+                    progress.advance(stream.rows)
+    except Reached:
+        where = f"after {stream.rows if stream else 0} rows" + ("; no file was written" if settings.output else "")
+        raise reached(settings.time_limit, where) from None
+    finally:
+        source.close()
+    _tell_passing(stream, terminal)
+    return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
+
+
+def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
+    for start, line in enumerate(lines):
+        if line is None or line.strip():
+            return lines[start:]
+    return []
+
+
+def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) -> "Iterator[list[bytes | None]]":
+    """What is answered and written at once: few rows where each is a call of its own, else a block.
+
+    For several processes a few blocks, as sending each costs something.
+    """
+    if singly:
+        for block in blocks:
+            yield from (block[start : start + ROWS_A_PIECE] for start in range(0, len(block), ROWS_A_PIECE))
+        return
+    if jobs == 1:
+        yield from blocks
+        return
+    while several := list(itertools.islice(blocks, BLOCKS_A_PIECE)):
+        # A line too long to read is a block of its own.
+        if all(None not in block for block in several):
+            yield [line for block in several for line in block]
+        else:
+            yield from several
+
+
+def _format_asked(settings: Settings) -> str:
+    if not settings.format_given:
+        return ""
+    if settings.format in ("table", "markdown"):
+        hint = "rows go out as they came in, or as csv or ndjson"
+        raise UsageError(
+            f"rows cannot be written as {settings.format}", parameter="format", code="exclusive", hint=hint
+        )
+    return "ndjson" if settings.format == "json" else settings.format
+
+
+def _begin(
+    case: Case, lines: "list[bytes | None]", form: str, terminal: "Terminal"
+) -> "tuple[_Stream, list[bytes | None]]":
+    """The stream that the first line shows, and the rows of the first block."""
+    source: Input
+    first = lines[0]
+    if first is None:
+        raise UsageError("the first row is longer than 16 MB", parameter="rows", code="too-long")
+    start = first.lstrip()[:1]
+    if start == b"[":
+        hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
+        raise UsageError("rows begin with '[': a JSON list is no stream", parameter="rows", code="json", hint=hint)
+    if b"\r" in first and b'"' not in first:
+        message = "the rows' lines end in carriage returns alone"
+        hint = "save them with line feeds, or send them through: tr '\\r' '\\n'"
+        raise UsageError(message, parameter="rows", code="line-ends", hint=hint)
+    head, rest = first_record(lines)
+    looked = lines
+    if start == b"{":
+        source = JsonInput(case, first)
+    elif case.task.specification.words and not _is_header(case, head):
+        source = TextInput(case)
+    else:
+        first, lines = head, rest
+        source = _csv_input(case, first, terminal)
+        looked = next(records([lines]), [])
+    _settle_unit(case, source, looked[:LOOKED_AT])
+    case.check()
+    case.take_spread(_readable(source, looked[:LOOKED_AT]))
+    return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
+
+
+def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None:
+    """Of several units, take the first as that of bare numbers if the rows hold such: `convert mph ft/s --rows -`."""
+    for line in lines:
+        try:
+            if line is not None and case.is_bare(source.read(line)):
+                case.take_default_unit()
+                return
+        except Exception:
+            continue  # what is wrong with this row is reported in its place
+
+
+def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str, Any]]":
+    """Those of the lines that may hold an uncertain value, read; what is wrong with one is reported in its place."""
+    for line in lines:
+        if line is not None and any(mark in line for mark in UNCERTAIN_MARKS):
+            try:
+                yield source.read(line)
+            except Exception:
+                continue
+
+
+def _is_header(case: Case, line: bytes) -> bool:
+    """Whether some cell of a line is the name of a parameter (or of an earlier step's result): words never are."""
+    try:
+        names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
+    except UsageError:
+        return False
+    return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
+
+
+def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
+    try:
+        source = CsvInput(case, first)
+    except UsageError as error:
+        error.parameter = "rows"
+        raise
+    if not source.parameters:
+        raise UsageError(
+            f"no column of the header {decode_line(first)[:80]!r} is a parameter of {case.task.path}",
+            parameter="rows",
+            code="header",
+            hint=f"cells are separated by commas; parameters are {', '.join(sorted(case.names))}",
+        )
+    _warn(case, [column.name for column in source.columns if not column.path], terminal)
+    return source
+
+
+def _tell_passing(stream: "_Stream", terminal: "Terminal") -> None:
+    _warn(stream.case, list(stream.passing), terminal)
+
+
+def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
+    """Say which names that pass through look like a parameter: an optional one misspelt would go unnoticed."""
+    from dynamics_cli.core.units.near_names import nearest_words
+
+    for name in names[:20]:
+        near = [] if name in ("error", "results", "id") else nearest_words(name, case.names, 1)
+        if near:
+            terminal.tell(
+                f"dynamics: {name!r} is no parameter of {case.task.path} and passes through (not {near[0]}?)\n"
+            )
+
+
+class _Block:
+    """The rows of one block, answered: the text, how many there were and failed, and names that pass through."""
+
+    __slots__ = ("failed", "passing", "rows", "text")
+
+    def __init__(self, text: bytes, rows: int, failed: int, passing: "list[str]") -> None:
+        self.text = text
+        self.rows = rows
+        self.failed = failed
+        self.passing = passing
+
+
+class _Stream:
+    """A stream under way."""
+
+    def __init__(self, case: Case, source: Input, output: Output, first: bytes) -> None:
+        self.case = case
+        self.source = source
+        self.output = output
+        self.rows = 0
+        self.failed = 0
+        self.passing: dict[str, None] = {}
+        self._failed = 0
+        self._first = first
+        self._groups: Groups | None = None
+        # None: not yet looked at; False: these rows are answered one by one.
+        suited = not case.settings.bounds and ((case.task.arrays and not case.layout.spread) or case.measure[0])
+        self._by_arrays: bool | None = None if suited else False
+
+    @property
+    def singly(self) -> bool:
+        """Whether it is known that these rows are answered one by one."""
+        return self._by_arrays is False
+
+    def take(self, block: _Block) -> None:
+        """Count a block that has been answered, here or in another process."""
+        self.rows += block.rows
+        self.failed += block.failed
+        self.passing.update(dict.fromkeys(block.passing))
+
+    def block(self, lines: "list[bytes | None]") -> _Block:
+        """The rows of one block, answered."""
+        self._failed = 0
+        text = self._answered(lines)
+        passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
+        return _Block(text, len(lines), self._failed, passing)
+
+    def _answered(self, lines: "list[bytes | None]") -> bytes:
+        if None in lines:
+            self._failed += len(lines)
+            return b"".join([self.output.bad(b"", TOO_LONG) for _ in lines])
+        whole: list[bytes] = lines  # type: ignore[assignment]
+        if self._wants_arrays(len(whole)):
+            import gc
+
+            # Thousands of small lists come and go, none of them in a cycle; looking for cycles doubles their cost.
+            gc.disable()
+            try:
+                return self._together(whole)
+            except Exception:
+                # What one row raised must not end the others: each is answered by itself.
+                self._by_arrays = False
+            finally:
+                gc.enable()
+            self._failed = 0
+        return b"".join(map(self._single, whole))
+
+    def _wants_arrays(self, count: int) -> bool:
+        if self._by_arrays is None and count >= FIRST_ARRAY_ROWS:
+            import os
+
+            # Rows need no matrix products, and a pool of threads takes memory and time to start.
+            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+            from dynamics_cli.core.batch.rows.groups import groups_of
+
+            self._groups = groups_of(self.source, self.case, self._first)
+            self._by_arrays = self._groups is not None
+        return bool(self._by_arrays) and count >= ARRAY_ROWS
+
+    def _single(self, line: bytes) -> bytes:
+        if line.isspace():
+            return b""
+        try:
+            values = self.case.values(self.source.read(line))
+            return self.output.good(line, values)
+        except DynamicsError as error:
+            failure = error
+        except Exception as error:
+            hint = "this is a bug: please report it with the row"
+            failure = FaultError(f"internal error: {type(error).__name__}: {error}", hint=hint)
+        self._failed += 1
+        try:
+            return self.output.bad(line, failure)
+        except Exception:
+            return self.output.bad(b"", failure)
+
+    def _together(self, lines: "list[bytes]") -> bytes:
+        assert self._groups is not None
+        groups = self._groups.uniform(lines)
+        if groups is None:
+            groups = self._groups.sorted(lines)
+        if len(groups) == 1 and groups[0].rows is None:
+            done, good = self._group(lines, groups[0])
+            if good is None:
+                return done
+        made: list[bytes | None] = [None] * len(lines)
+        for group in groups:
+            rows = range(len(lines)) if group.rows is None else group.rows
+            done, good = self._group([lines[row] for row in rows], group)
+            kept: Any = rows if good is None else [row for row, fine in zip(rows, good, strict=True) if fine]
+            for row, text in zip(kept, done.split(b"\n"), strict=False):
+                made[row] = text + b"\n"
+        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, made, strict=True)])
+
+    def _group(self, lines: "list[bytes]", group: "Group") -> "tuple[bytes, list[bool] | None]":
+        """The rows of a group that could be answered together, and which these are (None: all)."""
+        from dynamics_cli.core.batch.rows.plan import written
+        from dynamics_cli.core.batch.text.columns import Unsuited, weave
+
+        plan = group.plan
+        nothing = b"", [False] * len(lines)
+        if plan.failures > MOST_FAILURES:
+            return nothing
+        try:
+            results, good = plan.run(group.columns)
+        except Unsuited:
+            plan.failures = MOST_FAILURES + 1
+            return nothing
+        fine = None if good is None else good.tolist()
+        if fine is not None:
+            lines = [line for line, kept in zip(lines, fine, strict=True) if kept]
+            plan.failures += len(lines) * 4 < len(fine)
+        echoes = self._echoes(lines, group, fine)
+        made = weave(self.output.pieces(echoes, written(results, self.output.format)), len(lines))
+        if not plan.proved and lines:
+            plan.proved = self._agrees(lines, made)
+            if not plan.proved:
+                plan.failures = MOST_FAILURES + 1
+                return nothing
+        return made, fine
+
+    def _echoes(self, lines: "list[bytes]", group: "Group", fine: "list[bool] | None") -> "list[bytes]":
+        if self.output.format != self.source.format:
+            return list(map(self.output.echo, lines))
+        if group.echoes is None:
+            return lines
+        if fine is None:
+            return group.echoes
+        return [echo for echo, kept in zip(group.echoes, fine, strict=True) if kept]
+
+    def _agrees(self, lines: "list[bytes]", made: bytes) -> bool:
+        """Whether the first and the last row come out as a single call writes them."""
+        rows = made.split(b"\n")
+        return all(self._as_single(lines[place]) == rows[place] for place in (0, len(lines) - 1))
+
+    def _as_single(self, line: bytes) -> bytes:
+        try:
+            return self.output.good(line, self.case.values(self.source.read(line)))[:-1]
+        except DynamicsError:
+            return b""
+
+
+# A make of rows of which arrays could answer hardly any, so many times, is not tried again.
+MOST_FAILURES = 3

@@ -1,0 +1,327 @@
+"""`--sweep`: a task over a range of one parameter or of two; each point is what a single call with it gives."""
+
+from dynamics_cli.core.answering.gather import Gathered
+from dynamics_cli.core.answering.models import call_model, choose
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.batch.jobs import spread
+from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.inputs import nest
+from dynamics_cli.core.batch.sweep_points import Axis, read_axes
+from dynamics_cli.core.deadline import Reached, stop
+from dynamics_cli.core.inputs.quantity_text import read_amount, split_list, split_pairs
+from dynamics_cli.core.inputs.settings import Settings
+from dynamics_cli.core.inputs.values import Bound, Fields, Several
+from dynamics_cli.core.output.row_layout import Layout, Part
+from dynamics_cli.core.units.display import Display
+from dynamics_cli.errors import DynamicsError, UsageError
+from dynamics_cli.records import Measured
+from dynamics_cli.version import __version__
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Model
+
+    Raw = dict[str, Any]
+    Single = tuple[int, list[Any] | None, DynamicsError | None, tuple[Model, str] | None]
+
+# Below this numpy's import costs more than it saves.
+ARRAY_POINTS = 1000
+MOST_POINTS = 1_000_000
+# Points that another process answers at once.
+POINTS_A_PIECE = 64
+# What may be wrong with some points of a range and right with others.
+OF_THE_POINT = ("bounds", "range", "whole")
+
+
+class _Points(Case):
+    """The case of a sweep: every point is the call's own input with other numbers in a few places."""
+
+    def __init__(self, task: Task, gathered: Gathered, settings: Settings, axes: "list[Axis]") -> None:
+        self.task = task
+        self.asked = settings.model
+        self.settings = settings
+        self.base = {}
+        self.fixed = {}
+        self.default_unit = ""
+        self.measure = ("", "")
+        self.reader = gathered.reader
+        self.origins = dict(self.reader.origins)
+        self.layout = Layout(task.specification.result, Display(settings.units, settings.to))
+        self.start = gathered.raw
+        for axis in axes:
+            if isinstance(axis.path[-1], int) and len(axis.path) == 2:
+                self.start = _with_list(self.start, str(axis.path[0]))
+        self.axes = axes
+        self.count = 1
+        for axis in axes:
+            self.count *= axis.count
+        if self.count > MOST_POINTS:
+            raise UsageError(f"{self.count} points are too many", parameter="sweep", hint=f"at most {MOST_POINTS}")
+
+    def places(self, index: int) -> "list[int]":
+        """Which point of each axis this is; the first axis varies slowest."""
+        made = []
+        for axis in reversed(self.axes):
+            index, place = divmod(index, axis.count)
+            made.append(place)
+        return made[::-1]
+
+    def point(self, index: int) -> "Raw":
+        """The raw input of one point."""
+        raw: Raw = _copied(self.start)
+        for axis, place in zip(self.axes, self.places(index), strict=True):
+            nest(raw, axis.path, axis.text(place))
+        return raw
+
+    def single(self, place: int) -> "Single":
+        """One point as a single call answers it: its values or its error, the model and why."""
+        try:
+            bound = self.bind(self.point(place), uncertain=True)
+            model, why = choose(self.task, bound, self.asked)
+            return place, self.shown(model, bound, call_model(self.task, model, bound)), None, (model, why)
+        except DynamicsError as error:
+            return place, None, error, None
+
+    def singles(self, places: "list[int]") -> "list[Single]":
+        """Several points."""
+        return [self.single(place) for place in places]
+
+
+class _Failures:
+    """Why points failed: each reason once, with how often and where first."""
+
+    def __init__(self, points: _Points) -> None:
+        self._points = points
+        self._found: dict[tuple[str, str | None], list[Any]] = {}
+
+    def add(self, index: int, error: DynamicsError) -> None:
+        """Count a point without an answer under its reason."""
+        one = error.all()[0]
+        entry = self._found.setdefault((one.code, one.parameter), [0, index, one])
+        entry[0] += 1
+
+    def warnings(self) -> "list[dict[str, Any]]":
+        """One warning for each reason: how many points, and where first."""
+        made = []
+        for count, index, error in self._found.values():
+            places = zip(self._points.axes, self._points.places(index), strict=True)
+            where = ", ".join(f"{axis.name} = {axis.text(place)}" for axis, place in places)
+            message = f"{count} of {self._points.count} points have no answer, first at {where}: {error.message}"
+            warning = {"code": error.code, "severity": "caution", "message": message, "count": count, "first": index}
+            made.append({**warning, "remedy": error.hint} if error.hint else warning)
+        return made
+
+    def __bool__(self) -> bool:
+        return bool(self._found)
+
+
+def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str, Any], bool]":
+    """The result document of a sweep, and whether some point has no answer."""
+    for name in ("explain", "limit", "quantile"):
+        if getattr(settings, name):
+            raise UsageError(f"--{name} is for one case and --sweep for many", parameter=name, code="exclusive")
+    files = list(gathered.reader.files)
+    points = _Points(task, gathered, settings, read_axes(task, settings.sweep))
+    start = _clock()
+    template, index = _template(points)
+    files += [file for file in gathered.reader.files if file not in files]
+    notes = list(gathered.reader.notes)
+    points.take_spread((points.point(index),))
+    failures = _Failures(points)
+    rows: list[list[Any] | None] = [None] * points.count
+    models: dict[str, tuple[Any, str]] = {}
+    if template is not None:
+        model, why = choose(task, template, settings.model)
+        models[model.name] = (model, why)
+        if points.count >= ARRAY_POINTS and task.arrays and not points.layout.spread:
+            _by_arrays(points, index, rows)
+    left = [place for place, row in enumerate(rows) if row is None]
+    pieces = [left[start : start + POINTS_A_PIECE] for start in range(0, len(left), POINTS_A_PIECE)]
+    late = []
+    try:
+        for piece in spread(points.singles, pieces, settings.jobs):
+            for place, values, error, chosen in piece:
+                rows[place] = values
+                if error is not None:
+                    failures.add(place, error)
+                elif chosen is not None:
+                    models.setdefault(chosen[0].name, chosen)
+    except Reached:
+        stop()
+        message = f"the time limit was reached: {rows.count(None)} of {points.count} points have no answer"
+        late = [{"code": "time-limit", "severity": "serious", "message": message, "remedy": "raise --time-limit"}]
+    document = _document(points, template, rows, models)
+    document["warnings"] = failures.warnings() + _notes(notes, models) + late
+    if files:
+        from dynamics_cli.core.inputs.sources.hashes import once
+
+        document["files"] = once(files)
+    if points.layout.spread:
+        from dynamics_cli.core.inputs.settings import read_coverage
+
+        document["numerics"]["uncertainty"] = {"coverage": read_coverage(settings.coverage), "seed": settings.seed or 1}
+    if settings.timing:
+        document["timing"] = {"value": _clock() - start, "unit": "s"}
+    return document, bool(failures)
+
+
+def _clock() -> float:
+    from time import perf_counter
+
+    return perf_counter()
+
+
+def _template(points: _Points) -> "tuple[Fields | None, int]":
+    """The inputs of a point that can be read, and which one; raises what is wrong with every point."""
+    names = {axis.name for axis in points.axes}
+    # The corners of the range tell what is wrong with one end of it only.
+    tried = sorted({0, points.count - 1, points.count // 2, *range(0, points.count, points.count // 50 + 1)})
+    for index in tried:
+        try:
+            bound = points.bind(points.point(index), uncertain=True)
+        except DynamicsError as error:
+            for one in error.all():
+                if one.parameter not in names or one.code not in OF_THE_POINT:
+                    raise
+            continue
+        for axis in points.axes:
+            axis.check(bound)
+        return bound, index
+    return None, 0
+
+
+def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> None:
+    """Fill in the points that one array call can answer; the others stay None."""
+    from dynamics_cli.core.batch.rows.plan import Plan
+    from dynamics_cli.core.batch.text.columns import Unsuited, column_of
+
+    try:
+        plan = Plan(points, points.point(index), [axis.name for axis in points.axes], [None] * len(points.axes))
+        columns = [column_of(tokens) for tokens in _tokens(points)]
+        results, good = plan.run([column for column in columns if column is not None])
+    except Unsuited:
+        return
+    places = range(points.count) if good is None else good.nonzero()[0].tolist()
+    columns_out = []
+    for _, how, value in results:
+        columns_out.append(value.tolist() if how == "each" else [value] * len(places))
+    made = list(map(list, zip(*columns_out, strict=True)))
+    # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
+    for nth in {0, len(made) - 1} if made else ():
+        if points.single(places[nth])[1] != made[nth]:
+            return
+    for place, row in zip(places, made, strict=True):
+        rows[place] = row
+
+
+def _tokens(points: _Points) -> "list[list[bytes]]":
+    """The numbers of every point, axis by axis."""
+    after = points.count
+    before = 1
+    made = []
+    for axis in points.axes:
+        after //= axis.count
+        own = [axis.number(place).encode() for place in range(axis.count)]
+        made.append([token for token in own for _ in range(after)] * before)
+        before *= axis.count
+    return made
+
+
+def _document(
+    points: _Points, template: "Fields | None", rows: "list[list[Any] | None]", models: "dict[str, tuple[Any, str]]"
+) -> "dict[str, Any]":
+    task = points.task
+    if template is not None:
+        for axis in points.axes:
+            _remove(template, axis.name)
+    model, why = next(iter(models.values()), (task.models[0], ""))
+    about: dict[str, Any] = {"name": model.name, "source": model.source, "assumptions": list(model.assumptions)}
+    return {
+        "schema": "dynamics/2",
+        "command": task.path,
+        "version": __version__,
+        "inputs": {
+            **(template.echo() if template is not None else {}),
+            "sweep": [axis.echo() for axis in points.axes],
+        },
+        "results": {"sweep": _table(points, rows)},
+        "model": {**about, "why": why} if why else about,
+        "numerics": {"method": model.method},
+        "checks": [],
+        "warnings": [],
+    }
+
+
+def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
+    table: dict[str, Any] = {}
+    after = points.count
+    before = 1
+    for axis in points.axes:
+        after //= axis.count
+        values = [value for value in axis.values for _ in range(after)] * before
+        before *= axis.count
+        table[axis.name] = {"value": values, "unit": axis.unit} if axis.unit else {"value": values}
+    for index, part in enumerate(points.layout.parts):
+        column = [None if row is None else row[index] for row in rows]
+        # A vector has no place in a column, and a result that no point has needs none.
+        if isinstance(part.steps[-1], int) or all(value is None for value in column):
+            continue
+        name = part.address if part.address not in table else f"results.{part.address}"
+        table[name] = _column(part, column)
+    return table
+
+
+def _column(part: Part, column: "list[Any]") -> "dict[str, Any]":
+    unit = part.unit
+    if part.how == "measured":
+        unit = next((value.unit for value in column if isinstance(value, Measured)), "")
+        column = [value.value if isinstance(value, Measured) else None for value in column]
+    return {"value": column, "unit": unit} if unit else {"value": column}
+
+
+def _notes(notes: "list[str]", models: "dict[str, tuple[Any, str]]") -> "list[dict[str, Any]]":
+    made: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
+    if len(models) > 1:
+        message = f"the points were answered by several models: {'; '.join(models)}"
+        made.append({"code": "several-models", "severity": "note", "message": message})
+    return made
+
+
+def _copied(raw: "Any") -> "Any":
+    """A copy whose lists and objects may be changed; a list's items written as pairs become objects."""
+    if isinstance(raw, dict):
+        return {key: _copied(value) for key, value in raw.items()}
+    if isinstance(raw, list):
+        return [_copied(_as_object(item)) for item in raw]
+    return raw
+
+
+def _with_list(raw: "Raw", name: str) -> "Raw":
+    """A vector given as one text, or as a list with a unit, as a list of components each with its unit."""
+    value = raw.get(name)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return {**raw, name: [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]}
+    if not isinstance(value, str):
+        return raw
+    items = split_list(value.strip().removeprefix("(").removesuffix(")"))
+    unit = read_amount(items[-1]).parts[-1][2]
+    return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
+
+
+def _as_object(item: "Any") -> "Any":
+    if isinstance(item, str) and "=" in item:
+        return {key.replace("-", "_"): value for key, value in split_pairs(item).items()}
+    return item
+
+
+def _remove(bound: Bound, address: str) -> bool:
+    """Take a swept parameter out of the inputs that are shown."""
+    items = bound.fields.values() if isinstance(bound, Fields) else bound.items if isinstance(bound, Several) else ()
+    if isinstance(bound, Fields):
+        for name, item in bound.fields.items():
+            if getattr(item, "address", None) == address or (name.rstrip("_") == address and "." not in address):
+                del bound.fields[name]
+                return True
+    return any(_remove(item, address) for item in items)

@@ -1,0 +1,82 @@
+"""The picture of a sweep, made of its document."""
+
+import math
+
+from dynamics_cli.core.documents import flatten, quantity
+from dynamics_cli.pictures import Axis, Curve, Panel, Picture
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MOST_SWEPT = 6
+# More panels than these stand in two columns.
+MOST_IN_A_COLUMN = 3
+# So many fixed inputs are named.
+MOST_NAMED = 8
+ROUNDING = 1e-12
+
+
+def of_sweep(document: "dict[str, Any]") -> "Picture | None":
+    """Every result of a sweep that changes, over the swept parameter; of two, a curve for each value of the second."""
+    table: dict[str, Any] = document["results"]["sweep"]
+    axes: list[str] = [axis["parameter"] for axis in document["inputs"]["sweep"]]
+    names = [
+        name
+        for name in table
+        if name not in axes and name.rpartition(".")[0] not in table and _numbers(table[name]["value"])
+    ]
+    swept = [table[axis]["value"] for axis in axes]
+    changing = [name for name in names if not _constant(table[name]["value"]) and table[name]["value"] not in swept]
+    panels = tuple(_swept(table, axes, name) for name in (changing or names)[:MOST_SWEPT])
+    return (
+        Picture(panels, _title(document, axes), columns=2 if len(panels) > MOST_IN_A_COLUMN else 1) if panels else None
+    )
+
+
+def _title(document: "dict[str, Any]", axes: "list[str]") -> str:
+    """The command and the inputs that stay as they are."""
+    fixed = {name: node for name, node in document["inputs"].items() if name != "sweep"}
+    given = [
+        f"{name.replace('_', ' ').replace('.', ' ')} {quantity(value, unit, 6)}"
+        for name, value, unit in flatten(fixed)
+        if name not in axes
+    ]
+    more = f" and {len(given) - MOST_NAMED} more inputs" if len(given) > MOST_NAMED else ""
+    return f"{document['command']}: {', '.join(given[:MOST_NAMED])}{more}" if given else str(document["command"])
+
+
+def _constant(column: "list[Any]") -> bool:
+    """Whether a result stays the same but for rounding."""
+    there: list[float] = [value for value in column if value is not None]
+    return max(there) - min(there) <= ROUNDING * max(abs(max(there)), abs(min(there)))
+
+
+def _numbers(column: "list[Any]") -> bool:
+    return all(value is None or isinstance(value, int | float) for value in column) and any(
+        isinstance(value, float) for value in column
+    )
+
+
+def _swept(table: "dict[str, Any]", axes: "list[str]", name: str) -> Panel:
+    def titled(key: str) -> Axis:
+        unit = table[key].get("unit", "")
+        words = key.replace("_", " ")
+        return Axis(f"{words} [{unit}]" if unit else words)
+
+    first = table[axes[0]]["value"]
+    values = [math.nan if value is None else value for value in table[name]["value"]]
+    if len(axes) == 1:
+        items = [Curve(first, values, role=0)]
+        for end in (f"{name}.low", f"{name}.high"):
+            if end in table:
+                ends = [math.nan if value is None else value for value in table[end]["value"]]
+                items.append(Curve(first, ends, "" if end.endswith("high") else "ends of the interval", "dashed", 0))
+        return Panel(titled(axes[0]), titled(name), tuple(items))
+    second = table[axes[1]]
+    curves = []
+    for level in dict.fromkeys(second["value"]):
+        rows = [index for index, value in enumerate(second["value"]) if value == level]
+        label = f"{axes[1].replace('_', ' ')} = {level:g} {second.get('unit', '')}".rstrip()
+        curves.append(Curve([first[row] for row in rows], [values[row] for row in rows], label))
+    return Panel(titled(axes[0]), titled(name), tuple(curves))

@@ -1,0 +1,141 @@
+"""The points of a sweep: START:STOP:COUNT in exact ratios, each point rounded once, in the unit written."""
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.quantity_text import read_amount, total
+from dynamics_cli.core.inputs.sources.references import split_address
+from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Several, Value, VectorValue
+from dynamics_cli.core.units.conversion import convert, nearest
+from dynamics_cli.core.units.unit import Unit, conformable
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+EXAMPLE = 'for example --sweep "friction=0.3:0.9:7" or --sweep "distance=20:60 ft:5"'
+MOST = 1_000_000
+
+
+class Axis:
+    """One swept parameter: its address, the unit of its points, and the points as doubles in that unit."""
+
+    def __init__(self, name: str, path: "tuple[str | int, ...]", unit: str, values: "list[float]") -> None:
+        self.name = name
+        self.path = path
+        self.unit = unit
+        self.values = values
+        self.count = len(values)
+
+    def number(self, place: int) -> str:
+        """A point's number, as it would be typed."""
+        return repr(self.values[place])
+
+    def text(self, place: int) -> str:
+        """A point, as it would be typed."""
+        return f"{self.values[place]!r} {self.unit}".rstrip()
+
+    def echo(self) -> "dict[str, Any]":
+        """The axis as the document shows it."""
+        ends: list[dict[str, Any]] = [{"value": self.values[0]}, {"value": self.values[-1]}]
+        if self.unit:
+            ends = [{**end, "unit": self.unit} for end in ends]
+        return {"parameter": self.name, "from": ends[0], "to": ends[1], "count": self.count}
+
+    def check(self, bound: Fields) -> None:
+        """Refuse an address at which there is no number."""
+        if not _has_number(bound, self.name):
+            raise UsageError(
+                f"{self.name} is not a number that can be swept", parameter="sweep", code="not-a-number", hint=EXAMPLE
+            )
+
+
+def read_axes(task: Task, given: "dict[str, str]") -> "list[Axis]":
+    """The axes of `--sweep NAME=START:STOP:COUNT`, given once or twice."""
+    axes = [_axis(task, name, text) for name, text in given.items()]
+    if len({axis.path for axis in axes}) < len(axes):
+        raise UsageError(f"{axes[0].name} is swept twice", parameter="sweep", code="exclusive")
+    return axes
+
+
+def _axis(task: Task, name: str, text: str) -> Axis:
+    path = _path(task, name)
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) != 3 or not all(parts):
+        raise UsageError(f"read {text!r}, wanted START:STOP:COUNT", parameter="sweep", code="syntax", hint=EXAMPLE)
+    if not (parts[2].isascii() and parts[2].isdigit()) or not 2 <= int(parts[2][:9]) <= MOST:
+        raise UsageError(
+            f"read {parts[2]!r}, wanted a count of points from 2 to {MOST}",
+            parameter="sweep",
+            code="count",
+            hint=EXAMPLE,
+        )
+    try:
+        start, stop, unit = _ends(parts[0], parts[1])
+        values = _points(start, stop, int(parts[2]))
+    except UsageError as error:
+        error.parameter = "sweep"
+        raise
+    address = ""
+    for step in path:
+        address += f"[{step}]" if isinstance(step, int) else f".{step}"
+    return Axis(address.lstrip("."), path, unit, values)
+
+
+def _path(task: Task, name: str) -> "tuple[str | int, ...]":
+    from dynamics_cli.core.answering.gather import keys_of
+
+    known = {key for field in task.specification.fields for key in keys_of(field)}
+    address = name.replace("-", "_")
+    steps = tuple(split_address(address))
+    if steps[0] in known:
+        return steps
+    option = task.options.get(name.replace("_", "-"))
+    if option is not None and not option.repeats:
+        return option.path
+    from dynamics_cli.core.units.near_names import nearest_words
+
+    near = nearest_words(address, known)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"known here: {', '.join(sorted(known))}"
+    raise UsageError(f"there is no parameter {name!r}", parameter="sweep", code="unknown-parameter", hint=hint)
+
+
+def _ends(first: str, last: str) -> "tuple[tuple[int, int], tuple[int, int], str]":
+    """Both ends as exact numbers of one unit: the one written first; a unit at one end is that of both."""
+    up, down, unit = _read(first)
+    end_up, end_down, end_unit = _read(last)
+    if not unit.text or not end_unit.text or unit.text == end_unit.text:
+        return (up, down), (end_up, end_down), unit.text or end_unit.text
+    if not conformable(unit, end_unit):
+        raise UsageError(f"{first!r} and {last!r} are of different kinds", code="kind", hint=EXAMPLE)
+    end_up, end_down, pi = convert(end_up, end_down, end_unit, unit)
+    if pi:
+        raise UsageError(f"{first!r} and {last!r} have no exact ratio", code="kind", hint="write both in one unit")
+    return (up, down), (end_up, end_down), unit.text
+
+
+def _read(text: str) -> "tuple[int, int, Unit]":
+    return total(read_amount(text))
+
+
+def _points(start: "tuple[int, int]", stop: "tuple[int, int]", count: int) -> "list[float]":
+    """The points start + (stop − start)·i/(count − 1), each rounded once."""
+    common = start[1] * stop[1]
+    first, last = start[0] * stop[1], stop[0] * start[1]
+    steps = count - 1
+    return [nearest(first * (steps - i) + last * i, common * steps) for i in range(count)]
+
+
+def _has_number(bound: Bound, address: str) -> bool:
+    if isinstance(bound, Value | VectorValue):
+        return bound.address == address or any(leaf == address for leaf, _, _ in bound.leaves())
+    if isinstance(bound, Fields):
+        name = address.rpartition(".")[2]
+        for key, item in bound.fields.items():
+            if isinstance(item, Constant) and key.rstrip("_") == name and _is_number(item):
+                return True
+        return any(_has_number(item, address) for item in bound.fields.values())
+    return isinstance(bound, Several) and any(_has_number(item, address) for item in bound.items)
+
+
+def _is_number(item: Constant) -> bool:
+    return isinstance(item.value, int) and not isinstance(item.value, bool)

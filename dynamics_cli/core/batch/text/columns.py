@@ -1,0 +1,176 @@
+"""Columns of decimal numbers, from their text to SI, each value rounded once as a single call would round it."""
+
+import msgspec
+import numpy as np
+
+from dynamics_cli.core.inputs.quantity_text import read_number
+from dynamics_cli.core.units.conversion import to_si
+from dynamics_cli.core.units.unit import Unit
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.exact.factors import DECIMAL_DIGITS, Decimals, Factor, scale
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.quantities import Kind
+
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
+    Ratio = tuple[int, int]
+
+NAN = float("nan")
+_decode = msgspec.json.Decoder(list[float]).decode
+_encode = msgspec.json.Encoder().encode
+# Between these, and for zero, msgspec writes a double as `repr` does.
+_PLAIN_LOW, _PLAIN_HIGH = 1e-4, 1e16
+
+
+class Unsuited(Exception):
+    """These rows cannot be answered together; `numeric` are the addresses of the numbers that could have been."""
+
+    def __init__(self, why: str, numeric: "set[str] | None" = None) -> None:
+        super().__init__(why)
+        self.numeric = numeric
+
+
+class Column:
+    """Tokens that are all strict JSON numbers, and the doubles nearest to them."""
+
+    __slots__ = ("long", "tokens", "values")
+
+    def __init__(self, tokens: "list[bytes]", values: "Array") -> None:
+        self.tokens = tokens
+        self.values = values
+        longest = max(map(len, tokens), default=0)
+        # Longer tokens may have more digits than a double tells apart.
+        self.long: list[int] = []
+        if longest > DECIMAL_DIGITS:
+            self.long = [index for index, token in enumerate(tokens) if len(token) > DECIMAL_DIGITS]
+
+    def take(self, rows: "list[int]") -> "Column":
+        """Some of its rows."""
+        return Column([self.tokens[row] for row in rows], self.values[rows])
+
+    def suspicious(self) -> "Mask | None":
+        """Where a number left the range of a double, so that the single call's own words are wanted."""
+        odd = ~np.isfinite(self.values)
+        for row in np.flatnonzero(self.values == 0.0).tolist():
+            mantissa = self.tokens[row].lower().partition(b"e")[0]
+            odd[row] = bool(mantissa.strip(b"-0. \t"))
+        return odd if odd.any() else None
+
+
+def column_of(tokens: "list[bytes]") -> "Column | None":
+    """The column, or None when some token is no JSON number."""
+    try:
+        values = _decode(b"[" + b",".join(tokens) + b"]")
+    except (msgspec.MsgspecError, ValueError):
+        return None
+    return Column(tokens, np.array(values)) if len(values) == len(tokens) else None
+
+
+def exact_scale(
+    column: Column, factor: Factor, decimals: Decimals, exact: "Callable[[int, int], float]"
+) -> "tuple[Array, Array, int, list[int]]":
+    """Decimals times a factor: the results, the integers N and the power k of N·10^-k, and the rows done one by one."""
+    whole, power, missing = decimals.find(column.values)
+    singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
+    ten = 10**power
+    if singly:
+        whole[singly] = 0.0
+    result = scale(whole, factor.over_ten_to(power), lambda value: exact(int(value), ten), whole=True)
+    for row in singly:
+        result[row] = exactly(column.tokens[row], exact)
+    return result, whole, power, singly
+
+
+def exactly(token: bytes, exact: "Callable[[int, int], float]") -> float:
+    """One token by exact integers; NaN when a single call would refuse it."""
+    try:
+        return exact(*read_number(token.decode()))
+    except UsageError:
+        return NAN
+
+
+class Slot:
+    """Where a column's numbers go: the address of the input, its kind and its unit."""
+
+    def __init__(self, address: str, kind: "Kind", unit: Unit) -> None:
+        self.address = address
+        self.kind = kind
+        self.unit = unit
+        self.factor = Factor(unit.numerator, unit.denominator, unit.pi, unit.offset)
+        self.decimals = Decimals()
+
+    def _exact(self, numerator: int, denominator: int) -> float:
+        try:
+            return to_si(numerator, denominator, self.unit)
+        except UsageError:
+            return NAN
+
+    def read(self, column: Column) -> "tuple[Array, Mask | None]":
+        """SI values, and where a single call would refuse them (None: nowhere)."""
+        odd = column.suspicious()
+        if self.factor.is_one:
+            values = column.values + 0.0
+        else:
+            values, *_ = exact_scale(column, self.factor, self.decimals, self._exact)
+            lost = np.isnan(values)
+            if lost.any():
+                odd = lost if odd is None else odd | lost
+        return values, self._outside(values, odd)
+
+    def _outside(self, values: "Array", odd: "Mask | None") -> "Mask | None":
+        kind = self.kind
+        for limit, holds in ((kind.low, np.greater_equal), (kind.above, np.greater),
+                             (kind.high, np.less_equal), (kind.below, np.less)):  # fmt: skip
+            if limit is not None:
+                inside = holds(values, limit)
+                if not inside.all():
+                    odd = ~inside if odd is None else odd | ~inside
+        return odd
+
+
+def texts(values: "Array") -> "list[bytes]":
+    """The shortest text of each number that reads back as it: what `repr` writes."""
+    listed = values.tolist()
+    tokens = _encode(listed)[1:-1].split(b",") if listed else []
+    for row in _odd_sized(values):
+        tokens[row] = repr(listed[row]).encode()
+    return tokens
+
+
+def joined_texts(columns: "list[Array]") -> "list[bytes]":
+    """Several numbers a row, with commas between them."""
+    if len(columns) == 1:
+        return texts(columns[0])
+    matrix = np.stack(columns, axis=1)
+    listed = matrix.tolist()
+    rows = _encode(listed)[2:-2].split(b"],[") if listed else []
+    for row in sorted({row for column in columns for row in _odd_sized(column)}):
+        rows[row] = ",".join(map(repr, listed[row])).encode()
+    return rows
+
+
+def _odd_sized(values: "Array") -> "list[int]":
+    size = np.abs(values)
+    odd = ((size < _PLAIN_LOW) & (size != 0.0)) | (size >= _PLAIN_HIGH)
+    return np.flatnonzero(odd).tolist() if odd.any() else []
+
+
+def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
+    """Rows of pieces, one after another: a piece is the same in every row, or a list with one for each."""
+    merged: list[Any] = []
+    for piece in pieces:
+        if isinstance(piece, bytes) and merged and isinstance(merged[-1], bytes):
+            merged[-1] += piece
+        elif piece != b"":
+            merged.append(piece)
+    woven: list[bytes] = [b""] * (len(merged) * count)
+    for index, piece in enumerate(merged):
+        woven[index :: len(merged)] = [piece] * count if isinstance(piece, bytes) else piece
+    return b"".join(woven)

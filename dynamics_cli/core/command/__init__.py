@@ -1,0 +1,1 @@
+"""The command line: calls gathered, carried out, explained in help and completed."""

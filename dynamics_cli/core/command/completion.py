@@ -1,0 +1,55 @@
+"""What completes a word or the value of an option: units, shapes, names, results."""
+
+from dynamics_cli.core.answering.task import Task, load
+from dynamics_cli.core.inputs.specification import Leaf, Record, Tagged
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+# Forms of results that `--to` and `--limit` name.
+NUMBERS = ("scalar", "slope", "measured")
+
+
+def words_that_fit(task: Task, incomplete: str) -> "list[str]":
+    """Units, shapes and other names that a word may be."""
+    for field in task.specification.words:
+        node = field.node
+        item = getattr(node, "item", node)
+        if isinstance(node, Tagged):
+            return [name for name in node.members if name.startswith(incomplete)]
+        if isinstance(item, Leaf) and item.choice is not None:
+            return [name for name in item.choice.names if name.startswith(incomplete)]
+        if isinstance(item, Leaf) and item.kind.form == "unit":
+            from dynamics_cli.core.units.names import all_units
+
+            return sorted(name for name, *_ in all_units() if name.startswith(incomplete))
+    return []
+
+
+def _results(record: Record, address: str = "") -> "Iterator[str]":
+    """The addresses of the numbers outside tables."""
+    for field in record.fields:
+        if isinstance(field.node, Record):
+            yield from _results(field.node, f"{address}{field.key}.")
+        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in NUMBERS:
+            yield f"{address}{field.key}"
+
+
+def result_completer(task: Task) -> "Callable[[Any, Any, str], list[str]]":
+    """The names of a task's results, looked up only when they are asked for."""
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return [f"{name}=" for name in _results(task.specification.result) if name.startswith(incomplete)]
+
+    return complete
+
+
+def completer_of(names: "tuple[str, ...] | str") -> "Callable[[Any, Any, str], list[str]]":
+    """What completes one of these names; a text says where they are, as "module:names", for when they are wanted."""
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return [name for name in (load(names) if isinstance(names, str) else names) if name.startswith(incomplete)]
+
+    return complete

@@ -1,0 +1,296 @@
+"""A call carried out: gathered, read, answered, shown. The one path behind the direct route, typer and `run`."""
+
+from dynamics_cli.core.answering.gather import Gathered, gather
+from dynamics_cli.core.answering.models import answer, arguments, call_model
+from dynamics_cli.core.answering.task import Task, load
+from dynamics_cli.core.inputs.settings import Call, Settings
+from dynamics_cli.core.output.document import build
+from dynamics_cli.core.terminal import encoded
+from dynamics_cli.core.units.display import Display
+from dynamics_cli.errors import ExitStatus, FaultError, InadmissibleError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answering.models import Answer
+    from dynamics_cli.core.inputs.values import Fields
+    from dynamics_cli.core.output.files import File
+    from dynamics_cli.core.terminal import Terminal
+    from dynamics_cli.pictures import Picture
+
+
+def execute(task: Task, call: Call, terminal: "Terminal") -> int:
+    """Answer a call on standard output or in a file; the exit status."""
+    if call.settings.get("template"):
+        return _write_template(task, terminal)
+    settings = Settings(call.settings, terminal.environ)
+    if settings.time_limit:
+        from dynamics_cli.core.deadline import within
+
+        return within(settings.time_limit, lambda: _execute(task, call, settings, terminal))  # type: ignore[no-any-return]
+    return _execute(task, call, settings, terminal)
+
+
+def _write_template(task: Task, terminal: "Terminal") -> int:
+    from dynamics_cli.core.command.template import takes_scene, template
+
+    if not takes_scene(task):
+        hint = f"its parameters are options: dynamics {task.path} --help"
+        raise UsageError(f"{task.path} reads no scene", parameter="template", hint=hint)
+    terminal.write(template(task))
+    return ExitStatus.DONE
+
+
+def _execute(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
+    if settings.columns:
+        from dynamics_cli.core.batch.cleaning import clean_columns
+
+        return clean_columns(task, call, settings, terminal)
+    if settings.rows:
+        from dynamics_cli.core.batch.stream import run_rows
+
+        return run_rows(task, call, settings, terminal)
+    gathered = gather(task, call, settings, terminal)
+    _check_files(task, settings)
+    status = ExitStatus.DONE
+    if settings.sweep:
+        from dynamics_cli.core.batch.sweep import sweep
+
+        document, failed = sweep(task, gathered, settings)
+        status = ExitStatus.SOME_FAILED if failed else ExitStatus.DONE
+        table = "sweep"
+        files, picture = _with_picture(document, [], _picture_of_sweep(document, settings), settings, task)
+    else:
+        document, files, picture = answered_case(task, gathered, settings)
+        table = task.table
+    if settings.time_limit:
+        from dynamics_cli.core.deadline import stop
+
+        stop()
+        if any(warning["code"] == "time-limit" for warning in document["warnings"]):
+            status = ExitStatus.INADMISSIBLE
+    text = _text(document, settings, terminal, task, table)
+    if files or settings.output:
+        from dynamics_cli.core.output.files import Files
+
+        own = [(settings.output, encoded(text), "output")] if settings.output else []
+        with Files([*files, *own]):
+            if not own:
+                terminal.write(text)
+                terminal.flush()
+    else:
+        terminal.write(text)
+    if picture is not None and settings.plot == "-":
+        from dynamics_cli.core.output.plot import show_small
+
+        show_small(picture, settings, terminal)
+    if task.verdict and not all(check["passed"] for check in document["checks"]):
+        return ExitStatus.FAULT
+    return status or _verdict(document, settings)
+
+
+def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":
+    """The result document of one case, or of a sweep, its files written."""
+    from dynamics_cli.core.deadline import within
+
+    _check_files(task, settings)
+    if settings.sweep:
+        from dynamics_cli.core.batch.sweep import sweep
+
+        document, _ = sweep(task, gathered, settings)
+        files, _ = _with_picture(document, [], _picture_of_sweep(document, settings), settings, task)
+    else:
+        document, files, _ = within(settings.time_limit, lambda: answered_case(task, gathered, settings))
+    if files:
+        from dynamics_cli.core.output.files import Files
+
+        with Files(files):
+            pass
+    return document
+
+
+def answered_case(
+    task: Task, gathered: Gathered, settings: Settings
+) -> "tuple[dict[str, Any], list[File], Picture | None]":
+    """The result document of one case, the files it lists that are still to be written, and the picture asked for."""
+    reader = gathered.reader
+    reader.uncertain = {}
+    bound = reader.read(task.specification.fields, gathered.raw)
+    display = Display(settings.units, settings.to)
+    start = _clock() if settings.timing else 0.0
+    try:
+        answered = answer(task, bound, settings.model)
+    except InadmissibleError as error:
+        if error.judged and reader.uncertain:
+            from dynamics_cli.core.uncertainty.undetermined import add_intervals
+
+            add_intervals(error, task, bound, reader, settings, display)
+        raise
+    took = _clock() - start if settings.timing else 0.0
+    document = build(task, bound, answered, display, gathered.reader.notes)
+    _require_checks(document, task)
+    spread: Picture | None = None
+    if reader.uncertain or settings.correlate:
+        from dynamics_cli.core.uncertainty.document import add_uncertainty
+
+        start = _clock() if settings.timing else 0.0
+        spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
+        took += _clock() - start if settings.timing else 0.0
+    elif settings.limit:
+        from dynamics_cli.core.answering.limits import add_limits
+
+        add_limits(document, task, bound, answered, settings, display)
+    if gathered.reader.files:
+        from dynamics_cli.core.inputs.sources.hashes import once
+
+        document["files"] = once(gathered.reader.files)
+    if not reader.uncertain:
+        _refuse_spreads(settings)
+    if settings.explain:
+        from dynamics_cli.core.answering.explain import explanation
+
+        document["explanation"] = explanation(task, document, answered)
+    if settings.timing:
+        document["timing"] = {"value": took, "unit": "s"}
+    return _with_files(document, task, answered, bound, spread, settings)
+
+
+def _with_files(
+    document: "dict[str, Any]",
+    task: Task,
+    answered: "Answer",
+    bound: "Fields",
+    spread: "Picture | None",
+    settings: Settings,
+) -> "tuple[dict[str, Any], list[File], Picture | None]":
+    """The document with the drawing and the picture asked for, which are still to be written."""
+    if not settings.drawing and not settings.plot:
+        return document, [], None
+    # writers and pictures take plain numbers
+    record = call_model(task, answered.model, bound) if task.tracked else answered.record
+    files: list[File] = []
+    if settings.drawing:
+        from dynamics_cli.core.output.drawing import files_of
+
+        files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units)
+        document["files"] = [*document.get("files", ()), *entries]
+    own = _own_picture(task, record, bound) if settings.plot else None
+    return document, *_with_picture(document, files, _joined(own, spread), settings, task)
+
+
+def _require_checks(document: "dict[str, Any]", task: Task) -> None:
+    """A check of the calculation that failed is an internal error, unless checks are what was asked for."""
+    for check in document["checks"]:
+        if not check["passed"] and not task.verdict:
+            raise FaultError(
+                f"our own check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
+                code="check",
+                hint="this is a bug: please report it with the inputs",
+            )
+
+
+def _refuse_spreads(settings: Settings) -> None:
+    """Refuse what only uncertain results have."""
+    if settings.quantile:
+        raise UsageError("no input is uncertain: results have no quantiles", parameter="quantile", code="exclusive")
+    if settings.method:
+        from dynamics_cli.core.uncertainty.document import read_method
+
+        # Nothing is propagated, but a name that is none is still a wrong call.
+        read_method(settings.method)
+
+
+def _check_files(task: Task, settings: Settings) -> None:
+    """Refuse, before anything is calculated, files that cannot be written."""
+    if settings.drawing:
+        from dynamics_cli.core.output.drawing import check_asked
+
+        check_asked(task, settings.drawing, settings.output)
+    if settings.plot:
+        from dynamics_cli.core.output.plot import check_asked as check_picture
+
+        check_picture(task, settings)
+
+
+def _own_picture(task: Task, record: "Any", bound: "Fields") -> "Picture | None":
+    from dynamics_cli.core.output.plot import own_picture
+
+    return own_picture(task, record, arguments(task, bound))
+
+
+def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
+    """The panels of both pictures under the first one's title."""
+    if one is None or other is None:
+        return one or other
+    from dynamics_cli.pictures import Picture
+
+    panels = (*one.panels, *other.panels)
+    return Picture(panels, one.title, one.columns, scene=one.scene, distributions=len(other.panels))
+
+
+def _picture_of_sweep(document: "dict[str, Any]", settings: Settings) -> "Picture | None":
+    if not settings.plot:
+        return None
+    from dynamics_cli.core.batch.sweep_pictures import of_sweep
+
+    return of_sweep(document)
+
+
+def _with_picture(
+    document: "dict[str, Any]", files: "list[File]", picture: "Picture | None", settings: Settings, task: Task
+) -> "tuple[list[File], Picture | None]":
+    """The files with the picture's among them, which the document then lists."""
+    if not settings.plot:
+        return files, None
+    from dynamics_cli.core.output.plot import drawn, refuse_none
+
+    if picture is None:
+        raise refuse_none(task)
+    if settings.plot == "-":
+        return files, picture
+    data, entry = drawn(picture, settings)
+    document["files"] = [*document.get("files", ()), entry]
+    return [*files, (settings.plot, data, "plot")], picture
+
+
+def _clock() -> float:
+    from time import perf_counter
+
+    return perf_counter()
+
+
+def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> str:
+    from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
+
+    width = 0 if settings.output else terminal.columns
+    digits = settings.digits or task.digits
+    if settings.only:
+        return only(document, settings.only, digits, settings.format)
+    if settings.table:
+        return whole_table(document, settings.table, digits, settings.format)
+    if settings.format != "table":
+        listed = task.table if task.listing else ""
+        return render(document, settings.format, digits, table if table == "sweep" else listed)
+    if task.layout and table != "sweep":
+        layout = load(task.layout)
+        return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
+    if settings.all:
+        return to_full_table(document, digits)
+    from dynamics_cli.core.output.answer import to_answer
+
+    return to_answer(document, task, settings.digits or task.digits, width or 80, quiet=settings.quiet)
+
+
+def _verdict(document: "dict[str, Any]", settings: Settings) -> int:
+    """The status that --fail asks for: 6 when a limit is exceeded or a verdict is negative."""
+    if not settings.fail:
+        return ExitStatus.DONE
+    exceeded = any(
+        entry["probability"] > settings.fail_above if "probability" in entry else entry["beyond"]
+        for entry in document.get("limits", ())
+    )
+    negative = any(not check["passed"] for check in document["checks"]) or any(
+        item["severity"] == "serious" for item in document["warnings"]
+    )
+    return ExitStatus.VERDICT if exceeded or negative else ExitStatus.DONE

@@ -1,0 +1,99 @@
+"""Help, from the signature and the docstrings that stand beside it."""
+
+from dynamics_cli.core.answering.explain import default_text
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.options import Option
+from dynamics_cli.core.inputs.specification import REQUIRED, Field, Leaf, Record, Tagged
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+
+def placeholder(option: Option) -> str:
+    """What stands for an option's value in help."""
+    if option.leaf is None:
+        return "NAME=VALUE,…"
+    if option.leaf.choice is not None:
+        return "NAME"
+    return option.leaf.kind.name.upper().replace(" ", "-")
+
+
+def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
+    """One option's line: what it is (by the docstrings' `texts`), its default, an example."""
+    if option.leaf is None:
+        return "One of several, with its own values (repeatable)."
+    leaf = option.leaf
+    text = leaf.kind.about
+    if leaf.choice is not None:
+        text = "one of " + ", ".join(leaf.choice.names)
+    text = (texts.get(option.path) or text).replace(" [-]", "").rstrip(".")
+    if option.required:
+        text += " [required]"
+    elif default := written_default(option):
+        text += f" [default: {default}]"
+    if leaf.kind.example and leaf.choice is None and leaf.kind.form != "text":
+        text += f", e.g. {leaf.kind.example}"
+    return text
+
+
+def written_default(option: Option) -> str:
+    """What stands in for an option that is not given, as a user would write it; nothing where nothing does."""
+    if option.required or option.default is REQUIRED or option.default is None or option.default is False:
+        return ""
+    leaf = option.leaf
+    if leaf is not None and leaf.kind.default:
+        return leaf.kind.default
+    if leaf is not None and leaf.kind.form == "range":
+        return "..".join(map(str, option.default))  # type: ignore[call-overload]
+    if leaf is not None and isinstance(option.default, tuple):
+        return ", ".join(f"{part:g}" for part in option.default)
+    if (leaf is not None and leaf.kind.form == "fraction") or not isinstance(option.default, float):
+        return str(option.default)
+    return default_text(option.default, leaf.kind) if leaf is not None else f"{option.default:g}"
+
+
+def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
+    """What the annotations of the function and of its records say of each option."""
+    texts: dict[tuple[str, ...], str] = {}
+    for field in task.specification.fields:
+        if field.place and isinstance(field.node, Record):
+            _describe_fields(field.node, (), texts, set())
+        else:
+            _describe(field, (), texts, set())
+    return texts
+
+
+def describe_record(record: Record) -> "dict[tuple[str, ...], str]":
+    """What the annotations of one record say of its fields."""
+    texts: dict[tuple[str, ...], str] = {}
+    _describe_fields(record, (), texts, set())
+    return texts
+
+
+def _describe(field: Field, prefix: "tuple[str, ...]", texts: "dict[tuple[str, ...], str]", seen: "set[type]") -> None:
+    node, key = field.node, field.key
+    item = getattr(node, "item", node)
+    members = getattr(item, "members", ())
+    records = members.values() if isinstance(members, dict) else members
+    if isinstance(item, Tagged):
+        texts.setdefault((*prefix, item.key), f"One of {', '.join(item.members)}")
+    if isinstance(item, Leaf) and field.text:
+        texts.setdefault((*prefix, key), field.text)
+    for record in [item] if isinstance(item, Record) else records:
+        if record.cls not in seen:
+            inner = prefix if item is not node or not isinstance(item, Record) else (*prefix, key)
+            _describe_fields(record, inner, texts, seen)
+
+
+def _describe_fields(
+    record: Record, prefix: "tuple[str, ...]", texts: "dict[tuple[str, ...], str]", seen: "set[type]"
+) -> None:
+    for field in record.fields:
+        _describe(field, prefix, texts, seen | {record.cls})
+
+
+def undescribed(task: Task) -> "list[str]":
+    """Options that no docstring describes: a test keeps this empty."""
+    texts = describe_options(task)
+    return [name for name, option in task.options.items() if option.leaf is not None and option.path not in texts]

@@ -1,0 +1,201 @@
+"""Commands about commands: the JSON Schema of a task, and the reference of all of them."""
+
+from dynamics_cli.core.answering.task import Family, Task, load
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from dynamics_cli.core.terminal import Terminal
+
+    Finder = Callable[[str], Family]
+    Lines = Mapping[str, tuple[str, str]]
+
+REFERENCE_FORMS = ("markdown", "man")
+
+
+class Option:
+    """An option of a command that is no task: its name, what its value is called, help, and values it may have.
+
+    An option without a metavar is a flag: it arrives as "yes".
+    """
+
+    def __init__(self, name: str, metavar: str, text: str, names: "tuple[str, ...]" = ()) -> None:
+        self.name = name
+        self.metavar = metavar
+        self.text = text
+        self.names = names
+
+
+class Command:
+    """A command that is no task: its words, what it does, an example, its options, and the function that does it.
+
+    The function takes the words, the options, the families' lines, how to find one, and the terminal. `names` says
+    where the words are that completion offers, unless they are families and tasks: "module:function".
+    """
+
+    def __init__(
+        self,
+        name: str,
+        metavar: str,
+        line: str,
+        more: str,
+        example: str,
+        options: "tuple[Option, ...]",
+        function: str,
+        names: str = "",
+    ) -> None:
+        self.names = names
+        self.name = name
+        self.metavar = metavar
+        self.line = line
+        self.more = more
+        self.example = example
+        self.options = options
+        self.function = function
+
+    def carry_out(
+        self,
+        words: "Sequence[str]",
+        options: "Mapping[str, str]",
+        families: "Lines",
+        find: "Finder",
+        terminal: "Terminal",
+    ) -> None:
+        """Do it."""
+        load(self.function)(words, options, families, find, terminal)
+
+
+HERE = "dynamics_cli.core.command.plain_commands:"
+COMMANDS = (
+    Command(
+        "schema",
+        "FAMILY [TASK]",
+        "Print the JSON Schema of a task's inputs and outputs.",
+        "",
+        "dynamics schema skid speed",
+        (),
+        HERE + "print_schema",
+    ),
+    Command(
+        "reference",
+        "[FAMILY]...",
+        "Print the reference of all commands, or of some families.",
+        "It tells every parameter, result, formula, assumption and source.",
+        "dynamics reference skid --format markdown",
+        (Option("format", "FORMAT", "markdown (the default) or man.", REFERENCE_FORMS),),
+        HERE + "print_reference",
+    ),
+    Command(
+        "help",
+        "[FAMILY [TASK]] | options",
+        "Help of a task, or of the options that every task has.",
+        "",
+        "dynamics help options",
+        (),
+        HERE + "print_options",
+    ),
+)
+# The options of every task in groups: title and names.
+OPTION_GROUPS = (
+    ("Output", ("json", "format", "output", "all", "only", "table", "quiet", "explain", "timing", "plot", "drawing")),
+    ("Units and digits", ("units", "to", "digits")),
+    ("Limits", ("limit", "fail", "fail-above")),
+    ("Input", ("input", "template", "model")),
+    ("Batches", ("rows", "column", "sweep", "jobs")),
+)
+SHORT_FORMS = "-h is --help, -o --output, -q --quiet, -j --json. Variables: DYNAMICS_UNITS, DYNAMICS_DIGITS, "
+SHORT_FORMS += "DYNAMICS_FORMAT, DYNAMICS_GRAVITY; a dynamics.toml sets the same (units, digits, format, gravity)."
+
+
+def print_schema(
+    words: "Sequence[str]", options: "Mapping[str, str]", families: "Lines", find: "Finder", terminal: "Terminal"
+) -> None:
+    """The JSON Schema of a task."""
+    from dynamics_cli.core.command.schema import schema
+    from dynamics_cli.core.output.render import to_pretty_json
+
+    terminal.write(to_pretty_json(schema(_task(words, families, find))))
+
+
+def print_reference(
+    words: "Sequence[str]", options: "Mapping[str, str]", families: "Lines", find: "Finder", terminal: "Terminal"
+) -> None:
+    """The reference of all commands, or of some families."""
+    from dynamics_cli.core.command.manual import WRITERS
+
+    form = options.get("format") or REFERENCE_FORMS[0]
+    if form not in REFERENCE_FORMS:
+        raise UsageError(
+            f"read {form!r}, wanted one of {', '.join(REFERENCE_FORMS)}", parameter="format", code="unknown-choice"
+        )
+    for word in words:
+        _known(word, families)
+    terminal.write(WRITERS[form]([find(word) for word in words or families]))
+
+
+def print_options(
+    words: "Sequence[str]", options: "Mapping[str, str]", families: "Lines", find: "Finder", terminal: "Terminal"
+) -> None:
+    """The options that every task has, in groups."""
+    from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
+    from dynamics_cli.core.output.wrapping import wrapped
+
+    grouped = {name for _, names in OPTION_GROUPS for name in names}
+    rest = ("Uncertainty and others", tuple(name for name in UNIVERSAL_OPTIONS if name not in grouped))
+    width = min(terminal.columns or 80, 80)
+    lines = ["Options that every task has"]
+    for title, names in (*OPTION_GROUPS, rest):
+        lines += ["", f"{title}:"]
+        for name in names:
+            _, value, text = UNIVERSAL_OPTIONS[name]
+            first, *others = wrapped(text, width - 24, 0)
+            head = f"--{name} {value}".rstrip()
+            lines += [f"  {head:<20}  {first}" if len(head) <= 20 else f"  {head}\n{'':24}{first}"]
+            lines += [f"{'':24}{line}" for line in others]
+    terminal.write("\n".join([*lines, "", *wrapped(SHORT_FORMS, width, 0)]) + "\n")
+
+
+def _known(name: str, families: "Lines") -> None:
+    if name in families:
+        return
+    from dynamics_cli.core.units.near_names import nearest_words
+
+    near = nearest_words(name, families)
+    hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"
+    raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
+
+
+def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
+    if not words:
+        hint = "for example: dynamics schema skid speed"
+        raise UsageError("a family and its task are missing", code="missing", hint=hint)
+    _known(words[0], families)
+    family = find(words[0])
+    task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
+    if len(words) > (1 if family.alone else 2):
+        raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
+    if task is None:
+        from dynamics_cli.core.units.near_names import nearest_words
+
+        hint = f"there is {', '.join(family.tasks)}"
+        if len(words) == 1:
+            raise UsageError(f"the task of {words[0]} is missing", code="missing", hint=hint)
+        near = nearest_words(words[1], family.tasks)
+        hint = f"did you mean {' or '.join(near)}?" if near else hint
+        raise UsageError(f"{words[0]} has no task {words[1]!r}", code="unknown-command", hint=hint)
+    return task
+
+
+def completions(command: Command, words: "Sequence[str]", families: "Lines", find: "Finder") -> "list[str]":
+    """The words that may come next."""
+    if command.names:
+        return list(load(command.names)())
+    if not command.metavar.strip("[").startswith("FAMILY"):
+        return []
+    if not words or command.metavar.endswith("..."):
+        return list(families)
+    if len(words) == 1 and words[0] in families:
+        return [task for task in find(words[0]).tasks if task]
+    return []

@@ -1,0 +1,63 @@
+"""What Python callers give: options that mean something there, and numbers of other libraries as Python's own."""
+
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+# Options of a command that a function returning a dictionary cannot honour, and what to do instead.
+REFUSED = {
+    **dict.fromkeys(
+        ("json", "format", "output"), "it returns the document as a dictionary: write that, with json.dump"
+    ),
+    "template": "write it by the command: dynamics FAMILY TASK --template",
+    "rows": "a stream of cases is dynamics_cli.run_rows, or one call for each case",
+    "digits": "the document has all digits: round what you print",
+}
+# Python writes whole numbers of some thousands of digits at most; no double is near these.
+MOST_BITS = 4000
+
+
+def plain_parameters(parameters: "Mapping[str, object]") -> "dict[str, Any]":
+    """Parameters by name (`from_` is `from`), their values as JSON has them."""
+    return {name.rstrip("_"): _plain(value, name) for name, value in parameters.items()}
+
+
+def options_of(raw: "dict[str, Any]") -> "dict[str, Any]":
+    """Take the options that every task has out of the parameters, as a command line would give them."""
+    keys = {name: name.replace("-", "_") for name in UNIVERSAL_OPTIONS}
+    asked = {name: value for name, key in keys.items() if (value := raw.pop(key, None)) is not None}
+    for name, value in asked.items():
+        how = UNIVERSAL_OPTIONS[name][0]
+        if name in REFUSED or (name == "plot" and value == "-"):
+            hint = REFUSED.get(name, "name a file")
+            raise UsageError(f"{name}={value!r} is an option of the command only", parameter=name, hint=hint)
+        if how == "flag":
+            if not isinstance(value, bool):
+                raise UsageError(f"read {name}={value!r}, wanted True or False", parameter=name)
+        elif how == "many":
+            asked[name] = [_text(name, item) for item in (value if isinstance(value, list) else [value])]
+        else:
+            asked[name] = _text(name, value)
+    return asked
+
+
+def _text(name: str, value: object) -> str:
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise UsageError(f"read {name}={value!r}, wanted text", parameter=name, hint=UNIVERSAL_OPTIONS[name][2])
+    return str(value)
+
+
+def _plain(value: "Any", name: str) -> "Any":
+    if isinstance(value, dict):
+        return {key: _plain(item, name) for key, item in value.items()}
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(item, name) for item in value]
+    if isinstance(value, int) and value.bit_length() > MOST_BITS:
+        raise UsageError(f"{name} is beyond the range of a double", code="range", parameter=name)
+    return value

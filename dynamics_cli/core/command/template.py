@@ -1,0 +1,209 @@
+"""A commented scene: every field of a task's input as TOML, with its description and an example.
+
+Required fields are written so that they can be read back as they stand; optional ones are commented out.
+"""
+
+from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.output.wrapping import wrapped
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.core.inputs.specification import Field, Node
+
+WIDTH = 80
+# Where descriptions begin, beside their values.
+COLUMN = 36
+# Of more alternatives than these only one is written out.
+MOST_ALTERNATIVES = 8
+HEAD = 'Remove the # of a line "#name = value" to give an optional value.'
+EXAMPLE = "e.g. "
+
+
+def takes_scene(task: "Task") -> bool:
+    """Whether a task's input is more than a command line holds well: a scene, or groups that may be repeated."""
+    words = [field.node for field in task.specification.words]
+    grouped = any(option.repeats for option in task.options.values())
+    return any(isinstance(node, Record) for node in words) or (grouped and not words)
+
+
+def template(task: "Task") -> str:
+    """The scene of a task as TOML."""
+    way = "" if task.specification.words else "--input "
+    scene = _Scene()
+    for line in (task.summary, f"Use: dynamics {task.path} {way}FILE.toml", HEAD):
+        scene.comment(line)
+    scene.lines.append("")
+    fields: list[Field] = []
+    for field in task.specification.fields:
+        fields += field.node.fields if field.place and isinstance(field.node, Record) else [field]
+    scene.table(tuple(fields), "", active=True, inside=())
+    return "\n".join(scene.lines) + "\n"
+
+
+def description(text: str) -> str:
+    """A description without the unit that its number has inside the program."""
+    text = text.strip().rstrip(".")
+    at = text.rfind(" [")
+    return text[:at].rstrip(".") if text.endswith("]") and at > 0 and " " not in text[at + 2 :] else text
+
+
+def _without_example(text: str) -> str:
+    return description(text).partition(f", {EXAMPLE}")[0]
+
+
+def example(field: "Field") -> str:
+    """An example of a field's value as a user would type it: of its description, else of its kind."""
+    node = field.node.item if isinstance(field.node, Many) else field.node
+    assert isinstance(node, Leaf)
+    said = description(field.text).partition(EXAMPLE)[2]
+    if said:
+        return said
+    if node.choice is not None:
+        return str(field.default if field.default in node.choice.names else node.choice.names[0])
+    if node.kind.form == "flag":
+        return "true"
+    return node.kind.example or field.key
+
+
+def _value(text: str) -> str:
+    """A value as TOML: a number or a truth as such, anything else as text."""
+    if text == "true":
+        return text
+    try:
+        float(text)
+    except ValueError:
+        return f'"{text}"'
+    return text.replace("_", "")
+
+
+class _Scene:
+    """Lines of a scene; each table's own values stand before the tables within it."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        # Records written in full, by the header of the first of them.
+        self.written: dict[type, str] = {}
+        self.brief = False
+
+    def table(self, fields: "tuple[Field, ...]", path: str, *, active: bool, inside: "tuple[type, ...]") -> None:
+        """The fields of one table, then its tables."""
+        inner: list[Callable[[], None]] = []
+        active_fields = {field.name for field in fields if field.required or _chosen(field)}
+        # where nothing is required, one value shows what a scene is
+        active_fields = active_fields or {fields[0].name}
+        for field in fields:
+            self._field(field, path, inner, active=active and field.name in active_fields, inside=inside)
+        for write in inner:
+            write()
+
+    def _field(
+        self,
+        field: "Field",
+        path: str,
+        inner: "list[Callable[[], None]]",
+        *,
+        active: bool,
+        inside: "tuple[type, ...]",
+    ) -> None:
+        node = field.node
+        item = node.item if isinstance(node, Many) else node
+        if isinstance(item, Leaf):
+            self._line(field.key, _value(example(field)), _without_example(field.text), active=active)
+        elif isinstance(node, OneOf | Tagged):
+            self._alternatives(field, node, path, inner, active=active, inside=inside)
+        else:
+            several = isinstance(node, Many)
+            address = f"{path}{field.key}"
+            inner.append(lambda: self._nested(field, item, address, several=several, active=active, inside=inside))
+
+    def _alternatives(
+        self,
+        field: "Field",
+        node: "OneOf | Tagged",
+        path: str,
+        inner: "list[Callable[[], None]]",
+        *,
+        active: bool,
+        inside: "tuple[type, ...]",
+    ) -> None:
+        """One alternative as it stands, the others commented out."""
+        named = node.members if isinstance(node, Tagged) else {_names(member): member for member in node.members}
+        chosen = next((name for name in named if _chosen(field) in name.split()), next(iter(named)))
+        text = _without_example(field.text)
+        if isinstance(node, OneOf):
+            self.comment(f"{text}:")
+        many = isinstance(node, Tagged) and len(named) > MOST_ALTERNATIVES
+        for name in [chosen] if many else [chosen, *(name for name in named if name != chosen)]:
+            here = active and name == chosen
+            if isinstance(node, Tagged):
+                said = f"{text}: {', '.join(named)}" if name == chosen and not many else text if many else ""
+                self._line(node.key, f'"{name}"', said, active=here)
+            elif name != chosen:
+                self.comment("or:")
+            for member in named[name].fields:
+                self._field(member, path, inner, active=here and member.required, inside=inside)
+
+    def _nested(
+        self,
+        field: "Field",
+        item: "Node",
+        address: str,
+        *,
+        several: bool,
+        active: bool,
+        inside: "tuple[type, ...]",
+    ) -> None:
+        header = f"[[{address}]]" if several else f"[{address}]"
+        if self.lines[-1]:
+            self.lines.append("")
+        self.comment(description(field.text) + (" (repeat for more)" if several else ""))
+        outer = self.brief
+        if isinstance(item, Record):
+            same = self.written.setdefault(item.cls, header)
+            if same != header:
+                self.comment(f"It takes the same fields as {same}.")
+                self.brief = True
+            if item.cls in inside:
+                self.lines.append(f"#{header}")
+                return
+        self.lines.append(header if active else f"#{header}")
+        if isinstance(item, Record):
+            self.table(item.fields, f"{address}.", active=active, inside=(*inside, item.cls))
+            self.brief = outer
+        elif isinstance(item, OneOf | Tagged):
+            inner: list[Callable[[], None]] = []
+            self._alternatives(field, item, f"{address}.", inner, active=active, inside=inside)
+            for write in inner:
+                write()
+
+    def comment(self, text: str) -> None:
+        """A paragraph of comment."""
+        if self.brief and not text.startswith("It "):
+            return
+        self.lines += [f"# {line}" for line in wrapped(text, WIDTH - 2, 0)]
+
+    def _line(self, key: str, value: str, text: str, *, active: bool) -> None:
+        """A value with its description beside it, or above it where it is long."""
+        if self.brief and not active:
+            return
+        head = f"{'' if active else '#'}{key} = {value}"
+        if len(head) > COLUMN - 2:
+            if text:
+                self.comment(text)
+            self.lines.append(head)
+            return
+        first, *more = wrapped(text, WIDTH - COLUMN - 2, 0)
+        self.lines.append(f"{head:<{COLUMN}}# {first}" if text else head)
+        self.lines += [f"{'':<{COLUMN}}# {line}" for line in more]
+
+
+def _chosen(field: "Field") -> str:
+    """The alternative that a description gives as an example."""
+    return description(field.text).partition(EXAMPLE)[2] if isinstance(field.node, OneOf | Tagged) else ""
+
+
+def _names(record: Record) -> str:
+    return " ".join(field.key for field in record.fields)

@@ -1,0 +1,357 @@
+"""The commands as typer sees them: help, suggestions, completion, and every call that is not plainly written.
+
+The only module that imports typer. Commands are built for the chosen family only, from the same specification that the
+direct route reads, and both end in the same `execute`.
+"""
+
+from typer import _click as click
+from typer._completion_classes import completion_init
+from typer._completion_shared import get_completion_script
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
+from typer.exceptions import Exit
+
+from dynamics_cli.core.answering.task import Family, Task
+from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
+from dynamics_cli.core.command.help import describe_options, option_help, placeholder
+from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
+from dynamics_cli.core.command.template import takes_scene
+from dynamics_cli.core.inputs.options import Option
+from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.inputs.specification import Tagged
+from dynamics_cli.errors import UsageError
+from dynamics_cli.version import __version__
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import Any
+
+    from dynamics_cli.core.terminal import Terminal
+
+    Finder = Callable[[str], Family]
+
+SHELLS = ("bash", "zsh", "fish")
+
+
+def run_tree(
+    argv: "list[str]",
+    families: "Mapping[str, tuple[str, str]]",
+    find: "Finder",
+    others: "tuple[Command, ...]",
+    terminal: "Terminal",
+) -> int:
+    """Carry out a call through typer; typer's own complaints become UsageError. `others` are commands, no tasks."""
+    completion_init()
+    root = _root(families, find, others, terminal)
+    try:
+        with terminal.own_stdout():
+            # What `main` does, except that it makes a failure (status 1) of a closed pipe.
+            root._main_shell_completion({}, "dynamics")
+            with root.make_context("dynamics", list(argv)) as context:
+                status = root.invoke(context)
+    except Exit as error:
+        return error.exit_code
+    except click.exceptions.NoSuchOption as error:
+        task = getattr(getattr(error.ctx, "command", None), "task", None)
+        near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
+        hint = near if task is None else _near_option(task, error.option_name)
+        name = error.option_name.lstrip("-")
+        raise UsageError(
+            f"there is no option {error.option_name}", code="unknown-option", parameter=name or None, hint=hint
+        ) from None
+    except click.exceptions.NoArgsIsHelpError as error:
+        terminal.write(error.ctx.get_help() + "\n")
+        return 0
+    except click.exceptions.ClickException as error:
+        message = error.format_message().rstrip(".")
+        raise UsageError(message[:1].lower() + message[1:], hint=_try_help(error)) from None
+    return status if isinstance(status, int) else 0
+
+
+def _try_help(error: "Any") -> str | None:
+    context = getattr(error, "ctx", None)
+    return f"try: {context.command_path} --help" if context is not None else None
+
+
+def _root(
+    families: "Mapping[str, tuple[str, str]]", find: "Finder", others: "tuple[Command, ...]", terminal: "Terminal"
+) -> TyperGroup:
+    group = _Families(
+        families,
+        find,
+        terminal,
+        help="Engineering calculations with units, sources and error bounds.\n\n"
+        'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
+        params=[_version_option(terminal), _completion_option(terminal)],
+    )
+    for command in (*COMMANDS, *others):
+        group.commands[command.name] = _plain_command(command, find, families, terminal)
+    return group
+
+
+class _Families(TyperGroup):
+    """The families by name; a family is imported when it is asked for, never for the list of names."""
+
+    def __init__(
+        self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
+    ) -> None:
+        super().__init__(name="dynamics", rich_markup_mode=None, no_args_is_help=True, **rest)
+        self._find = find
+        self._terminal = terminal
+        self._families = families
+        for name, (_, line) in families.items():
+            self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
+
+    def get_command(self, ctx: "Any", cmd_name: str) -> "Any":
+        """The family's commands, built now unless only its line of help is wanted."""
+        if cmd_name not in self._families or (ctx.resilient_parsing and not ctx._protected_args and not ctx.args):
+            return self.commands.get(cmd_name)
+        return build_family(self._find(cmd_name), self._terminal)
+
+    def format_commands(self, ctx: "Any", formatter: "Any") -> None:
+        """List the families by trade, without importing them, and the commands that belong to no trade last."""
+        groups: dict[str, list[tuple[str, str]]] = {}
+        for name, (group, line) in self._families.items():
+            groups.setdefault(group, []).append((name, line))
+        last = list(groups)[-1]
+        groups[last] += [
+            (name, command.get_short_help_str(limit=70))
+            for name, command in self.commands.items()
+            if name not in self._families
+        ]
+        for group, rows in groups.items():
+            with formatter.section(group):
+                formatter.write_dl(rows)
+
+
+def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperGroup":
+    """The command of a lone task, or a group with a command for each task."""
+    if family.alone is not None:
+        return _TaskCommand(family.alone, terminal)
+    group = TyperGroup(name=family.name, help=family.summary, rich_markup_mode=None, no_args_is_help=True)
+    for name, task in family.tasks.items():
+        group.commands[name] = _TaskCommand(task, terminal)
+    return group
+
+
+class _TaskCommand(TyperCommand):
+    """One task; its options and long help are made when first needed, not to list it."""
+
+    def __init__(self, task: Task, terminal: "Terminal") -> None:
+        super().__init__(task.name or task.family, short_help=task.summary, rich_markup_mode=None)
+        self.task = task
+        self.terminal = terminal
+        self.words: list[str] = []
+        self._built = False
+
+    def _build(self) -> None:
+        if not self._built:
+            self._built = True
+            # Where words may be negative numbers, an unknown short option is a word: `convert -40 degC degF`.
+            self.context_settings = {"ignore_unknown_options": bool(self.task.specification.words)}
+            self.help = self.task.summary
+            texts = describe_options(self.task)
+            own = [_option(option, texts, self.task.names.get(name)) for name, option in self.task.options.items()]
+            self.params = [*_arguments(self.task), *own, *_universal_options(self.task)]
+            self.callback = self._carry_out
+
+    def format_help(self, ctx: "Any", formatter: "Any") -> None:
+        """Write our own help: examples first, parameters, results."""
+        from dynamics_cli.core.command.task_help import task_help
+
+        width = max(48, min(self.terminal.columns or 80, 80))
+        formatter.write(task_help(self.task, width, next(iter(self.words), "")))
+
+    def make_context(self, info_name: "str | None", args: "list[str]", parent: "Any" = None, **extra: "Any") -> "Any":
+        """Build the options before typer parses with them."""
+        self._build()
+        self.words = list(args)
+        return super().make_context(info_name, args, parent, **extra)
+
+    def _carry_out(self, **given: "Any") -> int:
+        from dynamics_cli.core.command.execute import execute
+
+        return execute(self.task, _call(self.task, given), self.terminal)
+
+
+def _call(task: Task, given: "dict[str, Any]") -> Call:
+    call = Call()
+    call.words = list(given.pop("words__", None) or ())
+    for word in call.words:
+        if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
+            raise UsageError(f"there is no option {word}", code="unknown-option", hint=_near_option(task, word))
+    for name in UNIVERSAL_OPTIONS:
+        value = given.pop(_variable("setting", name), None)
+        if value:
+            call.settings[name] = _single(name, value, UNIVERSAL_OPTIONS[name][0])
+    for name, option in task.options.items():
+        value = given.pop(_variable("option", name), None)
+        if value:
+            how = "flag" if option.flag else "many" if option.repeats else "value"
+            call.options[name] = _single(name, value, how)
+    return call
+
+
+def _variable(side: str, name: str) -> str:
+    return f"{side}__{name.replace('-', '_')}"
+
+
+def _single(name: str, value: "Any", how: str) -> "Any":
+    if how == "flag":
+        return True
+    if how == "many":
+        return list(value)
+    if value[-1].startswith("--"):
+        raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
+    if len(value) > 1:
+        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
+    return value[0]
+
+
+def _near_option(task: Task, word: str) -> str:
+    from dynamics_cli.core.inputs.suggestions import suggestions
+
+    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
+    return (
+        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
+        if near
+        else f"try: dynamics {task.path} --help"
+    )
+
+
+def _arguments(task: Task) -> "list[TyperArgument]":
+    words = task.specification.words
+    if not words:
+        return []
+    metavar = " ".join(_word_metavar(field) for field in words)
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        return words_that_fit(task, incomplete)
+
+    return [
+        TyperArgument(
+            param_decls=["words__"], nargs=-1, type=str, metavar=metavar, required=False, autocompletion=complete
+        )
+    ]
+
+
+def _word_metavar(field: "Any") -> str:
+    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
+    return f"{name}..." if field.place == "words" else name
+
+
+def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str | None") -> TyperOption:
+    decls = [_variable("option", option.name), f"--{option.name}"]
+    text = option_help(option, texts)
+    choice = option.leaf.choice if option.leaf is not None else None
+    if option.flag:
+        return TyperOption(param_decls=decls, is_flag=True, default=False, help=text)
+    return TyperOption(
+        param_decls=decls,
+        multiple=True,
+        type=str,
+        metavar=placeholder(option),
+        help=text,
+        autocompletion=completer_of(names or (choice.names if choice else ())),
+    )
+
+
+def _universal_options(task: Task) -> "list[TyperOption]":
+    made = []
+    known = {
+        "format": FORMATS,
+        "units": SYSTEMS,
+        "method": METHODS,
+        "model": tuple(model.key for model in task.models),
+        "jobs": ("all",),
+        "sweep": tuple(f"{name}=" for name, option in task.options.items() if option.leaf and not option.flag),
+    }
+    for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
+        if name == "template" and not takes_scene(task):
+            continue
+        decls = [_variable("setting", name), f"--{name}"]
+        if how == "flag":
+            made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
+        else:
+            complete = result_completer(task) if name in ("to", "limit") else completer_of(known.get(name, ()))
+            made.append(
+                TyperOption(
+                    param_decls=decls, multiple=True, type=str, metavar=metavar, help=text, autocompletion=complete
+                )
+            )
+    return made
+
+
+def _version_option(terminal: "Terminal") -> TyperOption:
+    def show(context: "Any", parameter: "Any", value: bool) -> None:
+        if value and not context.resilient_parsing:
+            terminal.write(f"dynamics {__version__}\n")
+            context.exit()
+
+    return TyperOption(
+        param_decls=["--version"],
+        is_flag=True,
+        is_eager=True,
+        expose_value=False,
+        callback=show,
+        help="Show the version.",
+    )
+
+
+def _completion_option(terminal: "Terminal") -> TyperOption:
+    def show(context: "Any", parameter: "Any", value: str | None) -> None:
+        if value and not context.resilient_parsing:
+            if value not in SHELLS:
+                raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
+            script = get_completion_script(prog_name="dynamics", complete_var="_DYNAMICS_COMPLETE", shell=value)
+            terminal.write(script + "\n")
+            context.exit()
+
+    return TyperOption(
+        param_decls=["--show-completion"],
+        type=str,
+        metavar="SHELL",
+        is_eager=True,
+        expose_value=False,
+        callback=show,
+        help="Print the completion script of bash, zsh or fish.",
+    )
+
+
+def _plain_command(
+    command: Command, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
+) -> TyperCommand:
+    """A command that is no task."""
+
+    def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
+        options = {
+            name: "yes" if value is True else _single(name, value, "value") for name, value in given.items() if value
+        }
+        command.carry_out(words, options, families, find, terminal)
+        return 0
+
+    def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
+        before = context.params.get("words") or context.args
+        return [word for word in completions(command, before, families, find) if word.startswith(incomplete)]
+
+    words = TyperArgument(param_decls=["words"], nargs=-1, type=str, metavar=command.metavar, autocompletion=complete)
+    options = [
+        TyperOption(
+            param_decls=[option.name, f"--{option.name}"],
+            multiple=bool(option.metavar),
+            type=str if option.metavar else bool,
+            is_flag=not option.metavar,
+            metavar=option.metavar or None,
+            help=option.text,
+            autocompletion=completer_of(option.names),
+        )
+        for option in command.options
+    ]
+    return TyperCommand(
+        command.name,
+        help="\n\n".join(filter(None, (command.line, command.more, f"Example: {command.example}"))),
+        short_help=command.line,
+        params=[words, *options],
+        callback=carry_out,
+        rich_markup_mode=None,
+    )

@@ -1,0 +1,36 @@
+"""What reading one leaf needs to know of the whole call, and what it leaves behind: notes, files, distributions."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
+    from dynamics_cli.quantities import Kind
+
+
+class Token(str):
+    """A bare number as it stood in JSON or TOML: its text, so that it is read exactly and once."""
+
+    __slots__ = ()
+
+
+class Context:
+    """The environment, the folder files are found in, default units; notes, files and distributions met on the way."""
+
+    def __init__(self, environ: "Mapping[str, str]", folder: str = "") -> None:
+        self.environ = environ
+        self.folder = folder
+        self.notes: list[str] = []
+        self.files: list[dict[str, Any]] = []
+        # Distributions by address; None where only certain values are taken.
+        self.uncertain: dict[str, Distribution] | None = None
+        # Texts that may refer to files; None: all may.
+        self.references: tuple[str, ...] | None = None
+        # Which inputs are results of earlier documents: file, address there, and its covariance.
+        self.origins: dict[str, tuple[str, str, Any]] = {}
+        self.default_units: Mapping[str, str] = {}
+
+    def default_unit(self, kind: "Kind") -> str:
+        """The unit that `[units]` gives to bare numbers of this kind, or nothing."""
+        return self.default_units.get(kind.name, "")

@@ -1,0 +1,340 @@
+"""One leaf of the input, from text or JSON to a bound value, as its kind says it is to be read."""
+
+from dynamics_cli.core.inputs.context import Token
+from dynamics_cli.core.inputs.quantity_text import (
+    is_uncertain,
+    number_end,
+    read_amount,
+    read_fraction,
+    read_scalar,
+    split_list,
+    total,
+)
+from dynamics_cli.core.inputs.values import Bound, Constant, Value, VectorValue
+from dynamics_cli.core.units.conversion import nearest
+from dynamics_cli.errors import UsageError
+from dynamics_cli.quantities import Count, Kind
+from dynamics_cli.records import ExactQuantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.core.inputs.context import Context
+    from dynamics_cli.core.inputs.specification import Leaf, Many
+
+# How a flag is written where only text can be: a cell of a table, a value of `name=value, …`.
+FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
+
+
+def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bound:
+    """Bind one leaf; raises UsageError, whose parameter the caller fills in."""
+    if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
+        from dynamics_cli.core.inputs.sources.references import resolve
+
+        raw = resolve(raw, context, address)
+    if leaf.choice is not None:
+        return _choice(leaf, raw)
+    read = _FORMS.get(leaf.kind.form, _scalar)
+    return read(leaf.kind, raw, address, context)
+
+
+def split_items(node: "Many", value: "Any") -> "list[Any]":
+    """The items of a list given as JSON, as repeated options, or as one text with commas and a trailing unit."""
+    if isinstance(value, list | tuple):
+        return list(value)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return [{**value, "value": item} for item in value["value"]]
+    if isinstance(value, str) and not isinstance(value, Token):
+        form = getattr(getattr(node.item, "kind", None), "form", "")
+        items = split_list(value)
+        return _share_unit(items) if form in ("scalar", "slope") else items
+    return [value]
+
+
+def _share_unit(items: "list[str]") -> "list[str]":
+    """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
+    if not items:
+        return items
+    unit = _unit_after(items[-1].strip())
+    if not unit:
+        return items
+    return [item if _has_unit(item) else f"{item} {unit}" for item in map(str.strip, items)]
+
+
+def _unit_after(text: str) -> str:
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
+
+        return trailing_unit(text)
+    return text[number_end(text, 0) :].strip()
+
+
+def _has_unit(text: str) -> bool:
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import has_unit
+
+        return has_unit(text)
+    return bool(text[number_end(text, 0) :].strip())
+
+
+def _text_of(kind: Kind, raw: "Any") -> str:
+    """A scalar's text, from text, a bare number or a value–unit pair."""
+    if isinstance(raw, bool):
+        raise UsageError(f"read {str(raw).lower()}, wanted {_wanted(kind)}", hint=f"for example {kind.example!r}")
+    if isinstance(raw, dict):
+        unknown = sorted(set(raw) - _PAIR_KEYS)
+        if "value" not in raw or unknown:
+            raise UsageError(
+                f"read an object with {', '.join(raw) or 'nothing'}, wanted value and unit",
+                hint=f'for example {{"value": 60, "unit": "{kind.unit}"}}',
+            )
+        if raw["value"] is None:
+            raise UsageError("read null: that earlier result does not exist", code="no-value")
+        if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
+            units = str(raw["unit"]).split(";")
+            if len(units) != len(raw["value"]):
+                raise UsageError(
+                    f"read {len(raw['value'])} numbers of {len(units)} units", hint="one number for each unit"
+                )
+            parts = zip(raw["value"], units, strict=True)
+            return " ".join(f"{number} {unit}" for number, unit in parts)
+        unit = str(raw.get("unit") or "")
+        if isinstance(raw["value"], dict) or (unit[:1].isdigit() and not unit.startswith("1/")):
+            raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
+        return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
+    if isinstance(raw, int | float):
+        return repr(raw)
+    if not isinstance(raw, str):
+        raise UsageError(f"read {_brief(raw)}, wanted {_wanted(kind)}", hint=f"for example {kind.example!r}")
+    return raw
+
+
+# What a result of an earlier document may carry beside value and unit.
+_PAIR_KEYS = {"value", "unit", "symbol", "mean", "median", "std", "interval", "coverage"}
+
+
+def _wanted(kind: Kind) -> str:
+    return f"{kind.about or kind.name}, in {kind.unit}" if kind.unit else (kind.about or kind.name)
+
+
+def _brief(raw: object) -> str:
+    text = repr(raw)
+    return text if len(text) <= 60 else text[:57] + "…"
+
+
+def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
+    """The scene's unit for a bare number; text says its unit itself, on the command line above all."""
+    numbers = raw if isinstance(raw, list) else [raw]
+    bare = all(isinstance(number, Token | list) for number in numbers)
+    return context.default_unit(kind) if bare else ""
+
+
+def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
+    return _number(kind, raw, address, context, _default_unit(kind, raw, context))
+
+
+def _number(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
+    """A number or, where these are taken, a distribution."""
+    if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw):
+        return _uncertain(kind, raw, address, context, default_unit)
+    text = _text_of(kind, raw)
+    try:
+        reading = read_scalar(text, kind, default_unit)
+    except UsageError as error:
+        if error.code != "uncertain" or context.uncertain is None:
+            raise
+        return _uncertain(kind, text, address, context, default_unit)
+    context.notes.extend(f"{address}: {note}" for note in reading.notes)
+    return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
+
+
+def _is_distribution(raw: "Any") -> bool:
+    """Whether JSON is repeated readings, names a distribution, or has a standard uncertainty or an interval."""
+    if isinstance(raw, list):
+        return len(raw) > 1
+    return any(raw.get(key) is not None for key in ("distribution", "std", "interval"))
+
+
+def _uncertain(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
+    from dynamics_cli.core.inputs.uncertain.values import read_uncertain
+
+    bound, notes = read_uncertain(kind, raw, address, default_unit)
+    context.notes.extend(f"{address}: {note}" for note in notes)
+    assert context.uncertain is not None
+    context.uncertain[address] = bound.distribution
+    return bound
+
+
+def _whole(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    reading = read_scalar(_text_of(kind, raw), kind)
+    return Constant(int(reading.si), {"value": reading.value})
+
+
+def _range(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    ends = raw if isinstance(raw, list) else _text_of(kind, raw).split("..")
+    if len(ends) != 2:
+        raise UsageError(f"read {_brief(raw)}, wanted {kind.about}", code="range", hint=f"for example {kind.example}")
+    first, last = (int(read_scalar(_text_of(kind, end).strip(), Count).si) for end in ends)  # type: ignore[arg-type]
+    if first > last:
+        raise UsageError(
+            f"read {first}..{last}, which ends below its start", code="range", hint=f"for example {last}..{first}"
+        )
+    return Constant((first, last), f"{first}..{last}")
+
+
+def _flag(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    own = FLAGS.get(raw.strip().lower()) if isinstance(raw, str) and not isinstance(raw, Token) else raw
+    if not isinstance(own, bool):
+        raise UsageError(f"read {_brief(raw)}, wanted true or false")
+    return Constant(own, own)
+
+
+def _text(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    if not isinstance(raw, str) or isinstance(raw, Token):
+        raise UsageError(f"read {_brief(raw)}, wanted {kind.about or 'text'}")
+    if any(ord(character) < 32 or ord(character) == 127 for character in raw):
+        raise UsageError(f"read {raw!r}, which has control characters; wanted {kind.about or 'text'}")
+    return Constant(str(raw), str(raw))
+
+
+def _file(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    import os
+
+    from dynamics_cli.core.inputs.sources.hashes import entry_of_file
+
+    name = _text(kind, raw, address, context).echo()
+    path = name if os.path.isabs(name) else os.path.join(context.folder, name)
+    if not os.path.exists(path):
+        raise UsageError(
+            f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
+        )
+    if not os.path.isfile(path):
+        what = "is a directory" if os.path.isdir(path) else "is a pipe or a device, which cannot be read twice"
+        raise UsageError(f"{name!r} {what}", code="no-file", hint="give a file")
+    try:
+        context.files.append(entry_of_file(path))
+    except OSError as error:
+        raise UsageError(f"cannot read {name!r}: {error.strerror or error}", code="unreadable") from None
+    return Constant(path, name)
+
+
+def _choice(leaf: "Leaf", raw: "Any") -> Bound:
+    assert leaf.choice is not None
+    names = leaf.choice.names
+    if not isinstance(raw, str):
+        raise UsageError(f"read {_brief(raw)}, wanted one of {', '.join(names)}")
+    try:
+        chosen = leaf.choice(raw)
+    except ValueError:
+        from dynamics_cli.core.units.near_names import nearest_words
+
+        near = nearest_words(raw, (*names, *leaf.choice.aliases))
+        hint = f"did you mean {' or '.join(near)}?" if near else None
+        raise UsageError(
+            f"read {_brief(raw)}, wanted one of {', '.join(names)}", code="unknown-choice", hint=hint
+        ) from None
+    return Constant(chosen, str(chosen))
+
+
+def _fraction(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    text = _text_of(kind, raw)
+    return Constant(read_fraction(text), {"value": text.strip()})
+
+
+def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    text = _text_of(kind, raw)
+    if is_uncertain(text):
+        raise UsageError(
+            f"{_brief(text)} is an uncertain value; a conversion is of one exact number",
+            code="uncertain",
+            hint=f"write one number, for example {kind.example}",
+        )
+    amount = read_amount(text)
+    if len(amount.parts) == 1:
+        numerator, denominator, unit = amount.parts[0]
+    else:
+        numerator, denominator, last = total(amount)
+        unit = last.text
+    value = ExactQuantity(numerator, denominator, unit, text)
+    shown = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
+    return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
+
+
+def _items(kind: Kind, raw: "Any") -> "list[Any]":
+    """The components of a vector, as raw input each."""
+    if isinstance(raw, dict) and isinstance(raw.get("value"), list):
+        if any(raw.get(key) is not None for key in ("distributions", "std", "interval")):
+            from dynamics_cli.core.inputs.uncertain.vectors import component_items
+
+            return component_items(raw, kind.size)
+        unit = str(raw.get("unit") or "")
+        return [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
+    if isinstance(raw, list):
+        return raw
+    text = _text_of(kind, raw).strip()
+    return _share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
+
+
+def _vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
+    items = _items(kind, raw)
+    if len(items) != kind.size:
+        raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
+    default_unit = _default_unit(kind, raw, context)
+    parts = [_number(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
+    units = {part.unit for part in parts}
+    si = tuple(part.si for part in parts)
+    shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
+    if all(type(part) is Value for part in parts):
+        return VectorValue(address, kind, si, shown, unit)
+    from dynamics_cli.core.inputs.uncertain.vectors import UncertainVector
+
+    if address in context.origins:
+        document, result, covariance = context.origins.pop(address)
+        context.origins |= {f"{address}[{i}]": (document, f"{result}[{i}]", covariance) for i in range(kind.size)}
+    return UncertainVector(address, kind, si, shown, unit, parts)
+
+
+def _planar(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
+    if isinstance(raw, dict) and "magnitude" in raw and "direction" in raw:
+        size, direction = raw["magnitude"], raw["direction"]
+    elif isinstance(raw, str) and "@" in raw:
+        size, _, direction = (part.strip() for part in raw.partition("@"))
+    else:
+        return _vector(kind, raw, address, context)
+    from dynamics_cli.numerics.turns import turned
+    from dynamics_cli.quantities import Angle
+
+    magnitude = _number(kind, size, f"{address}.magnitude", context, "")
+    angle = _number(Angle, direction, f"{address}.direction", context, "")  # type: ignore[arg-type]
+    if type(magnitude) is not Value or type(angle) is not Value:
+        from dynamics_cli.core.inputs.uncertain.vectors import PolarVector
+
+        return PolarVector(address, kind, magnitude, angle)
+    cosine, sine = turned(angle.si)
+    components = (magnitude.si * cosine, magnitude.si * sine)
+    return VectorValue(address, kind, components, list(components), kind.unit)
+
+
+def _tensor(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    from dynamics_cli.core.inputs.tensors import read_tensor
+
+    return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, raw, context)))
+
+
+_FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
+    "scalar": _scalar,
+    "slope": _scalar,
+    "whole": _whole,
+    "range": _range,
+    "flag": _flag,
+    "text": _text,
+    "unit": _text,
+    "file": _file,
+    "fraction": _fraction,
+    "exact": _exact,
+    "vector": _vector,
+    "planar": _planar,
+    "tensor": _tensor,
+}

@@ -1,0 +1,113 @@
+"""The names of the command line: a specification flattened to options."""
+
+from dynamics_cli.core.inputs.specification import (
+    FLAG,
+    PLAIN_TEXT,
+    REQUIRED,
+    Field,
+    Leaf,
+    Many,
+    OneOf,
+    Record,
+    Tagged,
+    members_of,
+)
+from dynamics_cli.records import Choice
+
+
+class Option:
+    """One name on the command line: `--first-mass`, and the path of keys its value goes to in the input."""
+
+    __slots__ = ("default", "group", "leaf", "name", "path", "required")
+
+    def __init__(
+        self, name: str, path: "tuple[str, ...]", leaf: Leaf | None, *, group: str = "", default: object, required: bool
+    ) -> None:
+        self.name = name
+        self.path = path
+        self.leaf = leaf
+        self.group = group
+        self.default = default
+        self.required = required
+
+    @property
+    def flag(self) -> bool:
+        """Whether the option takes no value."""
+        return self.leaf is not None and self.leaf.kind is FLAG
+
+    @property
+    def repeats(self) -> bool:
+        """Whether the option may be given several times: `--segment …`."""
+        return self.leaf is None
+
+
+def kebab(name: str) -> str:
+    """`end_speed` and `TestSkid` as the command line writes them: `end-speed`, `test-skid`."""
+    text = "".join("-" + c.lower() if c.isupper() else c for c in name)
+    return text.strip("-_").replace("_", "-")
+
+
+def options(fields: "tuple[Field, ...]") -> "dict[str, Option]":
+    """Every option of a task by its name, positionals apart."""
+    found: dict[str, Option] = {}
+    for field in fields:
+        if not field.place:
+            _spread_options(field, (), found, (), field.required)
+        elif isinstance(field.node, Record):
+            # A scene: what options say stands over what its file says.
+            _record_options(field.node, (), found, (), False)
+        elif isinstance(field.node, Tagged):
+            for member in field.node.members.values():
+                for inner in member.fields:
+                    _spread_options(inner, (), found, (member.cls,), False)
+    return found
+
+
+def _spread_options(
+    field: Field, prefix: "tuple[str, ...]", found: "dict[str, Option]", inside: "tuple[type, ...]", required: bool
+) -> None:
+    node = field.node
+    path = (*prefix, field.key)
+    name = kebab("_".join(path))
+    if isinstance(node, Leaf) or (isinstance(node, Many) and isinstance(node.item, Leaf)):
+        leaf = node if isinstance(node, Leaf) else node.item
+        if name not in found:
+            found[name] = Option(name, path, leaf, default=field.default, required=required)  # type: ignore[arg-type]
+    elif isinstance(node, Record):
+        _record_options(node, path, found, inside, required)
+    elif isinstance(node, OneOf):
+        for member in node.members:
+            _record_options(member, prefix, found, inside, False)
+    elif isinstance(node, Tagged):
+        key_path = (*prefix, node.key)
+        key_name = kebab("_".join(key_path))
+        found[key_name] = Option(key_name, key_path, _tag_leaf(node), default=REQUIRED, required=required)
+        for member in node.members.values():
+            _record_options(member, prefix, found, inside, False)
+    else:
+        item = members_of(node.item)
+        if node.single:
+            for member in item:
+                _record_options(member, prefix, found, inside, required)
+        if not node.columns:
+            group = kebab(item[0].cls.__name__) if len(item) == 1 else name
+            group = kebab("_".join((*prefix, group)))
+            found[group] = Option(group, path, None, group=name, default=(), required=False)
+
+
+def _tag_leaf(node: Tagged) -> Leaf:
+    """The leaf of the option that chooses among tagged records: their names are its values."""
+    return Leaf(PLAIN_TEXT, type(node.key, (Choice,), {"names": tuple(node.members)}))
+
+
+def _record_options(
+    record: Record,
+    prefix: "tuple[str, ...]",
+    found: "dict[str, Option]",
+    inside: "tuple[type, ...]",
+    required: bool,
+) -> None:
+    if record.cls in inside:
+        return  # a tree of records within itself is a scene: it is read from a file
+    for field in record.fields:
+        _spread_options(field, prefix, found, (*inside, record.cls), required and field.required)

@@ -1,0 +1,342 @@
+"""The text of quantities: `60 mph`, `-40degC`, `5 ft 6 in`, `-3 %`, `365.2422/27.3217`, read exactly.
+
+A number here is a plain decimal and nothing else: `float` would take `nan`, `1_000` and `٣`, and make 1e400 infinite.
+A refusal says what was read, what was wanted and the remedy; which parameter it was, the caller adds.
+"""
+
+from dynamics_cli.core.units.conversion import lowest, nearest, to_si
+from dynamics_cli.core.units.lookup import parse_unit
+from dynamics_cli.core.units.unit import NONE, NUMBER, Unit, conformable
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn
+
+    from dynamics_cli.quantities import Kind
+
+DIGITS = "0123456789"
+SIGNS = "+-−"
+LONGEST_NUMBER = 400
+LONGEST_TEXT = 1000
+# Beyond it no unit brings a number back into the range of a double.
+BEYOND = "beyond the range of a double (about 1.8e308)"
+HIGHEST_EXPONENT = 999
+MOST_PARTS = 6
+EXACT_INTEGERS = 2**53
+# After one of these a number goes on with the unit's text; elsewhere, after a space, it begins a new part.
+JOINING = "/^*·⋅∙×(-−+"
+ARC_SIGNS = "°′″"
+NO_UNIT = "it has no unit"
+# What a text has that may be in one of the forms of `typed_forms`.
+FORM_MARKS = "'\"’‘”“:,+"
+OPENING = "([{"
+CLOSING = ")]}"
+UNCERTAIN_SIGNS = ("±", "+/-", "+-", "..")
+DISTRIBUTIONS = ("normal", "uniform", "lognormal", "triangular", "truncated", "beta", "empirical", "readings")
+ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
+
+
+class Amount:
+    """Numbers with their units as written, exact: (numerator, denominator, unit) for each part.
+
+    `plain` says that the last number was written without a point or an exponent, `added` that parts were joined by a
+    plus, so that they need not get smaller.
+    """
+
+    __slots__ = ("added", "parts", "plain", "text")
+
+    def __init__(self, parts: tuple[tuple[int, int, str], ...], text: str, plain: bool, *, added: bool = False) -> None:
+        self.parts = parts
+        self.added = added
+        self.text = text
+        self.plain = plain
+
+
+class Reading:
+    """One scalar as read: its SI value, the number and the unit as written, and what had to be decided."""
+
+    __slots__ = ("notes", "si", "unit", "value")
+
+    def __init__(self, si: float, value: float, unit: str, notes: tuple[str, ...] = ()) -> None:
+        self.si = si
+        self.value = value
+        self.unit = unit
+        self.notes = notes
+
+
+def read_number(text: str) -> tuple[int, int]:
+    """Read a plain decimal number (`-1.5e3`, `.5`, `5.`) as an exact ratio, not reduced."""
+    if text.isdigit() and text.isascii() and len(text) <= LONGEST_NUMBER:
+        return int(text), 1
+    if len(text) > LONGEST_NUMBER:
+        raise _not_a_number(text, f"it has more than {LONGEST_NUMBER} characters")
+    body = text[1:] if text[:1] and text[0] in SIGNS else text
+    mark = "e" if "e" in body else "E"
+    mantissa, marked, power = body.partition(mark)
+    whole, _, broken = mantissa.partition(".")
+    digits = whole + broken
+    power_digits = power[1:] if power[:1] and power[0] in SIGNS else power
+    if not _all_digits(digits) or (marked and not _all_digits(power_digits)):
+        raise _not_a_number(text)
+    exponent = int(power_digits) if marked else 0
+    if exponent > HIGHEST_EXPONENT:
+        small = power[:1] in ("-", "−")
+        limit = "too close to zero for a double (about 5e-324)" if small else BEYOND
+        raise UsageError(f"{_show(text)} is {limit}", code="range")
+    exponent = (-exponent if power[:1] and power[0] in "-−" else exponent) - len(broken)
+    numerator = -int(digits) if text[0] in "-−" else int(digits)
+    return (numerator * 10**exponent, 1) if exponent >= 0 else (numerator, 10**-exponent)
+
+
+def read_amount(text: str) -> Amount:
+    """Read numbers with units: `60 mph`, `60mph`, `5 ft 6 in`, `3° 20′`, or a bare number.
+
+    A new part begins at a number after a space (or after °, ′, ″). The sign of the first part is the sign of all, and
+    every part of the answer carries it; `-5 ft -6 in`, as a document writes it, is the same value.
+    """
+    body = text.strip()
+    if len(body) > LONGEST_TEXT:
+        raise UsageError(f"{_show(body)} is too long for a quantity", code="syntax")
+    if not any(mark in body for mark in FORM_MARKS):
+        return _amount(body, text)
+    from dynamics_cli.core.inputs.typed_forms import plain_text, summands
+
+    several = summands(plain_text(body))
+    if len(several) == 1:
+        return _amount(several[0], text)
+    amounts = [_amount(part.strip(), text) for part in several]
+    parts = tuple(part for amount in amounts for part in amount.parts)
+    return Amount(parts, text, all(amount.plain for amount in amounts), added=True)
+
+
+def _amount(body: str, text: str) -> Amount:
+    parts: list[tuple[int, int, str]] = []
+    at = 0
+    plain, negative = True, body[:1] in ("-", "−")
+    while at < len(body):
+        end = number_end(body, at)
+        if end == at or len(parts) == MOST_PARTS:
+            raise _not_a_number(body, "it does not begin with a number" if not parts else "")
+        token = body[at:end]
+        if parts and token[0] in SIGNS and (token[0] == "+" or not (negative or all(not part[0] for part in parts))):
+            hint = "the sign before 5 ft 6 in is the sign of all of it; powers are written m^-1"
+            raise UsageError(f"{_show(body)} has a sign inside", code="syntax", hint=hint)
+        if end < len(body) - 1 and body[end] in ",_'’" and body[end + 1] in DIGITS:
+            raise _not_a_number(body[at:].split(" ")[0])
+        numerator, denominator = read_number(token)
+        plain = "." not in token and "e" not in token and "E" not in token
+        if plain and "/" in body and body[body.index("/") + 1 :][:1] in tuple(DIGITS):
+            from dynamics_cli.core.inputs.typed_forms import with_fraction
+
+            numerator, denominator, end = with_fraction(body, at, end, numerator)
+            plain = denominator == 1
+        at = _unit_end(body, end)
+        parts.append((-abs(numerator) if negative else numerator, denominator, body[end:at].strip()))
+    if not parts:
+        raise UsageError("the quantity is empty", code="syntax")
+    return Amount(tuple(parts), text, plain)
+
+
+def total(amount: Amount, wanted: Unit | None = None) -> tuple[int, int, Unit]:
+    """Give an amount as one exact number of one unit: the last part's, of which the parts are added up.
+
+    Whether the unit fits `wanted` is left to the caller; `wanted` only chooses among a unit's readings.
+    """
+    if len(amount.parts) == 1:
+        numerator, denominator, text = amount.parts[0]
+        return numerator, denominator, parse_unit(text, wanted)
+    from dynamics_cli.core.units.compound import joined
+
+    return joined(amount.parts, wanted, added=amount.added)
+
+
+def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
+    """Read one certain value of a kind, check its unit and its bounds, and give it in SI, rounded once.
+
+    `default_unit` stands in where none is written, as in a table whose header names the unit.
+    """
+    try:
+        return _scalar(read_amount(text), kind, default_unit)
+    except UsageError as error:
+        if is_uncertain(text):
+            raise UsageError(
+                f"{_show(text)} is an uncertain value; a certain one is wanted here",
+                code="uncertain",
+                hint=f"write one number, for example {kind.example}",
+            ) from None
+        if error.message == NO_UNIT:
+            hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
+            raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
+        article = "an" if kind.name[:1] in tuple("aeiou") else "a"
+        raise UsageError(
+            f"{_show(text)} is not {article} {kind.name}: {error.message}",
+            code=error.code,
+            hint=f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}",
+        ) from None
+
+
+def is_uncertain(text: str) -> bool:
+    """Whether a text is written as a distribution: `0.72 ± 0.04`, `0.65..0.75`, `lognormal(…)`, `[0.71, 0.74]`."""
+    if text.lstrip().startswith("[") or any(sign in text for sign in UNCERTAIN_SIGNS):
+        return True
+    name, opened, _ = text.partition("(")
+    return opened == "(" and name.strip().lower() in DISTRIBUTIONS
+
+
+def read_fraction(text: str) -> tuple[int, int]:
+    """Read an exact ratio of two decimal numbers (`365.2422/27.3217`) or one number, in lowest terms."""
+    up, divided, down = text.partition("/")
+    numerator, over = read_number(up.strip())
+    if not divided:
+        return lowest(numerator, over)
+    denominator, under = read_number(down.strip())
+    if not denominator:
+        raise UsageError(f"{_show(text)} divides by zero", code="number", hint="example: 365.2422/27.3217")
+    return lowest(numerator * under, denominator * over)
+
+
+def split_list(text: str) -> list[str]:
+    """Split at the commas outside brackets and quotes; a quote opens only where an item or a value begins."""
+    items, start, quote, before = [], 0, "", ","
+    open_brackets = ""
+    for at, character in enumerate(text):
+        if quote:
+            quote = "" if character == quote else quote
+        elif character in "\"'" and before in ",=:([{":
+            quote = character
+        elif character in OPENING:
+            open_brackets += CLOSING[OPENING.index(character)]
+        elif character in CLOSING:
+            if not open_brackets.endswith(character):
+                raise UsageError(f"{_show(text)}: {character!r} has no opening bracket", code="syntax")
+            open_brackets = open_brackets[:-1]
+        elif character == "," and not open_brackets:
+            items.append(text[start:at].strip())
+            start = at + 1
+        before = before if character.isspace() else character
+    if quote or open_brackets:
+        missing = quote or open_brackets[-1]
+        raise UsageError(f"{_show(text)}: a closing {missing} is missing", code="syntax")
+    items.append(text[start:].strip())
+    if not all(items):
+        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by one comma each")
+    return items
+
+
+def split_pairs(text: str) -> dict[str, str]:
+    """Split `distance=60 ft, friction=0.7` into names and values; quotes around a whole value are taken off."""
+    pairs: dict[str, str] = {}
+    for item in split_list(text):
+        name, equals, value = (part.strip() for part in item.partition("="))
+        if not (equals and name and value):
+            hint = "example: distance=60 ft, friction=0.7"
+            raise UsageError(f"read {_show(item)}, wanted NAME=VALUE", code="syntax", hint=hint)
+        if name in pairs:
+            raise UsageError(f"{_show(name)} is given twice in {_show(text)}", code="syntax")
+        quoted = len(value) > 1 and value[0] in "\"'" and value[-1] == value[0]
+        pairs[name] = value[1:-1] if quoted else value
+    return pairs
+
+
+def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
+    numerator, denominator, written = amount.parts[0]
+    if default_unit and not written and len(amount.parts) == 1:
+        amount = Amount(((numerator, denominator, default_unit),), amount.text, amount.plain)
+    wanted = parse_unit(kind.unit) if kind.unit else NUMBER
+    numerator, denominator, unit = total(amount, wanted)
+    if kind.form == "slope" and unit.dimension == ANGLE:
+        si = _tangent(numerator, denominator, unit)
+    elif not conformable(unit, wanted):
+        _mismatch(unit, wanted, amount)
+    else:
+        si = to_si(numerator, denominator, unit)
+    if limit := kind.outside(si):
+        raise UsageError(f"it must be {limit}{kind.unit and ' '}{kind.unit}", code="bounds")
+    if kind.form == "whole":
+        if unit.text or numerator % denominator:
+            raise UsageError("it is not a whole number", code="whole")
+        if abs(numerator // denominator) > EXACT_INTEGERS:
+            raise UsageError(f"it must be at most {EXACT_INTEGERS}", code="bounds")
+        return Reading(si, numerator // denominator, "")
+    return Reading(si, _as_written(numerator, denominator, amount), unit.text, unit.notes)
+
+
+def _as_written(numerator: int, denominator: int, amount: Amount) -> float:
+    if denominator == 1 and amount.plain and -EXACT_INTEGERS < numerator < EXACT_INTEGERS:
+        return numerator
+    return nearest(numerator, denominator)
+
+
+def _tangent(numerator: int, denominator: int, unit: Unit) -> float:
+    from dynamics_cli.numerics.elementary import tan
+
+    radians = to_si(numerator, denominator, unit)
+    # 90 degrees rounds to a double just below the right angle, so degrees are compared exactly.
+    upright = 2 * abs(numerator) * unit.numerator >= denominator * unit.denominator if unit.pi == 1 else False
+    if upright or abs(radians) > 1.5707963267948966:
+        raise UsageError("a slope of 90 deg or more has no rise over run", code="bounds")
+    return tan(radians)
+
+
+def _mismatch(unit: Unit, wanted: Unit, amount: Amount) -> "NoReturn":
+    if unit.dimension == NONE and not amount.parts[-1][2]:
+        raise UsageError(NO_UNIT, code="missing-unit", hint="write the number with its unit")
+    from dynamics_cli.core.units.names import explain_mismatch
+
+    message, hint = explain_mismatch(unit, wanted)
+    raise UsageError(message, code="kind", hint=hint)
+
+
+def number_end(text: str, at: int) -> int:
+    """Find the end of the number that begins here: sign, digits and points, and an exponent only with its digits."""
+    end = at + 1 if text[at] in SIGNS else at
+    start = end
+    while end < len(text) and text[end] in "0123456789.":
+        end += 1
+    if end == start or not any(character in DIGITS for character in text[start:end]):
+        return at
+    if text[end : end + 1] in ("e", "E"):
+        digits = end + 2 if text[end + 1 : end + 2] and text[end + 1] in SIGNS else end + 1
+        stop = digits
+        while stop < len(text) and text[stop] in DIGITS:
+            stop += 1
+        if stop > digits:
+            return stop
+    return end
+
+
+def _unit_end(text: str, start: int) -> int:
+    """Find where the unit that begins here ends: before the next number that begins a part."""
+    before = ""
+    for at in range(start, len(text)):
+        character = text[at]
+        if character.isspace():
+            continue
+        apart = text[at - 1].isspace() or before in ARC_SIGNS
+        if before and apart and before not in JOINING and number_end(text, at) > at:
+            return at
+        if before.isalpha() and character in DIGITS and not apart:
+            from dynamics_cli.core.inputs.typed_forms import after_unit
+
+            if after_unit(text, start, at):
+                return at
+        before = character
+    return len(text)
+
+
+def _all_digits(text: str) -> bool:
+    return text.isascii() and text.isdigit()
+
+
+def _not_a_number(text: str, why: str = "") -> UsageError:
+    hint = None
+    if "," in text or "_" in text or "'" in text:
+        hint = "write 1.5 with a point, and thousands without a separator: 1000"
+    return UsageError(f"{_show(text)} is not a decimal number{why and ': '}{why}", code="number", hint=hint)
+
+
+def _show(text: str) -> str:
+    from dynamics_cli.core.units.expressions import show
+
+    return show(text)

@@ -1,0 +1,251 @@
+"""Inputs, from whatever a user wrote, to a tree of bound values; every bad parameter is reported, not just the first.
+
+The raw input is a nest of dictionaries and lists whose ends are text (`"60 ft"`), `Token` (a bare JSON number, kept as
+its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth values or None.
+"""
+
+from dynamics_cli.core.inputs.context import Context, Token
+from dynamics_cli.core.inputs.leaves import read_leaf, split_items
+from dynamics_cli.core.inputs.options import kebab
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.values import Bound, Fields, Several
+from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+    from typing import Any
+
+    from dynamics_cli.core.inputs.specification import Node
+
+    Raw = Mapping[str, Any]
+
+
+class Reader(Context):
+    """Reads raw input against a specification; collects errors."""
+
+    def __init__(
+        self, environ: "Mapping[str, str]", *, folder: str = "", units: "Mapping[str, str] | None" = None
+    ) -> None:
+        super().__init__(environ, folder)
+        self.units = units or {}
+        self.errors: list[DynamicsError] = []
+        if units:
+            from dynamics_cli.core.inputs.default_units import default_units
+
+            self.default_units = default_units(units)
+
+    def read(self, fields: "tuple[Field, ...]", raw: "Raw") -> Fields:
+        """Every parameter of a task; raises all errors together."""
+        bound = self._object(fields, raw, "")
+        if len(self.errors) == 1:
+            raise self.errors[0]
+        if self.errors:
+            raise ManyErrors(self.errors)
+        return Fields(None, bound)
+
+    def _fail(self, address: str, message: str, *, code: str = "usage", hint: str | None = None) -> None:
+        self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))
+
+    def _object(self, fields: "tuple[Field, ...]", raw: "Raw", address: str) -> "dict[str, Bound]":
+        bound: dict[str, Bound] = {}
+        known: set[str] = set()
+        for field in fields:
+            known.update(_keys(field))
+            made = self._field(field, raw, address)
+            if made is not None:
+                bound[field.name] = made
+        for key in raw:
+            if key not in known:
+                self._unknown(key, known, address)
+        return bound
+
+    def _unknown(self, key: str, known: "Iterable[str]", address: str) -> None:
+        from dynamics_cli.core.inputs.suggestions import suggestions
+
+        near = suggestions(key, known)
+        hint = f"did you mean {' or '.join(near)}?" if near else f"known here: {', '.join(sorted(known)) or 'nothing'}"
+        self._fail(_join(address, key), f"there is no parameter {key!r}", code="unknown-parameter", hint=hint)
+
+    def _field(self, field: Field, raw: "Raw", address: str) -> Bound | None:
+        node = field.node
+        if isinstance(node, Record) and field.place:
+            given = {key: value for key, value in raw.items() if key in node.names}
+            return Fields(node.cls, self._object(node.fields, given, address), spread=True)
+        if isinstance(node, OneOf):
+            return self._one_of(field, node, raw, address)
+        if isinstance(node, Tagged):
+            return self._tagged(field, node, raw, address)
+        if isinstance(node, Many):
+            return self._many(field, node, raw, address)
+        own = _join(address, field.key)
+        value = raw.get(field.key)
+        if value is None:
+            value = self._default_of(node, raw)
+            if value is not None:
+                pass
+            elif not field.required:
+                return None
+            elif isinstance(node, Leaf):
+                self._missing(node, own, word=bool(field.place))
+                return None
+            else:
+                value = {}
+        return self._item(node, value, own)
+
+    def _default_of(self, node: "Node", raw: "Raw") -> str | None:
+        """The text that stands in for a kind that is never missing: gravity, by the environment or by default."""
+        kind = node.kind if isinstance(node, Leaf) else None
+        if kind is None or not kind.default or (kind.needs and not raw.get(kind.needs)):
+            return None
+        return self.environ.get(kind.variable) or kind.default
+
+    def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
+        example = None
+        if node.kind.example and "[" in address:
+            example = f"for example {address.rpartition('.')[2]}={node.kind.example}"
+        elif node.kind.example:
+            name = "" if word else f"--{kebab(address.replace('.', '_'))} "
+            example = f"for example {name}{_quoted(node.kind.example)}"
+        if node.choice is not None:
+            example = f"one of {', '.join(node.choice.names)}"
+        what = node.kind.about or node.kind.name
+        self._fail(address, f"{address} is missing: {what}", code="missing", hint=example)
+
+    def _item(self, node: "Node", value: "Any", address: str) -> Bound | None:
+        if isinstance(node, Leaf):
+            try:
+                return read_leaf(node, value, address, self)
+            except DynamicsError as error:
+                error.parameter = error.parameter or address
+                self.errors.append(error)
+                return None
+        if isinstance(value, str) and not isinstance(value, Token):
+            value = self._pairs(value, address)
+            if value is None:
+                return None
+        if not isinstance(value, dict):
+            self._fail(address, f"{address}: read {value!r}, wanted named values", hint="an object such as {…}")
+            return None
+        if isinstance(node, Record):
+            return Fields(node.cls, self._object(node.fields, value, address))
+        whole = Field("", node, ())
+        if isinstance(node, OneOf):
+            return self._one_of(whole, node, value, address, alone=True)
+        if isinstance(node, Tagged):
+            return self._tagged(whole, node, value, address, alone=True)
+        raise TypeError
+
+    def _pairs(self, text: str, address: str) -> "dict[str, Any] | None":
+        from dynamics_cli.core.inputs.quantity_text import split_pairs
+
+        try:
+            return {key.replace("-", "_"): value for key, value in split_pairs(text).items()}
+        except DynamicsError as error:
+            error.parameter = error.parameter or address
+            self.errors.append(error)
+            return None
+
+    def _one_of(self, field: Field, node: OneOf, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
+        names = {name for member in node.members for name in member.names}
+        given = [key for key in raw if raw[key] is not None and (alone or key in names)]
+        choices = ", or ".join(
+            " and ".join(map(kebab, sorted(member.required))) or "nothing" for member in node.members
+        )
+        if not given:
+            if field.required or alone:
+                self._fail(_join(address, field.key), f"one of these is missing: {choices}", code="missing")
+            return None
+        fits = [member for member in node.members if member.names.issuperset(given)]
+        if not fits:
+            self._fail(
+                _join(address, given[0]),
+                f"{' and '.join(map(kebab, given))} cannot be given together",
+                code="exclusive",
+                hint=f"give {choices}",
+            )
+            return None
+        complete = [member for member in fits if member.required.issubset(given)]
+        member = (complete or fits)[0]
+        fields = self._object(member.fields, {key: raw[key] for key in given}, address)
+        return Fields(member.cls, fields, spread=not alone)
+
+    def _tagged(self, field: Field, node: Tagged, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
+        tag = raw.get(node.key)
+        own = _join(address, node.key)
+        names = node.names
+        if tag is None:
+            if field.required or alone or any(raw.get(name) is not None for name in names):
+                self._fail(own, f"{node.key} is missing", code="missing", hint=f"one of {', '.join(node.members)}")
+            return None
+        member = node.members.get(kebab(str(tag).strip().lower().replace(" ", "-")))
+        if member is None:
+            from dynamics_cli.core.units.near_names import nearest_words
+
+            near = nearest_words(str(tag), node.members)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"one of {', '.join(node.members)}"
+            self._fail(own, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
+            return None
+        given = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}
+        fields = self._object(member.fields, given, address)
+        return Fields(member.cls, fields, spread=not alone, tag=member.cls.tag)  # type: ignore[attr-defined]
+
+    def _many(self, field: Field, node: Many, raw: "Raw", address: str) -> Bound | None:
+        own = _join(address, field.key)
+        value = raw.get(field.key)
+        plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
+        if value is not None and plain:
+            self._fail(own, f"{field.key} and {plain[0]} cannot be given together", code="exclusive")
+            return None
+        if value is None and node.single and not isinstance(node.item, Leaf) and (plain or field.required):
+            return self._plain_item(node, {key: raw[key] for key in plain}, address)
+        if value is None:
+            if field.required:
+                self._fail(own, f"{own} is missing", code="missing")
+            return None
+        items = split_items(node, value)
+        if not items and field.place != "words":
+            self._fail(own, f"{own} is empty", code="missing")
+            return None
+        made = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
+        kept = [item for item in made if item is not None]
+        if node.single and isinstance(node.item, Leaf) and len(kept) == 1 and not isinstance(value, list):
+            return kept[0]
+        row = node.item.cls if node.columns and isinstance(node.item, Record) else None
+        return Several(kept, row)
+
+    def _plain_item(self, node: Many, given: "dict[str, Any]", address: str) -> Bound | None:
+        item = node.item
+        if isinstance(item, Record):
+            return Fields(item.cls, self._object(item.fields, given, address), spread=True)
+        field = Field("", item, ())
+        if isinstance(item, Tagged):
+            return self._tagged(field, item, given, address)
+        if isinstance(item, OneOf):
+            return self._one_of(field, item, given, address)
+        raise TypeError
+
+
+def _keys(field: Field) -> "set[str]":
+    if isinstance(field.node, Record) and field.place:
+        return set(field.node.names)
+    return set(field.spread()) | _plain_names(field.node)
+
+
+def _plain_names(node: object) -> "set[str]":
+    if not isinstance(node, Many) or not node.single:
+        return set()
+    item = node.item
+    if isinstance(item, Record):
+        return set(item.names)
+    if isinstance(item, Leaf):
+        return set()
+    return set(Field("", item, ()).spread())
+
+
+def _join(address: str, key: str) -> str:
+    return f"{address}.{key}" if address else key
+
+
+def _quoted(text: str) -> str:
+    return f'"{text}"' if " " in text or ";" in text else text

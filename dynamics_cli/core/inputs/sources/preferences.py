@@ -1,0 +1,39 @@
+"""What `dynamics.toml` sets for every call: units, digits, format and gravity, beneath the environment's variables."""
+
+import os
+
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+NAME = "dynamics.toml"
+VARIABLES = {name: f"DYNAMICS_{name.upper()}" for name in ("units", "digits", "format", "gravity")}
+
+
+def with_preferences(environ: "Mapping[str, str]") -> "Mapping[str, str]":
+    """The environment over what `dynamics.toml` says, in the current folder or else in the user's configuration."""
+    home = environ.get("XDG_CONFIG_HOME") or environ.get("APPDATA") or os.path.join(environ.get("HOME", ""), ".config")
+    for path in (NAME, os.path.join(home, "dynamics", NAME)):
+        if os.path.isfile(path):
+            return {**_read(path), **environ}
+    return environ
+
+
+def _read(path: str) -> "dict[str, str]":
+    import tomllib
+
+    try:
+        with open(path, "rb") as file:
+            given = tomllib.load(file)
+    except (OSError, ValueError) as error:
+        raise UsageError(f"cannot read {path}: {error}", code="preferences") from None
+    unknown = sorted(given.keys() - VARIABLES.keys())
+    if unknown:
+        raise UsageError(
+            f"{path} sets {unknown[0]!r}, which is not a setting",
+            code="preferences",
+            hint=f"settings are {', '.join(VARIABLES)}",
+        )
+    return {VARIABLES[name]: str(value) for name, value in given.items()}

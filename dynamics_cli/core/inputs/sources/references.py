@@ -1,0 +1,69 @@
+"""`@crash.json:first.speed`: a result of an earlier document as an input."""
+
+import os
+
+from dynamics_cli.core.inputs.sources.files import decode, parse_json, read_bytes
+from dynamics_cli.core.inputs.sources.hashes import entry_of
+from dynamics_cli.core.terminal import Terminal
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.inputs.context import Context
+
+
+LONGEST_INDEX = 9
+
+
+def split_address(address: str) -> "list[str | int]":
+    """`parts[3].radius` as its steps: "parts", 3, "radius"."""
+    steps: list[str | int] = []
+    for name in address.split("."):
+        key, *indices = name.split("[")
+        steps.append(key)
+        for index in indices:
+            number = index.removesuffix("]")
+            if number == index or not (number.isascii() and number.isdigit() and len(number) <= LONGEST_INDEX):
+                raise UsageError(f"{address!r} is not an address", hint="for example parts[3].radius")
+            steps.append(int(number))
+    return steps
+
+
+def _near_results(raw: "Any", address: str) -> "str | None":
+    """The results of a document that may be meant, else all of them."""
+    found = raw.get("results") if isinstance(raw, dict) else None
+    if not isinstance(found, dict) or not found:
+        return "a result document is wanted, as --json writes it"
+    from dynamics_cli.core.documents import flatten
+    from dynamics_cli.core.units.near_names import nearest_words
+
+    known = [name for name, _, unit in flatten(found) if unit] or list(found)
+    near = nearest_words(address, known)
+    return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(known)}"
+
+
+def resolve(text: str, context: "Context", own: str) -> "Any":
+    """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
+    if context.references is not None and not any(text in known for known in context.references):
+        message = f"read {text!r}: rows take nothing from files"
+        raise UsageError(message, code="reference", hint="--references allows it, for rows that you trust")
+    name, colon, address = text[1:].rpartition(":")
+    if not colon or not name or not address:
+        raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
+    if name == "-":
+        raise UsageError("a reference names a file: standard input is for --input", hint="--input - reads a document")
+    path = name if os.path.isabs(name) else os.path.join(context.folder, name)
+    data = read_bytes(path, Terminal())
+    raw = parse_json(decode(data, name), name)
+    context.files.append(entry_of(path, data))
+    value = raw.get("results") if isinstance(raw, dict) else None
+    for step in split_address(address):
+        try:
+            value = value[step]  # type: ignore[index]
+        except (KeyError, IndexError, TypeError):
+            hint = _near_results(raw, address)
+            raise UsageError(f"{name!r} has no result {address!r}", code="no-value", hint=hint) from None
+    context.origins[own] = (path, address, raw.get("covariance"))
+    return value

@@ -1,0 +1,289 @@
+"""A function's signature, read as the specification of a calculation.
+
+`specification(function)` gives the parameters as a small tree of nodes. Reading `__annotations__`, `__defaults__` and
+`__code__` directly takes microseconds; inspect and typing
+would cost a shell user more than the calculation.
+"""
+
+import sys
+
+from dynamics_cli.quantities import Described, Kind
+from dynamics_cli.records import Choice, Columns, ExactQuantity, Measured
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any, TypeAlias
+
+    Node: TypeAlias = "Leaf | Record | OneOf | Tagged | Many"
+
+PLAIN_RATIO = Kind("number", "", example="1.5", about="a pure number")
+PLAIN_COUNT = Kind("count", "", form="whole", example="3", about="a whole number")
+PLAIN_TEXT = Kind("text", "", form="text", about="words")
+FLAG = Kind("flag", "", form="flag", about="yes when given")
+EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
+DRAWING = Kind("drawing", "", form="drawing", about="outlines of ordered pieces")
+DEVIATION = Kind("deviation", "m", si="mm", us="in", low=0.0, about="a bound on the distance from the exact curve")
+MEASURED = Kind("quantity", "", form="measured", about="a number with a unit of its own")
+
+_PLAIN = {
+    float: PLAIN_RATIO,
+    int: PLAIN_COUNT,
+    str: PLAIN_TEXT,
+    bool: FLAG,
+    ExactQuantity: EXACT,
+    Measured: MEASURED,
+}
+
+
+class _Required:
+    def __repr__(self) -> str:
+        return "REQUIRED"
+
+
+REQUIRED = _Required()
+
+
+class SpecificationError(TypeError):
+    """A signature that cannot be a specification: a mistake in the program, found when the task is registered."""
+
+
+class Leaf:
+    """One quantity, choice, flag, text or file."""
+
+    __slots__ = ("choice", "kind")
+
+    def __init__(self, kind: Kind, choice: "type[Choice] | None" = None) -> None:
+        self.kind = kind
+        self.choice = choice
+
+
+class Record:
+    """A record of named fields, read from the class when first asked for, so that records may be recursive."""
+
+    __slots__ = ("_fields", "_names", "_required", "cls")
+
+    def __init__(self, cls: type) -> None:
+        self.cls = cls
+        self._fields: tuple[Field, ...] | None = None
+        self._names: frozenset[str] | None = None
+        self._required: frozenset[str] | None = None
+
+    @property
+    def fields(self) -> "tuple[Field, ...]":
+        """The record's fields in order."""
+        if self._fields is None:
+            namespace = vars(sys.modules[self.cls.__module__])
+            defaults = self.cls.defaults  # type: ignore[attr-defined]
+            self._fields = tuple(
+                _field(name, annotation, defaults.get(name, REQUIRED), namespace)
+                for name, annotation in self.cls.__annotations__.items()
+            )
+        return self._fields
+
+    @property
+    def names(self) -> "frozenset[str]":
+        """Every name that may be given for this record."""
+        if self._names is None:
+            self._names = frozenset(name for field in self.fields for name in field.spread())
+        return self._names
+
+    @property
+    def required(self) -> "frozenset[str]":
+        """The names that must be given for this record."""
+        if self._required is None:
+            self._required = frozenset(field.name for field in self.fields if field.required and not field.spreads)
+        return self._required
+
+
+class OneOf:
+    """Alternatives told apart by which names are given: radius, or chord and middle ordinate."""
+
+    __slots__ = ("members",)
+
+    def __init__(self, members: "tuple[Record, ...]") -> None:
+        self.members = members
+        for i, one in enumerate(members):
+            for other in members[i + 1 :]:
+                if one.required | other.required <= one.names & other.names:
+                    raise SpecificationError(
+                        f"{one.cls.__name__} and {other.cls.__name__} cannot be distinguished by the names given"
+                    )
+
+
+class Tagged:
+    """Alternatives told apart by a key: shape = "cylinder"."""
+
+    __slots__ = ("_names", "key", "members")
+
+    def __init__(self, key: str, members: "dict[str, Record]") -> None:
+        self.key = key
+        self.members = members
+        self._names: frozenset[str] | None = None
+
+    @property
+    def names(self) -> "frozenset[str]":
+        """Every name that may be given for one of the alternatives."""
+        if self._names is None:
+            self._names = frozenset(name for member in self.members.values() for name in member.names)
+        return self._names
+
+
+class Many:
+    """Several of one item; `single` when a lone one may be given by its plain fields."""
+
+    __slots__ = ("columns", "item", "single")
+
+    def __init__(self, item: "Node", *, single: bool = False, columns: bool = False) -> None:
+        self.item = item
+        self.single = single
+        self.columns = columns
+
+
+class Field:
+    """A named node with its default and description; `place` is "", "word" (positional) or "words" (any number)."""
+
+    __slots__ = ("_spread", "default", "key", "name", "node", "place", "text")
+
+    def __init__(self, name: str, node: "Node", default: object, place: str = "", text: str = "") -> None:
+        self.name = name
+        # The name a user writes: a trailing underscore is dropped.
+        self.key = name.rstrip("_")
+        self.node = node
+        self.default = default
+        self.place = place
+        self.text = text
+        self._spread: tuple[str, ...] | None = None
+
+    @property
+    def required(self) -> bool:
+        """Whether the parameter must be given."""
+        return self.default is REQUIRED and self.place != "words"
+
+    @property
+    def spreads(self) -> bool:
+        """Whether this field's own fields stand beside its siblings, without its name."""
+        return isinstance(self.node, OneOf | Tagged) or (isinstance(self.node, Many) and self.node.single)
+
+    def spread(self) -> "tuple[str, ...]":
+        """The keys under which this field may be given in its object."""
+        if self._spread is None:
+            self._spread = tuple(self._keys())
+        return self._spread
+
+    def _keys(self) -> "Iterator[str]":
+        node = self.node
+        if isinstance(node, OneOf):
+            for member in node.members:
+                yield from member.names
+        elif isinstance(node, Tagged):
+            yield node.key
+            for member in node.members.values():
+                yield from member.names
+        else:
+            yield self.key
+            if isinstance(node, Many) and node.single and isinstance(node.item, Record):
+                yield from node.item.names
+
+
+def _field(name: str, annotation: object, default: object, namespace: "dict[str, Any]", place: str = "") -> Field:
+    annotation, text = _unwrapped(annotation, namespace)
+    return Field(name, interpret(annotation, namespace), default, place, text)
+
+
+def _unwrapped(annotation: object, namespace: "dict[str, Any]") -> "tuple[object, str]":
+    """An annotation without its description, and the description."""
+    if isinstance(annotation, str):
+        annotation = eval(annotation, namespace)
+    return (annotation.inner, annotation.text) if isinstance(annotation, Described) else (annotation, "")
+
+
+def interpret(annotation: object, namespace: "dict[str, Any]") -> "Node":
+    """The node an annotation stands for."""
+    if isinstance(annotation, str):
+        annotation = eval(annotation, namespace)
+    if isinstance(annotation, Kind):
+        return Leaf(annotation)
+    if getattr(annotation, "__origin__", None) is tuple:
+        return Many(interpret(annotation.__args__[0], namespace))  # type: ignore[attr-defined]
+    if getattr(annotation, "__origin__", None) is Columns:
+        return Many(interpret(annotation.__args__[0], namespace), columns=True)  # type: ignore[attr-defined]
+    if isinstance(annotation, type):
+        return _interpret_class(annotation)
+    if hasattr(annotation, "__args__"):
+        return _interpret_union(annotation.__args__, namespace)
+    raise SpecificationError(f"{annotation!r} has no meaning in a signature")
+
+
+def _interpret_class(annotation: type) -> "Node":
+    if annotation in _PLAIN:
+        return Leaf(_PLAIN[annotation])
+    if issubclass(annotation, Choice):
+        return Leaf(PLAIN_TEXT, annotation)
+    if hasattr(annotation, "fields"):
+        return Leaf(DRAWING) if hasattr(annotation, "is_drawing") else Record(annotation)
+    raise SpecificationError(f"{annotation.__name__} has no meaning in a signature")
+
+
+def _interpret_union(members: "tuple[Any, ...]", namespace: "dict[str, Any]") -> "Node":
+    nodes = [interpret(member, namespace) for member in members if member is not None and member is not type(None)]
+    if len(nodes) == 1:
+        return nodes[0]
+    if len(nodes) == 2 and isinstance(nodes[0], Record | Tagged | Leaf) and isinstance(nodes[1], Many):
+        return Many(nodes[0], single=True)
+    flat = [record for node in nodes for record in (members_of(node))]
+    keys = {getattr(record.cls, "tag", (None, ""))[0] for record in flat}
+    if len(keys) == 1 and None not in keys:
+        return Tagged(str(keys.pop()), {record.cls.tag[1]: record for record in flat})  # type: ignore[attr-defined]
+    return OneOf(tuple(flat))
+
+
+def members_of(node: "Node") -> "tuple[Record, ...]":
+    """The records of alternatives."""
+    if isinstance(node, Record):
+        return (node,)
+    if isinstance(node, OneOf):
+        return node.members
+    if isinstance(node, Tagged):
+        return tuple(node.members.values())
+    raise SpecificationError("alternatives are records")
+
+
+class Specification:
+    """The parameters of a function, and what it returns."""
+
+    __slots__ = ("fields", "result")
+
+    def __init__(self, fields: "tuple[Field, ...]", result: Record) -> None:
+        self.fields = fields
+        self.result = result
+
+    @property
+    def words(self) -> "tuple[Field, ...]":
+        """The positional parameters."""
+        return tuple(field for field in self.fields if field.place)
+
+
+def specification(function: "Callable[..., Any]") -> Specification:
+    """Read a function's signature: `/` for positional, `*name` for any number of them, all the rest options."""
+    code = function.__code__
+    annotations = function.__annotations__
+    namespace = function.__globals__
+    named = code.co_varnames[: code.co_argcount]
+    optional = function.__defaults__ or ()
+    defaults = dict(zip(named[len(named) - len(optional) :], optional, strict=True))
+    defaults.update(function.__kwdefaults__ or {})
+    keywords = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
+    fields = []
+    for index, name in enumerate(named):
+        place = "word" if index < code.co_posonlyargcount else ""
+        fields.append(_field(name, annotations[name], defaults.get(name, REQUIRED), namespace, place))
+    if code.co_flags & 0x04:
+        name = code.co_varnames[code.co_argcount + code.co_kwonlyargcount]
+        annotation, text = _unwrapped(annotations[name], namespace)
+        fields.append(Field(name, Many(interpret(annotation, namespace)), (), "words", text))
+    fields.extend(_field(name, annotations[name], defaults.get(name, REQUIRED), namespace) for name in keywords)
+    result = interpret(annotations["return"], namespace)
+    if not isinstance(result, Record):
+        raise SpecificationError(f"{function.__name__} returns no record")
+    return Specification(tuple(fields), result)

@@ -1,0 +1,115 @@
+"""What an unknown name probably meant: one that it begins, a synonym of the trade, or the nearest spelling."""
+
+from dynamics_cli.core.units.near_names import nearest_words
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+# What others call a parameter, and its names here; of these, the ones that a task has are offered.
+SYNONYMS = {
+    "mu": "friction",
+    "f": "friction",
+    "coefficient-of-friction": "friction",
+    "drag": "friction rolling-drag",
+    "slope": "grade",
+    "incline": "grade",
+    "efficiency": "braking",
+    "brake-efficiency": "braking",
+    "skid-length": "distance",
+    "length": "distance",
+    "surface": "segment",
+    "skid": "segment test-skid",
+    "test": "test-skid",
+    "v": "speed first-speed first-velocity",
+    "velocity": "speed first-velocity",
+    "initial-speed": "speed end-speed",
+    "final-speed": "end-speed first-exit-speed",
+    "delay": "reaction-time",
+    "perception-time": "reaction-time",
+    "limit-speed": "speed-limit",
+    "visibility": "sight-distance",
+    "throw": "throw-distance",
+    "launch": "launch-angle take-off",
+    "take-off-angle": "take-off",
+    "angle": "take-off launch-angle pull-angle",
+    "drop": "rise height",
+    "bank": "superelevation",
+    "camber": "superelevation",
+    "track": "track-width",
+    "sagitta": "middle-ordinate",
+    "force": "pull load",
+    "m": "mass module",
+    "e": "restitution",
+    "cor": "restitution",
+    "m1": "first-mass",
+    "m2": "second-mass",
+    "v1": "first-velocity first-speed first-approach-speed",
+    "v2": "second-velocity second-speed second-approach-speed",
+    "heading": "first-heading first-approach-heading",
+    "ratio": "target",
+    "held": "fixed",
+    "input": "driver",
+    "output": "driven",
+    "z": "teeth first-teeth",
+    "z1": "first-teeth",
+    "z2": "second-teeth",
+    "x1": "first-profile-shift",
+    "x2": "second-profile-shift",
+    "mn": "module",
+    "pitch": "module diametral-pitch circular-pitch",
+    "dp": "diametral-pitch",
+    "alpha": "pressure-angle",
+    "beta": "helix-angle",
+    "a": "centre-distance",
+    "center-distance": "centre-distance",
+    "shift": "profile-shift first-profile-shift",
+    "width": "face-width thickness",
+    "bore": "thickness",
+    "inner-radius": "thickness ring-radius",
+    "inner-diameter": "thickness",
+    "wall": "thickness",
+    "wall-thickness": "thickness",
+    "outer-radius": "radius",
+    "diameter": "radius first-diameter base-radius worm-diameter tip-diameter",
+    "radius": "base-radius first-radius wheel-radius",
+    "pin-diameter": "pin over",
+    "ball-diameter": "pin over",
+    "max-pressure-angle": "rise-limit return-limit",
+    "tolerance": "distance-tolerance points",
+    "rpm": "speed shaft-speed",
+    "stroke": "lift",
+    "beta-angle": "span",
+    "rise": "lift",
+    "stiffness": "spring-rate contact-stiffness",
+    "spring": "spring-rate",
+    "moi": "inertia first-inertia",
+    "moment-of-inertia": "inertia first-inertia",
+    "omega": "angular-velocity shaft-speed speed",
+    "alpha-acceleration": "angular-acceleration",
+    "shape": "part",
+    "json-file": "input",
+    "file": "input output",
+    "csv": "rows format",
+    "unit": "units to",
+    "precision": "digits",
+    "verbose": "all explain",
+}
+MOST = 3
+
+
+def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
+    """Up to three of the known names that a typed one may have meant; of the `rest`, only the evident ones.
+
+    A beginning that fits one name wins, then the synonyms, then the nearest spelling.
+    """
+    plain = {name.replace("_", "-"): name for name in known}
+    word = typed.lower().replace("_", "-")
+    begun = [name for name in plain if name.startswith(word)]
+    if len(begun) == 1:
+        return [plain[begun[0]]]
+    meant = [name for name in SYNONYMS.get(word, "").split() if name in plain]
+    near = meant or begun or nearest_words(word, plain)
+    if near:
+        return [plain[name] for name in near[:MOST]]
+    return suggestions(typed, rest) if rest else []

@@ -1,0 +1,139 @@
+"""Forms of numbers that people type besides `60 mph`: 12 1/2 in, 6'2", 45°30', 1h30m, 2:30:00, 5 ft + 6 in, 1,234.5 m.
+
+Read only where a text has a sign of such a form; what could be read in two ways (1,200 or 2:30) is refused with both.
+"""
+
+from dynamics_cli.core.units.table import NAMES
+from dynamics_cli.errors import UsageError
+
+DIGITS = "0123456789"
+# Signs that no plain quantity has.
+MARKS = "'\"’‘”“:,"
+FEET, INCHES = "'’‘", '"”“'
+GROUP = 3
+
+
+def plain_text(text: str) -> str:
+    """The text with clock times, grouped thousands and the signs of feet and inches written plainly."""
+    if not any(mark in text for mark in MARKS):
+        return text
+    return _without_signs(_without_groups(_without_clock(text)))
+
+
+def summands(text: str) -> list[str]:
+    """The parts of `5 ft + 6.5 in`; a text without such a plus is one part."""
+    parts, start = [], 0
+    for at, character in enumerate(text):
+        if character != "+" or not text[:at].strip():
+            continue
+        before, after = text[:at].rstrip()[-1], text[at + 1 :].lstrip()[:1]
+        exponent = before in "eE" and text[at - 2 : at - 1] in (*DIGITS, ".")
+        if after and after in DIGITS + "." and (before.isalnum() or before in "%°′″.)") and not exponent:
+            parts.append(text[start:at])
+            start = at + 1
+    return [*parts, text[start:]]
+
+
+def with_fraction(text: str, at: int, end: int, whole: int) -> tuple[int, int, int]:
+    """A whole number that a fraction follows (12 1/2) or that begins one (1/2), exactly, and where it ends."""
+    sign = -1 if text[at] in "-−" else 1
+    start = at if text[at] in DIGITS else at + 1
+    stop = _fraction_end(text, start)
+    if stop > start:
+        up, down = _fraction(text[start:stop])
+        return sign * up, down, stop
+    start = end + 1 if text[end : end + 1] == "-" else len(text) - len(text[end:].lstrip(" "))
+    stop = _fraction_end(text, start)
+    if start == end or stop == start:
+        return whole, 1, end
+    up, down = _fraction(text[start:stop])
+    if up >= down:
+        raise UsageError(f"{text[start:stop]} is not less than one", code="number", hint="write for example 12 1/2 in")
+    return whole * down + sign * up, down, stop
+
+
+def _fraction_end(text: str, at: int) -> int:
+    """Where a fraction of whole numbers that begins here ends: `1/2` before a space, a letter or the end; else `at`."""
+    middle = _digits_end(text, at)
+    if middle == at or text[middle : middle + 1] != "/":
+        return at
+    end = _digits_end(text, middle + 1)
+    distance = text[at:middle] == "1" and text[middle + 1 :].startswith("100")
+    return at if end == middle + 1 or distance or text[end : end + 1] in (".", "/") else end
+
+
+def _fraction(text: str) -> tuple[int, int]:
+    up, _, down = text.partition("/")
+    if not int(down):
+        raise UsageError(f"{text} divides by zero", code="number", hint="write for example 1/2 in")
+    return int(up), int(down)
+
+
+def after_unit(text: str, start: int, at: int) -> bool:
+    """Whether the number at `at` begins a new part right behind the unit's name: 1h30m, 5ft6in."""
+    name = text[start:at].strip()
+    if not name.isalpha() or f" {name}|" not in NAMES:
+        return False
+    end = _digits_end(text, at)
+    while text[end : end + 1] == ".":
+        end = _digits_end(text, end + 1)
+    rest = text[end:].lstrip()
+    letters = len(rest) - len(rest.lstrip("abcdefghijklmnopqrstuvwxyz"))
+    return bool(letters) and f" {rest[:letters]}|" in NAMES
+
+
+def _digits_end(text: str, at: int) -> int:
+    while text[at : at + 1] and text[at] in DIGITS:
+        at += 1
+    return at
+
+
+def _without_clock(text: str) -> str:
+    """2:30:00 as hours, minutes and seconds; 2:30 may be two things and is refused."""
+    if ":" not in text:
+        return text
+    sign = text[0] if text[0] in "+-−" else ""
+    parts = text.removeprefix(sign).split(":")
+    whole = all(part.isascii() and part.isdigit() for part in parts[:-1])
+    if not whole or not parts[-1].replace(".", "", 1).isdigit() or not parts[-1].isascii() or len(parts) > GROUP:
+        raise UsageError(f"{text[:60]!r} is not a time", code="number", hint="write 2:30:00, or 2 h 30 min")
+    if len(parts) < GROUP:
+        first, second = parts
+        hint = f"write {first} h {second} min, or {first} min {second} s; with hours, minutes and seconds: 2:30:00"
+        raise UsageError(f"{text!r} may be hours and minutes or minutes and seconds", code="ambiguous", hint=hint)
+    return f"{sign}{parts[0]} h {parts[1]} min {parts[2]} s"
+
+
+def _without_groups(text: str) -> str:
+    """1,234,567 and 1,234.5 without their commas; 1,200 alone could be 1.2, so it is refused."""
+    at = 0
+    while (comma := text.find(",", at)) >= 0:
+        start = comma
+        while start and text[start - 1] in DIGITS:
+            start -= 1
+        end = comma
+        groups = 0
+        while text[end : end + 1] == "," and _digits_end(text, end + 1) == end + 1 + GROUP:
+            end += 1 + GROUP
+            groups += 1
+        number = text[start:end]
+        if not groups or not 0 < comma - start <= GROUP or text[end : end + 1] in (*DIGITS, ",") or number[0] == "0":
+            return text
+        whole = number.replace(",", "")
+        if groups == 1 and text[end : end + 1] != ".":
+            decimal = number.replace(",", ".").rstrip("0").rstrip(".")
+            message = f"{number!r} may be {whole} or {decimal}"
+            raise UsageError(message, code="number", hint=f"write {whole} or {decimal}, without a comma")
+        text = text[:start] + whole + text[end:]
+        at = start + len(whole)
+    return text
+
+
+def _without_signs(text: str) -> str:
+    """The signs of feet and inches, or behind degrees those of minutes and seconds of arc."""
+    arc = any(sign in text for sign in ("°", "deg", "′"))
+    feet, inches = (" arcmin ", " arcsec ") if arc else (" ft ", " in ")
+    for signs, plain in ((FEET, feet), (INCHES, inches)):
+        for sign in signs:
+            text = text.replace(sign, plain)
+    return text.strip()

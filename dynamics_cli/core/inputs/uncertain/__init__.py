@@ -1,0 +1,1 @@
+"""Uncertain inputs as they are written: distributions, values and vectors."""

@@ -1,0 +1,286 @@
+"""The short answer for people: headline results first, then what they are for, by which method, and where more stands.
+
+A screen is 80 columns and 24 lines. What a task's headline does not name is asked for with `--all`.
+"""
+
+from math import log10
+
+from dynamics_cli.core.documents import (
+    bound_text,
+    flatten,
+    given_inputs,
+    is_quantity,
+    is_table,
+    number,
+    quantity,
+)
+from dynamics_cli.core.output.answer_tables import file_lines, table_lines
+from dynamics_cli.core.output.answer_words import (
+    body_names,
+    decimals,
+    headline_labels,
+    in_words,
+    percent,
+    with_name,
+    without_rounding,
+)
+from dynamics_cli.core.output.wrapping import fitted, wrapped
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Task
+
+    Document = dict[str, Any]
+
+LINES = 24
+# How many lines a table has at the least.
+LEAST_TABLE = 7
+# How many lines name what drives the results.
+MOST_DRIVEN = 3
+# A share of the variance below this goes unsaid.
+LEAST_SHARE = 0.005
+# A bound is spoken of when it leaves fewer digits than this.
+WORTH_SAYING = 1e-9
+SEVERITIES = ("serious", "caution", "note")
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+MARGIN = 6
+# A space at which no line is broken.
+JOINED = "\u00a0"
+
+
+def to_answer(document: "Document", task: "Task", digits: int, width: int, *, quiet: bool = False) -> str:
+    """The answer as lines no wider than `width`; `quiet` gives the headline results alone."""
+    answer = _Answer(document, task, digits, width)
+    head = answer.headline()
+    if quiet:
+        return _text(head)
+    # What a bare number was read as belongs right beneath it.
+    bare = not any(answer.labels.values())
+    rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
+    space = LINES - len(head) - len(rest)
+    room = space - max(len(answer.warnings(0)), min(len(answer.warnings(LINES)), space // 2))
+    if head and room < LEAST_TABLE and answer.without_tables():
+        rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
+    body = answer.tables(max(room, LEAST_TABLE))
+    warnings = answer.warnings(LINES - len(head) - len(body) - len(rest))
+    told = [*warnings, *rest] if bare else [*rest, *warnings]
+    return _text([*head, *body, *told, *answer.explanation()])
+
+
+def _text(lines: "list[str]") -> str:
+    return "\n".join(lines).lstrip("\n").replace(JOINED, " ") + "\n"
+
+
+class _Answer:
+    """One document as short lines."""
+
+    def __init__(self, document: "Document", task: "Task", digits: int, width: int) -> None:
+        self.document = document
+        self.task = task
+        self.digits = digits
+        self.width = width
+        self.results = document["results"]
+        self.flat = {name: (value, unit) for name, value, unit in flatten(self.results)}
+        self.names = body_names(document["inputs"])
+        self.table_names = [name for name, node in self.results.items() if is_table(node)]
+        labels = headline_labels(task, self.flat, self.table_names)
+        self.labels = {address: with_name(label, self.names) for address, label in labels.items()}
+        self.bounds = document["numerics"].get("error_bound", {})
+
+    def headline(self) -> "list[str]":
+        """A line for each headline result: label, value with unit, interval or limit."""
+        rows = [
+            (label, self._text(address), self._remarks(address))
+            for address, label in self.labels.items()
+            if address in self.flat
+        ]
+        left = max((len(label) for label, _, _ in rows), default=0)
+        middle = max((len(text) for _, text, remarks in rows if remarks), default=0)
+        lines = []
+        for label, text, remarks in rows:
+            head = f"{label:<{left}}  " if left else ""
+            lines += fitted(f"{head}{text:<{middle if remarks else 0}}", remarks, self.width, len(head))
+        return lines
+
+    def _text(self, address: str) -> str:
+        """A result with its unit, in the digits that it deserves."""
+        value, unit = self.flat[address]
+        node = _node(self.results, address)
+        if isinstance(node, dict) and node.get("std") and not isinstance(value, list):
+            return f"{decimals(value, node['std'])} {unit}".rstrip()
+        if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
+            value = 0.0
+        if isinstance(value, list):
+            value = without_rounding(value)
+        return quantity(value, unit, self.digits)
+
+    def _absolute_bound(self, address: str, value: float) -> float:
+        entry = self.bounds.get(address) or {}
+        bound: float = entry.get("absolute", abs(value) * entry.get("relative", 0.0))
+        return bound
+
+    def _remarks(self, address: str) -> "list[str]":
+        """The interval of an uncertain result, and what each limit says of it."""
+        remarks = []
+        node = _node(self.results, address)
+        if isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
+            low, high = (decimals(end, node["std"]) if node["std"] else number(end, 6) for end in node["interval"])
+            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
+        remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
+        asked = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
+        return remarks + [f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in asked]
+
+    def without_tables(self) -> bool:
+        """Show no tables: whether there were any."""
+        shown = [address for address in self.labels if address in self.table_names]
+        for address in shown:
+            del self.labels[address]
+        return bool(shown)
+
+    def tables(self, space: int) -> "list[str]":
+        """Headline tables, their middle rows left out where they do not fit."""
+        named = [address for address in self.labels if address in self.table_names]
+        lines: list[str] = []
+        for address in named:
+            room = {"digits": self.digits, "width": self.width, "space": space // len(named)}
+            lines += ["", *table_lines(self.results[address], address, self.labels[address], **room)]
+        written = [file for file in self.document.get("files", ()) if file.get("written")]
+        return lines + ([""] if written else []) + [line for file in written for line in file_lines(file, self.width)]
+
+    def accuracy(self) -> "list[str]":
+        """Results that keep few digits, and limits that lie within a bound."""
+        lines = []
+        for address, label in self.labels.items():
+            value = self.flat.get(address, (None, ""))[0]
+            if isinstance(value, float) and value and address in self.bounds:
+                share = self._absolute_bound(address, value) / abs(value)
+                if WORTH_SAYING < share < 1.0:
+                    kept = max(int(-log10(share)), 0)
+                    lines.append(f"{label}: accurate to {kept} digits")
+        return ["", *lines] if lines else []
+
+    def drivers(self) -> "list[str]":
+        """Which inputs drive the headline results, in a line for those that share their drivers."""
+        grouped: dict[str, list[str]] = {}
+        for address, entry in self.document.get("sensitivity", {}).items():
+            rows = [(row["input"], row.get("total", row["share"])) for row in entry["inputs"]]
+            if address in self.labels and len(rows) > 1 and rows[0][1] < 1.0 - LEAST_SHARE:
+                said = ", ".join(
+                    f"{self._input(name)} {100.0 * share:.0f}{JOINED}%" for name, share in rows if share > LEAST_SHARE
+                )
+                grouped.setdefault(said, []).append(self.labels[address])
+        lines: list[str] = []
+        for said, labels in list(grouped.items())[:MOST_DRIVEN]:
+            verb = "is" if len(labels) == 1 else "are"
+            lines += wrapped(f"{', '.join(labels)} {verb} driven by  {said}", self.width, 4)
+        return ["", *lines] if lines else []
+
+    def provenance(self) -> "list[str]":
+        """What the answer is for, by which method, and what more there is."""
+        blocks = [("for", self._inputs()), ("by", self._method()), ("more", self._more())]
+        lines = [""]
+        for word, text in blocks:
+            if text:
+                first, *others = wrapped(text, self.width - MARGIN, 0)
+                lines += [f"{word:<{MARGIN}}{first}", *(" " * MARGIN + line for line in others)]
+        if "timing" in self.document:
+            lines.append(f"{'took':<{MARGIN}}{self.document['timing']['value'] * 1e6:.0f} µs")
+        return lines
+
+    def _input(self, address: str) -> str:
+        return with_name(in_words(address), self.names)
+
+    def _inputs(self) -> str:
+        entries = []
+        inputs = self.document["inputs"]
+        for name, value, unit in given_inputs(inputs):
+            standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
+            given = quantity(value, unit, 17)
+            whole = given.replace(" ", JOINED) if len(given) < self.width // 3 else given
+            if name.removesuffix(".name") not in self.names:
+                entries.append(f"{self._input(name)} {whole}{standard}" if name else given)
+        entries += [f"{in_words(axis['parameter'])} as listed" for axis in inputs.get("sweep", ())]
+        text = ", ".join(entries)
+        room = 4 * (self.width - MARGIN)
+        if len(text) <= room:
+            return text
+        kept: list[str] = []
+        for entry in entries:
+            if len(", ".join([*kept, entry])) > room - 30:
+                break
+            kept.append(entry)
+        return ", ".join([*kept, f"and {len(entries) - len(kept)} more inputs"])
+
+    def _method(self) -> str:
+        model = self.document["model"]
+        parts = [model["name"] + (f" ({model['why']})" if model.get("why") else "")]
+        parts.append(
+            model["source"].replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
+        )
+        checks = self.document["checks"]
+        failed = [check["name"] for check in checks if not check["passed"]]
+        verdict = "; checks passed" if checks and not failed else ""
+        return ", ".join(parts) + verdict + "".join(f"; check FAILED: {name}" for name in failed)
+
+    def _more(self) -> str:
+        hidden = [name for name in self.flat if name not in self.labels]
+        tables = [in_words(name) for name in self.table_names if name not in self.labels]
+        what = ([f"{len(hidden)} more results"] if len(hidden) > 1 else list(map(in_words, hidden))) + tables
+        if "explanation" in self.document:
+            return f"--all ({', '.join(what)})" if what else ""
+        more = f"--all ({', '.join(what)}), " if what else ""
+        return f"{more}--explain (formula, sensitivity, error bounds)"
+
+    def explanation(self) -> "list[str]":
+        """The formula with its numbers, assumptions and sensitivities, with `--explain`."""
+        if "explanation" not in self.document:
+            return []
+        lines = [""]
+        for name, content in self.document["explanation"].items():
+            if isinstance(content, list):
+                lines.append(in_words(name))
+                lines += [f"  {line}" for item in content for line in wrapped(item, self.width - 2, 2)]
+            elif name not in ("model", "source", "why"):
+                lines += wrapped(f"{in_words(name)}  {content}", self.width, 4)
+        said = [
+            f"  {self.labels[name]}: {bound_text(entry)}" for name, entry in self.bounds.items() if name in self.labels
+        ]
+        return lines + (["accurate to (rounding of the calculation alone)", *said] if said else [])
+
+    def warnings(self, space: int) -> "list[str]":
+        """A paragraph for each warning, worst first; those that do not fit into `space` lines are counted."""
+        lines: list[str] = []
+        given = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
+        for nth, item in enumerate(given):
+            remedy = item.get("remedy")
+            text = f"{item['severity']}: {item['message']}" + (f". Remedy: {remedy}" if remedy else "")
+            paragraph = ["", *wrapped(text, self.width, 2)]
+            if nth and len(lines) + len(paragraph) + (2 if given[nth + 1 :] else 0) > space:
+                counts = [(sum(each["severity"] == name for each in given[nth:]), name) for name in SEVERITIES]
+                named = ", ".join(f"{count} {name}" for count, name in counts if count)
+                return [*lines, "", f"{len(given) - nth} more warnings ({named}): --all"]
+            lines += paragraph
+        return lines
+
+
+def _node(results: "Any", address: str) -> "Any":
+    """The node of a result under an address without indices, or None."""
+    node = results
+    for key in address.split("."):
+        if not isinstance(node, dict) or is_quantity(node):
+            return None
+        node = node.get(key)
+    return node
+
+
+def _limit(entry: "dict[str, Any]") -> str:
+    """What a limit says, beside the result it is for."""
+    limit = quantity(entry["limit"]["value"], entry["limit"].get("unit", ""), 6)
+    if "probability" in entry:
+        return f"{limit} exceeded: {percent(entry['probability'])}"
+    by = quantity(entry["by"]["value"], entry["by"].get("unit", ""), 6)
+    if entry["beyond"]:
+        return f"exceeds the limit of {limit} by {by}"
+    return f"at the limit of {limit}" if not entry["by"]["value"] else f"within the limit of {limit} by {by}"

@@ -1,0 +1,64 @@
+"""Tables and written files in a short answer: within the width and the lines there are."""
+
+from dynamics_cli.core.documents import columns, number, quantity
+from dynamics_cli.core.output.answer_words import in_words
+from dynamics_cli.core.output.wrapping import wrapped
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# mm: a smaller deviation is written in micrometres.
+MICROMETRES_BELOW = 0.01
+
+
+def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
+    """A table within the width and the lines there are: first and last rows, and the columns that fit."""
+    every = columns(node)
+    title, _, asked = label.partition(" | ")
+    heads_of = {name: head or in_words(name) for name, _, head in (part.partition("=") for part in asked.split(", "))}
+    made = [column for column in every if column[0] in heads_of] or every
+    cells = [[heads_of.get(name, in_words(name)) for name, _, _ in made], [unit for _, unit, _ in made]]
+    body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
+    heads = len(body)
+    body += [[number(value, digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
+    words = [any(isinstance(value, str) for value in values) for _, _, values in made]
+    widths = [max(len(row[i]) for row in body) for i in range(len(made))]
+    kept, total = 0, 2
+    while kept < len(widths) and total + widths[kept] <= width:
+        total += widths[kept] + 2
+        kept += 1
+    shown_names = {name for name, _, _ in made[:kept]}
+    left = [in_words(name) for name, _, _ in every if name not in shown_names]
+    rows = body[heads:]
+    # besides the rows: a blank line, the title, the line of the gap and that of the columns left out
+    room = max(space - heads - 3 - bool(left), 2)
+    gap = len(rows) - room if len(rows) > room + 1 else 0
+    if gap:
+        rows = rows[: (room + 1) // 2] + rows[len(rows) - room // 2 :]
+    lines = [title]
+    for index, row in enumerate([*body[:heads], *rows]):
+        if gap and index == heads + (room + 1) // 2:
+            lines.append(f"  … {gap} rows more: --all, or {_whole(address)}")
+        shown = [f"{c:<{w}}" if t else f"{c:>{w}}" for c, w, t in zip(row, widths, words, strict=True)][:kept]
+        lines.append(("  " + "  ".join(shown)).rstrip())
+    if left:
+        named = f"  and {', '.join(left)}: --all"
+        lines.append(named if len(named) <= width else f"  and {len(left)} more columns: --all")
+    return lines
+
+
+def _whole(address: str) -> str:
+    """How the whole table is written to a file."""
+    return "--output FILE.csv" + (f" --table {address}" if address != "sweep" else "")
+
+
+def file_lines(file: "dict[str, Any]", width: int) -> "list[str]":
+    """A file that was written, with what it holds."""
+    parts = [file["holds"]] if "holds" in file else []
+    if "deviation" in file:
+        value, unit = file["deviation"]["value"], file["deviation"].get("unit", "")
+        if unit == "mm" and value < MICROMETRES_BELOW:
+            value, unit = 1e3 * value, "µm"
+        parts.append(f"within {quantity(value, unit, 3)} of the true profile")
+    return wrapped(f"{file['name']}  {', '.join(parts) or 'written'}", width, 2)

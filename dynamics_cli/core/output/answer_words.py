@@ -1,0 +1,94 @@
+"""The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
+
+from math import log10
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Task
+
+# How many results are shown where a task declares no headline.
+MOST_UNDECLARED = 8
+
+
+# Beside the largest component of a vector, what is smaller is rounding.
+ROUNDING = 1e-12
+
+
+def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "list[str]") -> "dict[str, str]":
+    """The addresses of the headline with their labels: as the task declares them, else the first results.
+
+    The label "-" is none: the value stands alone. A name without an index stands for all its items.
+    """
+    declared = dict(task.headline)
+    for name in flat:
+        base = name.partition("[")[0]
+        if base != name and base in declared:
+            declared[name] = declared[base] if declared[base] == "-" else ""
+    if not any(address in flat or address in tables for address in declared):
+        numbers = [name for name, (value, _) in flat.items() if not isinstance(value, str)]
+        declared = dict.fromkeys([*numbers[:MOST_UNDECLARED], *(() if numbers else tables[:1])], "")
+    return {
+        address: "" if label == "-" else label or in_words(address)
+        for address, label in declared.items()
+        if address in flat or address in tables
+    }
+
+
+def in_words(address: str) -> str:
+    """`first.exit_speed` as words."""
+    return address.replace("_", " ").replace(".", " ")
+
+
+def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
+    """What a user calls the bodies: names by the words that labels begin with."""
+    given = {word: node.get("name") for word, node in inputs.items() if isinstance(node, dict)}
+    return {word: name for word, name in given.items() if isinstance(name, str)}
+
+
+def with_name(label: str, names: "dict[str, str]") -> str:
+    """A label with the name of the body it begins with."""
+    word, _, rest = label.partition(" ")
+    return f"{names[word]} {rest}" if word in names else label
+
+
+def decimals(value: float, deviation: float) -> str:
+    """A number to the place of the second significant digit of its standard deviation."""
+    from math import floor
+
+    place = 1 - floor(log10(abs(deviation)))
+    # a deviation of 9.96 is 10
+    place = 1 - floor(log10(float(f"{abs(deviation):.1e}"))) if deviation else place
+    if -9 <= place <= 12:
+        rounded = round(value, place)
+        return f"{rounded + 0.0:.{max(place, 0)}f}"
+    return f"{value:.6g}"
+
+
+def without_rounding(value: "list[Any]") -> "list[Any]":
+    """A vector or tensor whose components that are rounding beside the largest are zero."""
+    largest = max((abs(item) for item in _numbers(value)), default=0.0)
+
+    def cleared(node: "Any") -> "Any":
+        if isinstance(node, list):
+            return [cleared(item) for item in node]
+        return 0.0 if isinstance(node, float) and abs(node) < ROUNDING * largest else node
+
+    return cleared(value)  # type: ignore[no-any-return]
+
+
+def _numbers(node: "Any") -> "list[float]":
+    if isinstance(node, list):
+        return [value for item in node for value in _numbers(item)]
+    return [node] if isinstance(node, float) else []
+
+
+def percent(probability: float) -> str:
+    """A probability in per cent, never 0 or 100 unless it is."""
+    percent = 100.0 * probability
+    if 0.0 < percent < 0.01:
+        return "< 0.01 %"
+    if 99.99 < percent < 100.0:
+        return "> 99.99 %"
+    return f"{percent:.2g} %" if percent < 99.0 else f"{percent:.4g} %"

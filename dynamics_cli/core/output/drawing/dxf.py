@@ -1,0 +1,122 @@
+"""DXF by ezdxf, which only this module imports: LWPOLYLINE with bulges, SPLINE for cubics, the same bytes every time.
+
+R2000, the version most machines read. A cubic is a spline of its own, which every reader draws alike; knots of higher
+multiplicity, which would join several, are read in several ways.
+"""
+
+from dynamics_cli.core.output.drawing.scaled import box, stated
+from dynamics_cli.errors import UsageError
+from dynamics_cli.outlines import Arc, Cubic, Points
+from dynamics_cli.version import __version__
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.output.drawing.scaled import FileUnit
+    from dynamics_cli.outlines import Drawing, Outline, Piece
+
+    Vertex = tuple[float, float, float]
+
+APPLICATION = "DYNAMICS"
+BEZIER_KNOTS = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0)
+PLANAR = 8
+# Dash, gap, dot and gap of construction lines, as shares of the size of the drawing.
+CENTRE = (0.04, -0.008, 0.008, -0.008)
+# What a layer's name may not hold.
+FORBIDDEN = '<>/\\":;?*|=`,'
+
+
+def need() -> "Any":
+    """The library, or how to get it."""
+    try:
+        import ezdxf
+    except ImportError:
+        raise UsageError(
+            "DXF needs a part that is not installed",
+            code="not-installed",
+            parameter="drawing",
+            hint="pip install 'dynamics-cli[drawing]'; SVG and CSV need nothing",
+        ) from None
+    return ezdxf
+
+
+def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
+    """The drawing's file; the same drawing gives the same bytes."""
+    import io
+
+    ezdxf = need()
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    # else the file holds the time of day and a random identifier
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        document = ezdxf.new("R2000")
+        _fill(document, drawing, unit)
+        stream = io.StringIO()
+        document.write(stream)
+        body: bytes = document.encode(stream.getvalue())
+        return b"".join(b"999\n" + document.encode(line) + b"\n" for line in _comments(drawing, unit)) + body
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+
+
+def _comments(drawing: "Drawing", unit: "FileUnit") -> "list[str]":
+    title = f": {drawing.title}" if drawing.title else ""
+    lines = [f"dynamics {__version__}{title}", f"unit: {unit.name}"]
+    return lines + [stated(outline, unit) for outline in drawing.outlines]
+
+
+def _fill(document: "Any", drawing: "Drawing", unit: "FileUnit") -> None:
+    document.header["$INSUNITS"] = unit.insunits
+    document.header["$MEASUREMENT"] = unit.measurement
+    document.appids.add(APPLICATION)
+    space = document.modelspace()
+    left, right, low, high = box(drawing)
+    space.reset_extents((left, low, 0.0), (right, high, 0.0))
+    document.set_modelspace_vport(1.1 * max(high - low, right - left), (0.5 * (left + right), 0.5 * (low + high)))
+    if drawing.construction:
+        # lengths of dash, gap and dot in the unit of the file; a positive number draws, a negative one leaves out
+        dashes = [length * max(high - low, right - left) for length in CENTRE]
+        document.linetypes.add("CENTER", [sum(map(abs, dashes)), *dashes], description="Center ____ _ ____ _ ____")
+    for outline in (*drawing.outlines, *drawing.construction):
+        layer = outline.name.translate(dict.fromkeys(map(ord, FORBIDDEN), "_"))
+        if layer not in document.layers:
+            document.layers.add(layer, linetype="CENTER" if outline in drawing.construction else "Continuous")
+        for entity in _entities(space, outline):
+            entity.dxf.layer = layer
+            # 1041 is a distance, which CAD scales with the entity
+            entity.set_xdata(APPLICATION, [(1000, f"proved deviation in {unit.name}"), (1041, outline.deviation)])
+
+
+def _entities(space: "Any", outline: "Outline") -> "list[Any]":
+    """Lines and arcs that follow one another as one polyline, each cubic as a spline."""
+    made: list[Any] = []
+    vertices: list[Vertex] = []
+
+    def end_run(last: "tuple[float, float] | None", *, closed: bool = False) -> None:
+        if vertices and last is not None:
+            ends = vertices if closed else [*vertices, (*last, 0.0)]
+            made.append(space.add_lwpolyline(ends, format="xyb", close=closed))
+        vertices.clear()
+
+    last = None
+    for piece in outline.pieces:
+        if isinstance(piece, Cubic):
+            end_run(last)
+            spline = space.add_spline(degree=3)
+            spline.dxf.flags = PLANAR
+            spline.control_points = [piece.start, piece.control1, piece.control2, piece.end]
+            spline.knots = BEZIER_KNOTS
+            made.append(spline)
+        else:
+            vertices.extend(_vertices(piece))
+        last = piece.end
+    end_run(last, closed=outline.closed and not made)
+    return made
+
+
+def _vertices(piece: "Piece") -> "list[Vertex]":
+    """A piece's vertices without its end."""
+    if isinstance(piece, Points):
+        return [(x, y, 0.0) for x, y in piece.points[:-1]]
+    return [(*piece.start, piece.bulge if isinstance(piece, Arc) else 0.0)]

@@ -1,0 +1,57 @@
+"""Errors for people, or as one JSON object, on standard error."""
+
+from dynamics_cli.core.documents import to_json
+from dynamics_cli.errors import DynamicsError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+
+def wants_json(argv: "list[str]", environ: "Mapping[str, str]") -> bool:
+    """Whether errors go out as JSON: asked for by option or environment, however badly the rest is written."""
+    asked = environ.get("DYNAMICS_FORMAT", "")
+    for index, word in enumerate(argv):
+        if word == "--json":
+            return True
+        if word.startswith("--format="):
+            asked = word.partition("=")[2]
+        elif word == "--format":
+            asked = "".join(argv[index + 1 : index + 2])
+    return asked in ("json", "ndjson")
+
+
+def as_object(error: DynamicsError) -> "dict[str, Any]":
+    """One error as the contract's object."""
+    return {"code": error.code, "parameter": error.parameter, "message": error.message, "hint": error.hint}
+
+
+def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = ()) -> str:
+    """What goes to standard error; a parameter is named as it was typed, --roller-radius."""
+    if json:
+        body = as_object(error)
+        if len(error.all()) > 1:
+            body["errors"] = [as_object(one) for one in error.all()]
+        return to_json({"error": body}) + "\n"
+    lines = []
+    for one in error.all():
+        name = _as_typed(one.parameter or "", typed)
+        named = not name or one.message.startswith((name, f"--{name}", one.parameter or "")) or name in one.message
+        lines.append("dynamics: " + _printable(one.message if named else f"{name}: {one.message}"))
+        if one.hint:
+            lines.append(f"  {_printable(one.hint)}")
+    return "\n".join(lines) + "\n"
+
+
+def _as_typed(parameter: str, typed: "Sequence[str]") -> str:
+    """The option that gave a parameter, where one was typed for it; else the parameter's address."""
+    for name in (parameter, parameter.rpartition(".")[2]):
+        option = f"--{name.replace('_', '-').replace('.', '-')}"
+        if any(word.partition("=")[0] == option for word in typed):
+            return option
+    return parameter
+
+
+def _printable(text: str) -> str:
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)

@@ -1,0 +1,91 @@
+"""Pictures of an answer: which there are, in a file by matplotlib, or small in the terminal.
+
+What is pictured: the task's own picture; a sweep's results over the swept parameter; with uncertain inputs the
+distribution of the first result that varies, and what drives it.
+"""
+
+import os
+
+from dynamics_cli.core.answering.task import load
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.core.inputs.settings import Settings
+    from dynamics_cli.core.terminal import Terminal
+    from dynamics_cli.pictures import Picture
+
+FORMATS = ("svg", "png", "pdf")
+TERMINAL = "-"
+
+
+def check_asked(task: "Task", settings: "Settings") -> None:
+    """Refuse, before anything is calculated, a picture that cannot be made."""
+    name = settings.plot
+    if name == TERMINAL:
+        return
+    form = extension(name)
+    if form not in FORMATS:
+        raise UsageError(
+            f"read {name!r}, wanted a file that ends in .svg, .png or .pdf, or - for the terminal",
+            parameter="plot",
+            code="unknown-choice",
+            hint="for example: --plot picture.svg",
+        )
+    for other in ("output", "drawing"):
+        own = getattr(settings, other)
+        if own and os.path.realpath(own) == os.path.realpath(name):
+            raise UsageError(
+                f"--plot and --{other} name the same file", parameter="plot", code="exclusive", hint="give it two names"
+            )
+    from dynamics_cli.core.output.plot.pages import need
+
+    need()
+
+
+def own_picture(task: "Task", record: "Any", arguments: "tuple[list[Any], dict[str, Any]]") -> "Picture | None":
+    """The picture that the task has of its own."""
+    if not task.plot:
+        return None
+    words, options = arguments
+    made: Picture = load(task.plot)(record, *words, **options)
+    return made
+
+
+def refuse_none(task: "Task") -> UsageError:
+    """What to say when there is nothing to look at."""
+    return UsageError(
+        f"{task.path} has no picture of one certain case",
+        parameter="plot",
+        code="no-picture",
+        hint="sweep a parameter, or make an input uncertain, to have one",
+    )
+
+
+def drawn(picture: "Picture", settings: "Settings") -> "tuple[bytes, dict[str, Any]]":
+    """The picture's file and its entry in the document."""
+    from dynamics_cli.core.inputs.sources.hashes import entry_of
+    from dynamics_cli.core.output.plot.pages import draw
+
+    data = draw(picture, extension(settings.plot), settings.units)
+    return data, {**entry_of(settings.plot, data), "written": True}
+
+
+def show_small(picture: "Picture", settings: "Settings", terminal: "Terminal") -> None:
+    """A small picture on standard error, when that is a terminal."""
+    if not terminal.shows_progress:
+        return
+    import shutil
+
+    from dynamics_cli.core.output.plot.small import sketch
+
+    columns, lines = shutil.get_terminal_size((80, 24))
+    terminal.tell(sketch(picture, settings.units, columns, lines))
+
+
+def extension(name: str) -> str:
+    """The ending of a file's name."""
+    return os.path.splitext(name)[1].lower().removeprefix(".")

@@ -1,0 +1,54 @@
+"""Axes in the units they are shown in: SI numbers scaled and labelled."""
+
+from dynamics_cli.core.units.display import Shown
+from dynamics_cli.errors import Wording, filled
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from dynamics_cli.pictures import Axis
+    from dynamics_cli.quantities import Kind
+
+
+class Scale:
+    """How an axis shows its SI numbers, and what it is called."""
+
+    def __init__(self, axis: "Axis", system: str) -> None:
+        self.factor, self.offset, unit = 1.0, 0.0, ""
+        self.system = system
+        if axis.kind is not None:
+            shown = Shown(axis.kind, axis.kind.shown_in(system))
+            self.factor, unit = shown.width(1.0), shown.text
+            self.offset = _number(shown.value(0.0))
+        self.label = f"{axis.title} [{unit}]" if unit else axis.title
+        self.logarithmic = axis.logarithmic
+
+    def __call__(self, values: "Iterable[float]") -> "list[float]":
+        """Numbers as shown."""
+        return [self.factor * value + self.offset for value in values]
+
+    def width(self, value: float) -> float:
+        """A difference as shown."""
+        return self.factor * value
+
+
+def words(text: str, system: str) -> str:
+    """A title or a label, its typed values in the units of a system."""
+    if not isinstance(text, Wording):
+        return text
+
+    def write(value: float, kind: "Kind", digits: int) -> str:
+        shown = Shown(kind, kind.shown_in(system))
+        return f"{_number(shown.value(value)):.{digits}g} {shown.text}".rstrip()
+
+    return filled(text.template, text.values, write)
+
+
+def _number(value: "float | list[float]") -> float:
+    return value if isinstance(value, float) else float(value)  # type: ignore[arg-type]
+
+
+def finite(values: "Sequence[float]") -> "list[float]":
+    """The numbers that are."""
+    return [value for value in values if value - value == 0.0]

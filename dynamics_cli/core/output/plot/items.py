@@ -1,0 +1,179 @@
+"""What stands on a panel: curves, marks, arrows, bands, bars, words, dimensions and tables, drawn by matplotlib."""
+
+import re
+
+from dynamics_cli.core.output.plot.axes import Scale, words
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.pictures import Panel
+
+# Okabe and Ito's colours, which colour-blind readers tell apart; yellow is left out, being lost on paper.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+# Dashes and markers go with the colours, so that a grey print tells curves apart as well.
+DASHES: "tuple[Any, ...]" = (
+    "-", (0, (7, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (1.2, 1.2)), (0, (12, 3)),
+)  # fmt: skip
+MARKERS = "os^Dv<>"
+_STYLES: "dict[str, dict[str, Any]]" = {
+    "solid": {"linestyle": "-", "linewidth": 1.5},
+    "dashed": {"linestyle": "--", "linewidth": 1.3},
+    "dotted": {"linestyle": ":", "linewidth": 1.5},
+    "thin": {"linestyle": "-", "linewidth": 0.7},
+    "points": {"linestyle": "none", "marker": "o", "markersize": 3.5},
+    "steps": {"linestyle": "-", "linewidth": 1.5, "drawstyle": "steps-post"},
+    "filled": {"linestyle": "-", "linewidth": 1.0},
+    "outline": {"linestyle": "-", "linewidth": 1.0},
+    "fill": {"linestyle": "none"},
+    "dots": {"linestyle": ":", "linewidth": 0.8},
+    "thick": {"linestyle": "-", "linewidth": 2.6, "solid_capstyle": "butt"},
+    "centre": {"linestyle": (0, (9, 2, 1.5, 2)), "linewidth": 0.7},
+}
+_SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
+_DIMENSION = {"lw": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
+
+
+class Pens:
+    """Colours, dashes and markers of a panel's curves."""
+
+    def __init__(self, panel: "Panel") -> None:
+        solid = [item for item in panel.items if isinstance(item, Curve) and item.style in ("solid", "steps")]
+        # One curve alone is a plain line, and so are shapes, whose places tell them apart.
+        self.dashed = not panel.equal and sum(bool(item.label) for item in solid) > 1
+        self.last = -1
+
+    def style(self, item: Curve) -> "dict[str, Any]":
+        """What matplotlib takes for a curve."""
+        if item.role < 0:
+            self.last += 1
+        nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
+        style = {**_STYLES[item.style], "color": COLOURS[nth]}
+        if item.style == "points":
+            style["marker"] = MARKERS[nth]
+        elif self.dashed and item.style in ("solid", "steps"):
+            style["linestyle"] = DASHES[nth]
+        return style
+
+
+def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: Pens) -> None:
+    across, up = x(item.x), y(item.y)
+    style = pens.style(item)
+    axes.plot(across, up, label=item.label or None, **style)
+    if item.style in ("filled", "fill"):
+        axes.fill(across, up, color=style["color"], alpha=0.12, linewidth=0.0)
+
+
+def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, pens: Pens) -> None:
+    (across,), (up,) = x((item.x,)), y((item.y,))
+    colour = COLOURS[item.role % len(COLOURS)] if item.role >= 0 else "black"
+    axes.plot([across], [up], marker="o", markersize=4.0, color=colour, alpha=float(item.dot))
+    side, height = ("right" if item.aside[0] < 0.0 else "left"), "baseline"
+    if not item.dot:
+        side = side if item.aside[0] else "center"
+        height = ("top" if item.aside[1] < 0.0 else "bottom") if item.aside[1] else "center"
+    place = {"xytext": item.aside, "textcoords": "offset points", "ha": side, "va": height}
+    axes.annotate(written(item.label, x.system), (across, up), fontsize=8.0, color=colour, **place)
+
+
+def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: Pens) -> None:
+    colour = COLOURS[item.role % len(COLOURS)]
+    (x0, x1), (y0, y1) = x((item.x, item.x + item.dx)), y((item.y, item.y + item.dy))
+    # The arrow itself does not widen the axes; an unseen line along it does.
+    axes.plot([x0, x1], [y0, y1], alpha=0.0)
+    shaft = {**_SHAFT, "linestyle": "--"} if item.dashed else _SHAFT
+    axes.annotate("", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": colour, **shaft})
+    # Away from the shaft, and the odd ones below, so that arrows side by side keep their words apart.
+    place = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
+    shift = (4 if x1 >= x0 else -4, -3 if item.role % 2 else 3)
+    axes.annotate(item.label, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
+
+
+def _band(axes: "Any", item: Band, x: Scale, y: Scale, pens: Pens) -> None:
+    low, high = (x if item.vertical else y)((item.low, item.high))
+    line, span = (axes.axvline, axes.axvspan) if item.vertical else (axes.axhline, axes.axhspan)
+    if low == high:
+        line(low, color="black", linestyle="-.", linewidth=1.0 if item.label else 0.6, label=item.label or None)
+    else:
+        span(low, high, color="#56B4E9", alpha=0.25, linewidth=0.0, label=item.label or None)
+
+
+def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, pens: Pens) -> None:
+    low, high = x(item.low), x(item.high)
+    places = list(range(len(item.names)))
+    axes.use_sticky_edges = False
+    axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.6, color=COLOURS[0])
+    axes.set_yticks(places, labels=list(item.names))
+    axes.set_ylim(len(places) - 0.4, -0.6)
+    axes.grid(visible=False, axis="y")
+
+
+def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
+    """Each interval as a bar with its value as a point, the name over it."""
+    places = list(range(len(item.names)))
+    low, high = x(item.low), x(item.high)
+    axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.16, color="#9ecae1")
+    axes.plot(x(item.at), places, linestyle="none", marker="o", markersize=5.0, color=COLOURS[0])
+    least, most = min([*low, *(at for at, _ in item.limits)]), max([*high, *(at for at, _ in item.limits)])
+    room = 0.06 * (most - least)
+    axes.set_xlim(least - room, most + room)
+    for place, name, start, end in zip(places, item.names, low, high, strict=True):
+        right = 0.5 * (start + end) > 0.5 * (least + most)
+        side: dict[str, Any] = {"ha": "right" if right else "left", "va": "bottom", "fontsize": 8.5}
+        side["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
+        axes.annotate(name, (end if right else start, place - 0.14), **side)
+    for limit, label in item.limits:
+        axes.axvline(*x((limit,)), color="black", linestyle="--", linewidth=1.0)
+        axes.annotate(label, (x((limit,))[0], -0.75), xytext=(3, 0), textcoords="offset points", fontsize=9.0, va="top")
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.set_ylim(len(places) - 0.7, -0.8 if item.limits else -0.6)
+    axes.grid(visible=False)
+
+
+def _label(axes: "Any", item: Label, x: Scale, y: Scale, pens: Pens) -> None:
+    (across,), (up,) = x((item.x,)), y((item.y,))
+    side = "left" if item.left else "center"
+    colour = COLOURS[item.role % len(COLOURS)]
+    axes.text(across, up, written(item.text, x.system), fontsize=8.5, color=colour, ha=side, va="center")
+
+
+def _dimension(axes: "Any", item: Dimension, x: Scale, y: Scale, pens: Pens) -> None:
+    (x0, x1), (y0, y1) = x(item.x), y(item.y)
+    axes.annotate("", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "<|-|>", "color": "black", **_DIMENSION})
+    middle = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
+    text = written(item.text, x.system)
+    axes.annotate(text, middle, xytext=(0, 2), textcoords="offset points", fontsize=8.5, ha="center", va="bottom")
+
+
+def _rows(axes: "Any", item: Rows, x: Scale, y: Scale, pens: Pens) -> None:
+    count = len(item.rows)
+    for nth, (name, symbol, value) in enumerate(item.rows):
+        height = count - nth - 0.5
+        axes.text(0.0, height, name, fontsize=8.5, va="center")
+        axes.text(0.62, height, written(symbol, x.system), fontsize=8.5, va="center", ha="center")
+        axes.text(1.0, height, written(value, x.system), fontsize=8.5, va="center", ha="right")
+        axes.plot([0.0, 1.0], [count - nth - 1.0] * 2, color="#cccccc", linewidth=0.6)
+    axes.set_xlim(0.0, 1.0)
+    axes.set_ylim(0.0, float(count))
+
+
+def written(text: str, system: str) -> str:
+    """A text with its values in the units of the picture, its symbols with subscripts."""
+    return re.sub(r"(?<![^\W\d_])([^\W\d_])_(\w+)", r"$\1_{\2}$", words(text, system))
+
+
+DRAW: "dict[type, Callable[..., None]]" = {
+    Curve: _curve,
+    Mark: _mark,
+    Arrow: _arrow,
+    Band: _band,
+    Bars: _bars,
+    Ranges: _ranges,
+    Label: _label,
+    Dimension: _dimension,
+    Rows: _rows,
+}

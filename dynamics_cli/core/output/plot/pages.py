@@ -1,0 +1,294 @@
+"""Pictures in files: SVG, PNG and PDF by matplotlib, which only this module imports; the same bytes every time."""
+
+import io
+import itertools
+import os
+from textwrap import fill
+
+from dynamics_cli.core.output.plot.axes import Scale, finite, words
+from dynamics_cli.core.output.plot.items import COLOURS, DRAW, Pens, written
+from dynamics_cli.errors import UsageError
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows
+from dynamics_cli.quantities import Count
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.pictures import Axis, Panel, Picture
+
+# Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
+WIDTHS = (6.6, 7.6, 8.4)
+HEIGHT = 3.0
+SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
+EQUAL_HEIGHT = 5.0
+LEAST_HEIGHT = 1.8
+# Letters of a title and ticks of an axis over the whole width.
+LONGEST_TITLE = 84
+LETTERS_PER_INCH = 11
+MOST_TICKS = 12
+RESOLUTION = 160
+_SETTINGS = {
+    "svg.hashsalt": "dynamics",
+    "svg.fonttype": "path",
+    "pdf.compression": 6,
+    "font.family": "DejaVu Sans",
+    "font.size": 9.0,
+    "axes.titlesize": 9.5,
+    "axes.grid": True,
+    "grid.linewidth": 0.4,
+    "grid.color": "#cccccc",
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "legend.fontsize": 8.0,
+    "legend.handlelength": 3.2,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    # A scale that begins somewhere else, told in small print at its end, is misread.
+    "axes.formatter.useoffset": False,
+}
+# More names than this find no place among the curves.
+MOST_INSIDE = 4
+# Letters that the line of a curve and the room around it take in a legend.
+LETTERS_OF_A_LINE = 8
+# No dates and no version of a library, so that a file depends on its numbers alone.
+_ABOUT: "dict[str, dict[str, Any]]" = {
+    "svg": {"Date": None, "Creator": "dynamics"},
+    "png": {"Software": "dynamics"},
+    "pdf": {"CreationDate": None, "Creator": "dynamics", "Producer": "dynamics"},
+}
+
+
+def need() -> "Any":
+    """The library, or how to get it."""
+    # No window is opened: a backend that the environment names is not used, and need not exist.
+    named = os.environ.pop("MPLBACKEND", None)
+    try:
+        import matplotlib
+    except ImportError:
+        raise UsageError(
+            "pictures in files need a part that is not installed",
+            code="not-installed",
+            parameter="plot",
+            hint="pip install 'dynamics-cli[plot]'; --plot - needs nothing",
+        ) from None
+    except Exception as error:
+        raise UsageError(
+            f"matplotlib does not start: {error}", parameter="plot", hint="its own settings file may be at fault"
+        ) from None
+    finally:
+        if named is not None:
+            os.environ["MPLBACKEND"] = named
+    return matplotlib
+
+
+def draw(picture: "Picture", form: str, system: str) -> bytes:
+    """The bytes of a picture's file."""
+    matplotlib = need()
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_SETTINGS)
+        file = io.BytesIO()
+        if form == "pdf" and 0 < picture.page < len(picture.panels):
+            from matplotlib.backends.backend_pdf import PdfPages
+
+            with PdfPages(file, metadata=_ABOUT[form]) as pages:
+                for start in range(0, len(picture.panels), picture.page):
+                    pages.savefig(_figure(picture, picture.panels[start : start + picture.page], system))
+        else:
+            figure = _figure(picture, picture.panels, system)
+            # the words of a scene stand where its arrows end, which may be beyond the page
+            bare = any(panel.bare for panel in picture.panels)
+            more = {"bbox_inches": "tight", "pad_inches": 0.05} if bare else {}
+            figure.savefig(file, format=form, dpi=RESOLUTION, metadata=_ABOUT[form], **more)
+    return file.getvalue()
+
+
+def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "Any":
+    """One page of panels."""
+    if picture.views:
+        from dynamics_cli.core.output.plot.views import three_views
+
+        return three_views(picture, system, _blank, DRAW[Curve], Pens, COLOURS)
+    columns = min(picture.columns, len(panels))
+    lines = _lines(panels, columns)
+    wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
+    tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
+    head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
+    # panels one below another over the same stretch of one axis name it once
+    shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
+    for index in [index for index, share in enumerate(shared) if share]:
+        tall[index : index + 2] = [SHARED_HEIGHT, SHARED_HEIGHT + ROOM_FOR_TICKS]
+    figure = _blank(wide, sum(tall) + head, layout="constrained")
+    grid = figure.add_gridspec(len(lines), columns, height_ratios=tall)
+    for row, line in enumerate(lines):
+        for column, panel in enumerate(line):
+            # a panel that would be alone in the last line takes all of it
+            whole = panel.wide or (len(line) == 1 and row == len(lines) - 1)
+            place = grid[row, :] if whole else grid[row, column]
+            axes = figure.add_subplot(place)
+            _panel(axes, panel, system, 1 if whole else columns)
+            if columns == 1 and shared[row]:
+                axes.set_xlabel("")
+                axes.tick_params(labelbottom=False)
+    if picture.subtitle:
+        _head(figure, picture, system)
+        return figure
+    if picture.title:
+        title = written(picture.title, system).split("\n")
+        figure.suptitle("\n".join(fill(line, int(LETTERS_PER_INCH * wide)) for line in title), fontsize=10.5)
+    if any(shared):
+        figure.align_ylabels()
+    _settle(figure)
+    return figure
+
+
+def _head(figure: "Any", picture: "Picture", system: str) -> None:
+    """Title and subtitle above the left edge of the first panel; the layout is settled with them."""
+    layout = figure.get_layout_engine()
+    layout.set(h_pad=0.1, w_pad=0.1)
+    title = figure.suptitle(written(picture.title, system), ha="left", fontsize=13.0, fontweight="bold")
+    figure.axes[0].set_title(picture.subtitle, loc="left", fontsize=8.5, color="#555555")
+    _settle(figure)
+    title.set_x(figure.axes[0].get_position().x0)
+
+
+def _settle(figure: "Any") -> None:
+    """Keep the layout, rounded: its last bits depend on the order in which a solver finds it."""
+    figure.get_layout_engine().execute(figure)
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        axes.set_position([round(part, 6) for part in axes.get_position().bounds])
+
+
+def _shares_axis(panel: "Panel", below: "Panel") -> bool:
+    return panel.x.ends is not None and panel.x == below.x
+
+
+def _blank(width: float, height: float, **more: "Any") -> "Any":
+    """A figure of that size in inches."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height), **more)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def _lines(panels: "tuple[Panel, ...]", columns: int) -> "list[list[Panel]]":
+    """The panels line by line; a wide one takes a line of its own."""
+    lines: list[list[Panel]] = []
+    for panel in panels:
+        if not lines or panel.wide or lines[-1][0].wide or len(lines[-1]) == columns:
+            lines.append([])
+        lines[-1].append(panel)
+    return lines
+
+
+def _height(panel: "Panel", columns: int, wide: float) -> float:
+    """Height of a panel that shares a line of this width with `columns`."""
+    legend = 0.2 * len(_legend(panel)) if columns > 1 else 0.0
+    if panel.equal:
+        share = (0.97 if panel.bare else 0.85) * wide / columns
+        return legend + min(EQUAL_HEIGHT, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
+    tables = [len(item.rows) for item in panel.items if isinstance(item, Rows)]
+    if tables:
+        return 0.3 + 0.26 * max(tables)
+    bars = [len(item.names) * (1 + isinstance(item, Ranges)) for item in panel.items if isinstance(item, Bars | Ranges)]
+    return legend + (max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, 0.55 * wide))
+
+
+def _slenderness(panel: "Panel") -> float:
+    """Height over width of what a panel of equal axes shows."""
+    if panel.x.ends is not None and panel.y.ends is not None:
+        return (panel.y.ends[1] - panel.y.ends[0]) / (panel.x.ends[1] - panel.x.ends[0])
+    across: list[float] = []
+    up: list[float] = []
+    for item in panel.items:
+        if isinstance(item, Curve):
+            across += finite(item.x)
+            up += finite(item.y)
+        elif isinstance(item, Mark | Arrow | Label):
+            across.append(item.x)
+            up.append(item.y)
+        elif isinstance(item, Dimension):
+            across += item.x
+            up += item.y
+    width = max(across, default=1.0) - min(across, default=0.0)
+    return (max(up, default=1.0) - min(up, default=0.0)) / width if width > 0.0 else 1.0
+
+
+def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
+    from matplotlib.ticker import MultipleLocator
+
+    x, y = Scale(panel.x, system), Scale(panel.y, system)
+    if panel.bare:
+        axes.set_axis_off()
+    axes.set_xlabel(x.label)
+    axes.set_ylabel(y.label)
+    if panel.title:
+        axes.set_title(fill(words(panel.title, system), LONGEST_TITLE // columns))
+    if x.logarithmic:
+        axes.set_xscale("log")
+    if y.logarithmic:
+        axes.set_yscale("log")
+    if panel.equal:
+        fixed = panel.x.ends is not None and panel.y.ends is not None
+        axes.set_aspect("equal", adjustable="box" if fixed else "datalim")
+    for axis, side in ((panel.x, axes.xaxis), (panel.y, axes.yaxis)):
+        _ticks(side, axis, columns)
+    pens = Pens(panel)
+    for item in panel.items:
+        DRAW[type(item)](axes, item, x, y, pens)
+    if panel.bare or any(isinstance(item, Rows) for item in panel.items):
+        axes.set_axis_off()
+        axes.margins(0.02)
+    elif any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
+        # Room for words beside the outermost points.
+        beside = any(isinstance(item, Mark) and not item.dot for item in panel.items)
+        axes.margins(x=0.3 if beside else 0.2, y=0.12 if panel.x.ends is None else 0.2)
+    if _legend(panel):
+        axes.legend(**_legend_place(axes, panel, columns))
+    for axis, scale, limit, side in ((panel.x, x, axes.set_xlim, axes.xaxis), (panel.y, y, axes.set_ylim, axes.yaxis)):
+        if axis.ends is not None:
+            limit(*scale(axis.ends))
+        if axis.step:
+            side.set_major_locator(MultipleLocator(scale.width(axis.step)))
+
+
+def _legend(panel: "Panel") -> "list[str]":
+    return [item.label for item in panel.items if isinstance(item, Curve | Band) and item.label]
+
+
+def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]":
+    """Under a narrow panel and under shapes; beside bars and many curves, which leave no corner free; else anywhere."""
+    if columns == 1:
+        full = (
+            panel.equal
+            or len(_legend(panel)) > MOST_INSIDE
+            or any(
+                isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
+            )
+        )
+        names = _legend(panel)
+        if not full or not panel.equal or sum(map(len, names)) + LETTERS_OF_A_LINE * len(names) > LONGEST_TITLE:
+            return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
+        ncols = len(names)
+    else:
+        ncols = 1
+    from matplotlib.transforms import ScaledTranslation
+
+    below = axes.transAxes + ScaledTranslation(0.0, -0.42, axes.figure.dpi_scale_trans)
+    return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
+
+
+def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
+    """Names at 1, 2, 3 …, whole numbers where things are counted, and no more ticks than there is room for."""
+    from matplotlib.ticker import MaxNLocator
+
+    if axis.names:
+        side.set_ticks(range(1, len(axis.names) + 1), labels=list(axis.names))
+    elif axis.kind is Count:
+        side.set_major_locator(MaxNLocator(integer=True))
+    elif columns > 1 and not axis.logarithmic:
+        side.set_major_locator(MaxNLocator(nbins=MOST_TICKS // columns, steps=[1, 2, 2.5, 5, 10]))

@@ -1,0 +1,266 @@
+"""Documents as JSON, NDJSON, CSV, Markdown or a table for people; plain text built here costs no import.
+
+Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables the digits asked for.
+"""
+
+from dynamics_cli.core.documents import bound_text, columns, flatten, is_table, number, quantity, quote, to_json
+from dynamics_cli.core.output.wrapping import wrapped
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    Document = dict[str, Any]
+
+
+def to_pretty_json(document: "Document") -> str:
+    """JSON for eyes and pipes alike: small things on one line, large ones indented."""
+    return _pretty(document, "") + "\n"
+
+
+def _pretty(value: "Any", indent: str) -> str:
+    line = to_json(value)
+    if len(line) + len(indent) <= 110 or not isinstance(value, dict | list) or not value:
+        return line
+    inner = indent + "  "
+    if isinstance(value, dict):
+        items = [f"{inner}{quote(str(key))}: {_pretty(item, inner)}" for key, item in value.items()]
+        return "{\n" + ",\n".join(items) + f"\n{indent}}}"
+    return "[\n" + ",\n".join(inner + _pretty(item, inner) for item in value) + f"\n{indent}]"
+
+
+def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[str, str]") -> "list[str]":
+    width = max((len(name) for name, _, _ in entries), default=0)
+    lines = []
+    shown = [(name, quantity(value, unit, digits), tails.get(name, "")) for name, value, unit in entries]
+    middle = max((len(text) for _, text, tail in shown if tail), default=0)
+    for name, text, tail in shown:
+        lines.append(f"  {name:<{width}}  {text:<{middle}}  {tail}".rstrip() if tail else f"  {name:<{width}}  {text}")
+    return lines
+
+
+def _grid(table: "Any", digits: int) -> "list[list[str]]":
+    """Header rows (names, units) and cells as text."""
+    made = columns(table)
+    body = [[number(value, digits) for value in values] for _, _, values in made]
+    units = [unit for _, unit, _ in made]
+    head = [[name for name, _, _ in made]] + ([units] if any(units) else [])
+    return head + [list(row) for row in zip(*body, strict=True)]
+
+
+def to_full_table(
+    document: "Document", digits: int, layout: "Callable[[Any], list[str]] | None" = None, width: int = 0
+) -> str:
+    """The whole document for people: inputs, results with their error bounds, tables, checks, warnings, source.
+
+    `layout` writes the results, where a task has a way of its own; what stands beneath is then as wide as `width`.
+    """
+    lines = [document["command"]]
+    inputs = flatten(document["inputs"])
+    tables = {name: node for name, node in document["inputs"].items() if is_table(node)}
+    if inputs or tables:
+        lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
+    bounds = document["numerics"].get("error_bound", {})
+    tails = {name: f"(error ≤ {bound_text(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
+    uncertain = "uncertainty" in document["numerics"]
+    if uncertain:
+        from dynamics_cli.core.output.uncertainty import driver_lines, spread_tails
+
+        tails |= spread_tails(document["results"], digits)
+    results = document["results"]
+    if layout is not None:
+        lines += layout(results)
+    else:
+        lines += ["", *_aligned(flatten(results), digits, tails)]
+        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits)
+    lines += driver_lines(document, digits) if uncertain else []
+    notes = _notes(document)
+    lines += ["", *(f"  {line}" for note in notes for line in (wrapped(note, width - 2, 2) if width else [note]))]
+    if "timing" in document:
+        lines.append(f"  computation: {document['timing']['value'] * 1e6:.0f} µs")
+    if "explanation" in document:
+        lines += ["", *_explanation(document["explanation"])]
+    return "\n".join(lines) + "\n"
+
+
+def _notes(document: "Document") -> "list[str]":
+    """What stands under the results: limits, checks, warnings, the model and its source, files."""
+    model = document["model"]
+    notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
+    notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
+    notes += [f"check: {check_line(check)}" for check in document["checks"]]
+    for item in document["warnings"]:
+        remedy = f" ({item['remedy']})" if item.get("remedy") else ""
+        notes.append(f"{item['severity']}: {item['message']}{remedy}")
+    notes.append(f"model: {model['name']}" + (f" ({model['why']})" if model.get("why") else ""))
+    notes.append(f"source: {model['source']}")
+    return notes + [f"written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
+
+
+def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
+    lines = []
+    for name, table in tables.items():
+        words = [any(isinstance(value, str) for value in values) for _, _, values in columns(table)]
+        grid = _grid(table, digits)
+        widths = [max(len(row[i]) for row in grid) for i in range(len(grid[0]))]
+        lines += ["", f"  {name}"]
+        for row in grid:
+            cells = zip(row, widths, words, strict=True)
+            shown = [f"{cell:<{width}}" if word else f"{cell:>{width}}" for cell, width, word in cells]
+            lines.append("    " + "  ".join(shown).rstrip())
+    return lines
+
+
+def check_line(check: "dict[str, Any]") -> str:
+    """A check in one line."""
+    value = f" ({check['value']:.2g})" if check.get("value") is not None else ""
+    return f"{check['name']}: {'passed' if check['passed'] else 'FAILED'}{value}"
+
+
+def _explanation(explanation: "dict[str, Any]") -> "list[str]":
+    lines = []
+    for name, content in explanation.items():
+        if isinstance(content, list):
+            lines += [f"  {name.replace('_', ' ')}:", *(f"    {item}" for item in content)]
+        else:
+            lines.append(f"  {name.replace('_', ' ')}: {content}")
+    return lines
+
+
+def _csv_value(value: "Any") -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if value is None:
+        return ""
+    from dynamics_cli.core.output.csv_cells import csv_cell
+
+    return csv_cell(value if isinstance(value, str) else to_json(value))
+
+
+def to_csv(document: "Document", table: str) -> str:
+    """The task's main table (the first there is of several names), or else its results on one line."""
+    from dynamics_cli.core.output.csv_cells import header
+
+    results = document["results"]
+    node = next((results[name] for name in table.split() if results.get(name)), None)
+    plain = [] if node else _split_lists(flatten(results))
+    if not plain and not node:
+        node = next((item for item in results.values() if is_table(item)), None)
+    if plain and "uncertainty" in document["numerics"]:
+        from dynamics_cli.core.output.uncertainty import spread_columns
+
+        plain += spread_columns(results)
+    made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]
+    lines = [",".join(header(name, unit) for name, unit, _ in made)]
+    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
+    return "\n".join(lines) + "\n"
+
+
+def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
+    made = []
+    for name, value, unit in entries:
+        if isinstance(value, list):
+            units = unit.split(";") if ";" in unit else [unit] * len(value)
+            made += _split_lists([(f"{name}[{i}]", item, units[i]) for i, item in enumerate(value)])
+        else:
+            made.append((name, value, unit))
+    return made
+
+
+def to_markdown(document: "Document", digits: int) -> str:
+    """The document as a Markdown section: tables of inputs and results, checks, source."""
+    from dynamics_cli.markup import fenced, markdown
+
+    lines = [f"## {document['command']}", ""]
+    bounds = document["numerics"].get("error_bound", {})
+    for title, node in (("input", document["inputs"]), ("result", document["results"])):
+        entries = flatten(node)
+        shown = 17 if title == "input" else digits
+        if entries:
+            tail = " | error at most" if title == "result" else ""
+            lines += [f"| {title} | value{tail} |", "|---|---:" + ("|---|" if tail else "|")]
+            for name, value, unit in entries:
+                bound = f" | {bound_text(bounds[name]) if name in bounds else ''}" if tail else ""
+                lines.append(f"| {markdown(name)} | {markdown(quantity(value, unit, shown))}{bound} |")
+            lines.append("")
+        for name, table in ((name, item) for name, item in node.items() if is_table(item)):
+            lines += [f"**{markdown(name)}**", "", *_markdown_table(table, shown), ""]
+    said = [f"limit: {item['message']}" for item in document.get("limits", ())]
+    said += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
+    said += [f"check: {check_line(check)}" for check in document["checks"]]
+    said += [f"{item['severity']}: {item['message']}" for item in document["warnings"]]
+    said.append(f"model: {document['model']['name']}; source: {document['model']['source']}")
+    lines += [f"- {markdown(text)}" for text in said]
+    if "explanation" in document:
+        lines += ["", fenced("\n".join(_explanation(document["explanation"])))]
+    return "\n".join(lines) + "\n"
+
+
+def _markdown_table(table: "Any", digits: int) -> "list[str]":
+    from dynamics_cli.markup import markdown
+
+    made = columns(table)
+    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in made]
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(made)]
+    rows = zip(*(values for _, _, values in made), strict=True)
+    return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
+
+
+def render(document: "Document", form: str, digits: int, table: str = "") -> str:
+    """The document in one of the formats."""
+    if form == "json":
+        return to_pretty_json(document)
+    if form == "ndjson":
+        return to_json(document) + "\n"
+    if form == "csv":
+        return to_csv(document, table)
+    if form == "markdown":
+        return to_markdown(document, digits)
+    return to_full_table(document, digits)
+
+
+def only(document: "Document", names: "list[str]", digits: int, form: str) -> str:
+    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON."""
+    results = document["results"]
+    flat = {name: (value, unit) for name, value, unit in flatten(results)}
+    unknown = [name for name in names if name not in flat and not is_table(results.get(name))]
+    if unknown:
+        raise UsageError(
+            f"there is no result {unknown[0]!r}",
+            parameter="only",
+            code="unknown-result",
+            hint=f"results are {', '.join(flat)}",
+        )
+    if form in ("json", "ndjson"):
+        picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
+        return to_json(picked) + "\n"
+    return "".join(
+        quantity(*flat[name], digits) + "\n" if name in flat else whole_table(document, name, digits, form)
+        for name in names
+    )
+
+
+def _quantity_node(value: "Any", unit: str) -> "Any":
+    return {"value": value, "unit": unit} if unit else {"value": value}
+
+
+def whole_table(document: "Document", name: str, digits: int, form: str) -> str:
+    """One table of the result with all its rows, as CSV, JSON, Markdown or columns."""
+    sides = {**document["inputs"], **document["results"]}
+    tables = [own for own, node in sides.items() if is_table(node)]
+    if name not in tables:
+        raise UsageError(
+            f"there is no table {name!r}",
+            parameter="table",
+            code="unknown-table",
+            hint=f"tables are {', '.join(tables)}" if tables else "this answer has no table",
+        )
+    if form in ("json", "ndjson"):
+        return to_json(sides[name]) + "\n"
+    if form == "csv":
+        return to_csv({**document, "results": {name: sides[name]}}, name)
+    if form == "markdown":
+        return "\n".join(_markdown_table(sides[name], digits)) + "\n"
+    return "\n".join(line[2:] for line in _tables({name: sides[name]}, digits)[2:]) + "\n"

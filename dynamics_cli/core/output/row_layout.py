@@ -1,0 +1,333 @@
+"""Which results a row carries: the record's numbers, flags and choices; tables, checks and advice stay out."""
+
+from dynamics_cli.core.documents import quote
+from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.units.display import Display, Shown
+from dynamics_cli.errors import FaultError, InadmissibleError
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from typing import Any
+
+INFINITY = float("inf")
+
+
+def compact(value: "Any") -> str:
+    """JSON without a space too many; what is no JSON value stands as its `repr`."""
+    if isinstance(value, dict):
+        return "{" + ",".join([f"{quote(str(key))}:{compact(item)}" for key, item in value.items()]) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ",".join(map(compact, value)) + "]"
+    if isinstance(value, str):
+        return quote(value)
+    if value is True or value is False or value is None:
+        return {True: "true", False: "false", None: "null"}[value]
+    return repr(value)
+
+
+class Part:
+    """One result: where it stands in the record, how it is shown, and the columns it takes.
+
+    `how` is "number", "whole", "flag", "word" or "measured" (a number or several, each with a unit of its own).
+    """
+
+    __slots__ = ("address", "display", "how", "keys", "several", "shown", "steps", "unit")
+
+    def __init__(
+        self, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]", how: str, shown: Shown | None = None
+    ) -> None:
+        self.keys = keys
+        self.steps = steps
+        self.how = how
+        self.shown = shown
+        self.unit = shown.text if shown is not None else ""
+        self.several = False
+        # What shows a result whose own unit may give way to another.
+        self.display: Display | None = None
+        self.address = ""
+        for step in steps:
+            self.address += f"[{step}]" if isinstance(step, int) else f".{step.rstrip('_')}"
+        self.address = self.address.lstrip(".")
+
+    def of(self, record: "Any") -> "Any":
+        """The result in a record, in SI, or None."""
+        for step in self.steps:
+            if record is None:
+                return None
+            record = record[step] if isinstance(step, int) else getattr(record, step)
+        return record
+
+    def value(self, record: "Any") -> "Any":
+        """The result as it is shown: a number, a list for compound units, a flag, a word or None."""
+        found = self.of(record)
+        if found is None:
+            return None
+        if self.how == "measured":
+            show = self.display
+            return found if show is None or isinstance(found, tuple) else show.of_measured(self.address, found)
+        if self.how == "number":
+            number = plain(found)
+            return number if self.shown is None else self.shown.value(float(number))
+        return str(found) if self.how == "word" else found
+
+    @property
+    def names(self) -> "list[tuple[str, str]]":
+        """Its columns: name and unit."""
+        if self.how == "measured" and not self.unit:
+            return [(self.address, ""), (f"{self.address}.unit", "")]
+        units = self.unit.split(";")
+        if len(units) == 1:
+            return [(self.address, self.unit)]
+        return [(f"{self.address}[{i}]", unit.strip()) for i, unit in enumerate(units)]
+
+    def cells(self, value: "Any") -> "list[str]":
+        """Its cells in CSV."""
+        if value is None:
+            return [""] * len(self.names)
+        if self.how == "measured":
+            numbers, units = _measured(value)
+            if self.unit:
+                return [compact(number) for number in numbers]
+            return [";".join(map(compact, numbers)), ";".join(units)]
+        if self.how == "word":
+            return [str(value)]
+        return [compact(item) for item in value] if isinstance(value, list) else [compact(value)]
+
+    def numbers(self, value: "Any") -> "list[str]":
+        """Its numbers in a line of text."""
+        if self.how in ("flag", "word"):
+            return []
+        if self.how == "measured":
+            return [compact(number) for number in _measured(value)[0]] if value is not None else []
+        return self.cells(value)
+
+    def entry(self, value: "Any") -> "Any":
+        """Its entry in JSON."""
+        if value is None or self.how in ("flag", "word"):
+            return value
+        if self.how != "measured":
+            return {"value": value, "unit": self.unit} if self.unit else {"value": value}
+        if isinstance(value, tuple):
+            return [self.entry(item) for item in value]
+        shown = list(value.value) if isinstance(value.value, tuple) else value.value
+        return {"value": shown, "unit": value.unit}
+
+
+class SpreadPart(Part):
+    """One number of an uncertain result's distribution: `which` says which."""
+
+    __slots__ = ("of_result", "which")
+
+    def __init__(self, part: Part, which: str) -> None:
+        super().__init__(part.keys, part.steps, "number", part.shown)
+        indices = [step for step in part.steps if isinstance(step, int)]
+        self.of_result = ".".join(part.keys) + "".join(f"[{index}]" for index in indices)
+        self.which = which
+        self.address = f"{part.address}.{which}"
+
+    def value(self, record: "Any") -> "Any":
+        """Nothing: what is certain has no distribution; the case fills it in."""
+        return None
+
+    def shown_value(self, si: float) -> "Any":
+        """A number of the distribution as it is shown; a deviation is a difference."""
+        if si - si != 0.0:
+            return None
+        assert self.shown is not None
+        return self.shown.width(si) if self.which == "std" else self.shown.value(si)
+
+    def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
+        """Put it beside the result's value, as a document has it: of a vector, in lists like its value."""
+        indices = [step for step in self.steps if isinstance(step, int)]
+        if not indices and self.which in ("low", "high"):
+            entry.setdefault("interval", []).append(value)
+        elif not indices:
+            entry[self.which] = value
+        elif self.which in ("low", "high"):
+            nested(entry.setdefault("interval", [[], []])[self.which == "high"], indices).append(value)
+        else:
+            nested(entry.setdefault(self.which, []), indices).append(value)
+
+
+SPREAD = ("mean", "median", "std", "low", "high")
+
+
+def _measured(value: "Any") -> "tuple[list[float], list[str]]":
+    items: Sequence[Measured] = value if isinstance(value, tuple) else (value,)
+    numbers: list[float] = []
+    for item in items:
+        numbers.extend(item.value if isinstance(item.value, tuple) else (item.value,))
+    return numbers, [item.unit for item in items]
+
+
+class Layout:
+    """The results of a task's rows, in order; `targets` are the units of measured results where the call fixes them.
+
+    With `spread` every number has those of its distribution after it.
+    """
+
+    def __init__(
+        self,
+        result: Record,
+        display: Display,
+        targets: "list[str] | None" = None,
+        *,
+        spread: bool = False,
+    ) -> None:
+        self.result = result
+        self.display = display
+        self.targets = targets
+        self.spread = spread
+        self._known: list[str] = []
+        self.parts = list(self._record(result, (), ()))
+        display.check(self._known)
+
+    def _record(self, spec: Record, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]") -> "Iterator[Part]":
+        for field in spec.fields:
+            node = field.node
+            own, path = (*keys, field.key), (*steps, field.name)
+            if isinstance(node, Leaf):
+                yield from self._leaf(node, own, path)
+            elif isinstance(node, Record) and node.cls is not Numerics:
+                yield from self._record(node, own, path)
+            elif isinstance(node, Many):
+                yield from self._many(node, own, path)
+
+    def _leaf(self, leaf: Leaf, keys: "tuple[str, ...]", steps: "tuple[Any, ...]") -> "Iterator[Part]":
+        form = leaf.kind.form
+        address = ".".join(keys)
+        if form == "measured":
+            yield from self._measured(keys, steps, several=False)
+        elif form == "flag" or leaf.choice is not None:
+            yield Part(keys, steps, "flag" if form == "flag" else "word")
+        elif form in ("text", "unit", "file", "drawing"):
+            return
+        elif form == "whole":
+            self._known.append(address)
+            yield Part(keys, steps, "whole")
+        else:
+            self._known.append(address)
+            shown = self.display.of(address, leaf.kind)
+            indices: list[tuple[int, ...]] = [()]
+            if form in ("vector", "planar"):
+                indices = [(i,) for i in range(leaf.kind.size)]
+            elif form == "tensor":
+                indices = [(i, j) for i in range(leaf.kind.size) for j in range(leaf.kind.size)]
+            for index in indices:
+                part = Part(keys, (*steps, *index), "number", shown)
+                yield part
+                if self.spread and ";" not in part.unit and (not index or leaf.kind.unit):
+                    yield from (SpreadPart(part, which) for which in SPREAD)
+
+    def _many(self, node: Many, keys: "tuple[str, ...]", steps: "tuple[Any, ...]") -> "Iterator[Part]":
+        item = node.item
+        if isinstance(item, Leaf) and item.kind.form == "measured":
+            yield from self._measured(keys, steps, several=True)
+        elif isinstance(item, Record) and item.cls not in (Check, Advice):
+            # A table has no place in a row, but `--to` may name its columns all the same.
+            _use(self._record(item, keys, steps))
+        elif isinstance(item, Leaf) and item.kind.form in ("scalar", "slope"):
+            self._known.append(".".join(keys))
+            self.display.of(".".join(keys), item.kind)
+
+    def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
+        if self.targets is None:
+            part = Part(keys, steps, "measured")
+            part.several, part.display = several, self.display
+            self._known.append(part.address)
+            # `--to` is looked at when there is a value.
+            self.display.used.update(self.display.to.keys() & {part.address})
+            yield part
+        elif several == (len(self.targets) > 1):
+            for index, target in enumerate(self.targets):
+                path = (*steps, index) if several else steps
+                part = Part(keys, path, "measured")
+                part.unit = target
+                yield part
+
+    def values(self, record: "Any") -> "list[Any]":
+        """What a row shows of a record; refuses numbers that are not finite, as a single call does."""
+        check_numbers(record, self.result, "")
+        return [part.value(record) for part in self.parts]
+
+    def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
+        """The results as an object, results that do not exist left out."""
+        made: dict[str, Any] = {}
+        for part, value in zip(self.parts, values, strict=True):
+            if value is None:
+                continue
+            inner = made
+            for key in part.keys[:-1]:
+                inner = inner.setdefault(key, {})
+            if isinstance(part, SpreadPart):
+                part.add_to(inner[part.keys[-1]], value)
+            else:
+                _place(inner, part, value)
+        return made
+
+
+def _use(parts: "Iterator[Part]") -> None:
+    for _ in parts:
+        pass
+
+
+def _place(inner: "dict[str, Any]", part: Part, value: "Any") -> None:
+    key = part.keys[-1]
+    index = [step for step in part.steps if isinstance(step, int)]
+    entry = part.entry(value)
+    if not index:
+        inner[key] = entry
+        return
+    if part.how == "measured":
+        inner.setdefault(key, []).append(entry)
+        return
+    whole = inner.setdefault(key, {**entry, "value": []} if entry is not None else {"value": []})
+    nested(whole["value"], index).append(value)
+
+
+def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
+    """The list that a component's place is in, made where it is not there; components come in order."""
+    for step in index[:-1]:
+        if len(nest) == step:
+            nest.append([])
+        nest = nest[step]
+    return nest
+
+
+def check_numbers(record: "Any", spec: Record, address: str) -> None:
+    """Refuse a record that holds a number beyond the range of a double, or a check that failed."""
+    for field in spec.fields:
+        value = getattr(record, field.name)
+        own = f"{address}.{field.key}" if address else field.key
+        node = field.node
+        if value is None or (isinstance(node, Record) and node.cls is Numerics):
+            continue
+        if isinstance(node, Record):
+            check_numbers(value, node, own)
+        elif isinstance(node, Many) and isinstance(node.item, Record) and node.item.cls is Check:
+            for check in value:
+                if not check.passed:
+                    hint = "this is a bug: please report it with the inputs"
+                    raise FaultError(f"our own check failed: {check.name} ({check.value})", code="check", hint=hint)
+        elif isinstance(value, Columns):
+            for name, column in value.arrays.items():
+                _check_number(column.tolist(), f"{own}.{name}")
+        elif isinstance(node, Many) and isinstance(node.item, Record):
+            if node.item.cls is not Advice:
+                for item in value if isinstance(value, tuple | list) else (value,):
+                    check_numbers(item, node.item, own)
+        else:
+            _check_number(value, own)
+
+
+def _check_number(value: "Any", address: str) -> None:
+    if isinstance(value, tuple | list):
+        for item in value:
+            _check_number(item, address)
+    elif isinstance(value, float) and not -INFINITY < value < INFINITY:
+        raise InadmissibleError(
+            f"{address} leaves the range of a double", code="range", hint="check the size of the inputs"
+        )

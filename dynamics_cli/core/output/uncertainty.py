@@ -1,0 +1,93 @@
+"""Uncertain inputs and results as a table for people shows them."""
+
+from dynamics_cli.core.documents import number
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+# A mean further than this share of the deviation from the middle of the interval makes it lopsided.
+LOPSIDED = 0.02
+MOST_DRIVERS = 6
+
+
+def _spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, Any]]]":
+    """Every result with an interval, by address."""
+    if isinstance(node, dict):
+        if "interval" in node:
+            yield address, node
+            return
+        for key, item in node.items():
+            yield from _spreads(item, f"{address}.{key}" if address else key)
+
+
+def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
+    """What stands beside an uncertain result: the interval and its probability, and the deviation."""
+    made = {}
+    for address, node in _spreads(results):
+        low, high = (number(end, digits) for end in node["interval"])
+        chance = f"{100.0 * node['coverage']:.6g} %"
+        chance += " each" if isinstance(node["value"], list) else ""
+        deviation = f", σ {number(node['std'], 3)}" if node["std"] is not None else ""
+        made[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
+    return made
+
+
+def _lean(node: "dict[str, Any]") -> str:
+    """The median where the distribution leans to one side enough to matter."""
+    low, high = node["interval"]
+    median = node["median"]
+    if isinstance(low, list) or not high > low:
+        return ""
+    below, above = median - low, high - median
+    return f", median {number(median, 6)}" if abs(above - below) > LOPSIDED * (high - low) else ""
+
+
+def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
+    """For every result: the inputs ranked by their share of the variance, and what each makes of the result alone."""
+    lines: list[str] = []
+    shown: list[Any] = []
+    for name, entry in document.get("sensitivity", {}).items():
+        rows = entry["inputs"]
+        # What drives the components of a vector is in the document.
+        if entry in shown or name.endswith("]"):
+            continue
+        shown.append(entry)
+        unit = entry.get("unit", "")
+        lines += ["", f"  {name} is driven by"]
+        width = max(len(row["input"]) for row in rows)
+        rows = [row for row in rows if row.get("total", row["share"]) or len(rows) == 1]
+        for row in rows[:MOST_DRIVERS]:
+            share = row.get("total", row["share"])
+            low, high = row["alone"]
+            none = low is None and high is None
+            alone = "" if none else f"alone {number(low, digits)} to {number(high, digits)} {unit}".rstrip()
+            lines.append(f"    {row['input']:<{width}}  {100.0 * share:5.1f} %  {alone}".rstrip())
+        if len(rows) > MOST_DRIVERS:
+            lines.append(f"    and {len(rows) - MOST_DRIVERS} more")
+        if "worst_case" in entry:
+            low, high = (number(end, digits) for end in entry["worst_case"])
+            lines.append(f"    worst case, all inputs at their limits: {low} to {high} {unit}".rstrip() + "")
+    return lines
+
+
+def spread_columns(results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
+    """Further CSV columns: mean, deviation and the ends of the interval."""
+    made = []
+    for address, node in _spreads(results):
+        unit = node.get("unit", "")
+        low, high = node["interval"]
+        figures = {"mean": node["mean"], "std": node["std"], "low": low, "high": high}
+        for name, figure in figures.items():
+            made += [(f"{address}{place}.{name}", value, unit) for place, value in _cells(figure)]
+    return made
+
+
+def _cells(value: "Any") -> "Iterator[tuple[str, Any]]":
+    """Every number of nested lists, with its indices as text."""
+    if isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from ((f"[{index}]{place}", number_) for place, number_ in _cells(item))
+    else:
+        yield "", value

@@ -1,0 +1,319 @@
+"""What uncertain inputs add to a document: spreads beside the results, what drives them, chances beyond limits."""
+
+import math
+
+import numpy as np
+
+from dynamics_cli.core.answering.limits import read_limits
+from dynamics_cli.core.answering.models import result_numbers
+from dynamics_cli.core.inputs.settings import METHODS, read_coverage
+from dynamics_cli.core.inputs.uncertain.values import read_correlations
+from dynamics_cli.core.output.row_layout import nested
+from dynamics_cli.core.uncertainty.carried_correlations import carried
+from dynamics_cli.core.uncertainty.limits_and_quantiles import (
+    chance,
+    level_entries,
+    limit_entries,
+    read_levels,
+)
+from dynamics_cli.core.uncertainty.methods.outcome import FAIR
+from dynamics_cli.core.uncertainty.model import TaskModel
+from dynamics_cli.core.uncertainty.propagation import DEFAULT_ACCURACY, Propagation, Spread, propagate
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.quadrature.lattice import DEFAULT_SEED
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from dynamics_cli.core.answering.models import Answer
+    from dynamics_cli.core.answering.task import Model, Task
+    from dynamics_cli.core.inputs.reader import Reader
+    from dynamics_cli.core.inputs.settings import Settings
+    from dynamics_cli.core.inputs.values import Fields
+    from dynamics_cli.core.units.display import Display, Shown
+    from dynamics_cli.pictures import Picture
+    from dynamics_cli.quantities import Kind
+
+# A formula called case by case is some hundred times slower than one on arrays.
+SLOW_POINTS = 20_000
+SLOW_ACCURACY = 1e-3
+# A warning of results that are known less well than fairly names so many.
+MOST_NAMED = 3
+
+
+def add_uncertainty(
+    document: "dict[str, Any]",
+    task: "Task",
+    bound: "Fields",
+    answered: "Answer",
+    reader: "Reader",
+    settings: "Settings",
+    display: "Display",
+) -> "Picture | None":
+    """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
+    kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
+    limits = read_limits(task, answered, settings) if settings.limit else []
+    wanted: dict[str, list[float]] = {}
+    for key, _, _, reading in limits:
+        wanted.setdefault(key, []).append(reading.si)
+    levels = read_levels(kinds, settings)
+    asked: dict[str, list[float]] = {}
+    for name, level in levels:
+        asked.setdefault(name, []).append(level)
+    more = {"limits": wanted, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
+    more["partly"] = bool(settings.time_limit) and not settings.plot
+    only = _chosen(task, settings, kinds, {*wanted, *asked})
+    made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only)
+    shown = {name: display.of(name.partition("[")[0], kind) for name, kind in kinds.items()}
+    _add_results(document["results"], made, shown)
+    document["numerics"]["uncertainty"] = _method_entry(made)
+    if drivers := _sensitivity(made, shown):
+        document["sensitivity"] = drivers
+    if made.correlation is not None:
+        document["covariance"] = _covariance(made, shown)
+    if limits:
+        document["limits"] = limit_entries(limits, made, shown)
+    if levels:
+        document["quantiles"] = level_entries(levels, made, shown)
+    document["warnings"] += _warnings(made)
+    if not settings.plot:
+        return None
+    from dynamics_cli.core.uncertainty.pictures import of_spread
+
+    return of_spread(task.path, made, kinds, wanted)
+
+
+def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
+    """The results that a short answer shows, and those named by limits and quantiles; none for all of them."""
+    if settings.format != "table" or settings.all or settings.plot or not task.headline:
+        return ()
+    shown = {address for address, _ in task.headline} | named | set(settings.only)
+    return tuple(name for name in kinds if name.partition("[")[0] in shown)
+
+
+def spread_of(
+    task: "Task",
+    model: "Model",
+    bound: "Fields",
+    record: "Any",
+    reader: "Reader",
+    settings: "Settings",
+    *,
+    shares: bool = False,
+    more: "Mapping[str, Any] | None" = None,
+    only: "tuple[str, ...]" = (),
+) -> Propagation:
+    """The distributions of a task's results, or `only` of some, by the settings of the call."""
+    sampled = TaskModel(task, model, bound, record)
+    sampled.names = [name for name in sampled.names if not only or name in only]
+    distributions = reader.uncertain or {}
+    asked = read_correlations(settings.correlate, list(distributions))
+    come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
+    come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
+    return propagate(
+        sampled,
+        distributions,
+        {**come, **asked},
+        coverage=read_coverage(settings.coverage),
+        method=read_method(settings.method),
+        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
+        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+        seed=settings.seed or DEFAULT_SEED,
+        shares=shares,
+        **(more or {}),
+    )
+
+
+def read_method(text: str) -> str:
+    """The name of a method of propagation as `--method` takes it."""
+    name = text.lower().replace("_", "-") or "auto"
+    if name not in METHODS:
+        raise UsageError(
+            f"read {text!r}, wanted one of {', '.join(METHODS)}", parameter="method", code="unknown-choice"
+        )
+    return name
+
+
+def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | None":
+    """Derivatives by the inputs, as the formula carried them at the means."""
+    if not answered.leaves:
+        return None
+    made = {}
+    for name, _, value in result_numbers(answered.record, task.specification.result):
+        slopes = getattr(value, "slopes", None)
+        if slopes is not None:
+            made[name] = {leaf: slope for (leaf, _), slope in zip(answered.leaves, slopes, strict=True)}
+    return made or None
+
+
+def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
+    """Put beside every result that varies its distribution; of a vector, lists like its value."""
+    vary = made.varying()
+    for name, spread in made.spreads.items():
+        stem, *steps = name.replace("]", "").split("[")
+        indices = [int(step) for step in steps]
+        node: Any = results
+        for key in stem.split("."):
+            node = node.get(key) if isinstance(node, dict) else None
+        if stem not in vary or not isinstance(node, dict) or "value" not in node:
+            continue
+        unit = shown[name]
+        low, high = (unit.value(end) for end in spread.interval)
+        figures = {
+            "mean": _finite(unit.value(spread.mean)) if math.isfinite(spread.mean) else None,
+            "median": unit.value(spread.median),
+            "std": unit.width(spread.std) if math.isfinite(spread.std) else None,
+        }
+        if not indices:
+            node |= {**figures, "interval": [low, high], "coverage": made.coverage}
+            continue
+        for key, figure in figures.items():
+            nested(node.setdefault(key, []), indices).append(figure)
+        for end, figure in zip(node.setdefault("interval", [[], []]), (low, high), strict=True):
+            nested(end, indices).append(figure)
+        node["coverage"] = made.coverage
+
+
+def _finite(value: "Any") -> "Any":
+    return value if isinstance(value, list) or math.isfinite(value) else None
+
+
+def _method_entry(made: Propagation) -> "dict[str, Any]":
+    """How it was done: method and error estimate of every result, in its standard deviations; the shares' method."""
+    results = {}
+    for name, spread in made.spreads.items():
+        if spread.varies:
+            entry: dict[str, Any] = {"method": spread.method, "estimate": _two_digits(spread.estimate)}
+            if spread.admissible < 1.0 - 1e-12:
+                entry["admissible"] = spread.admissible
+            results[name] = entry
+    out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
+    if made.correlated:
+        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in made.correlated.items()}
+    if made.shares_method:
+        out["shares"] = {"method": made.shares_method}
+        if math.isfinite(made.shares_error):
+            out["shares"]["estimate"] = _two_digits(made.shares_error)
+    return out
+
+
+def _two_digits(number_: float) -> "float | None":
+    return float(f"{number_:.1e}") if math.isfinite(number_) else None
+
+
+def _share(value: float) -> float:
+    return float(f"{value:.4f}") + 0.0
+
+
+def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+    """For every result the inputs ranked by share of the variance, the range each makes alone, and the corners."""
+    out = {}
+    for name, spread in made.spreads.items():
+        if not spread.first or not spread.varies:
+            continue
+        unit = shown[name]
+        rows = []
+        for index, leaf in enumerate(made.inputs):
+            row: dict[str, Any] = {"input": leaf, "share": _share(spread.first[index])}
+            if spread.total[index] != spread.first[index]:
+                row["total"] = _share(spread.total[index])
+            low, high = spread.tornado[index] if spread.tornado else (math.nan, math.nan)
+            row["alone"] = [_number(unit, low), _number(unit, high)]
+            rows.append(row)
+        rows.sort(key=lambda row: -abs(row.get("total", row["share"])))
+        entry: dict[str, Any] = {"inputs": rows}
+        if unit.text:
+            entry["unit"] = unit.text
+        if spread.corners:
+            entry["worst_case"] = [_number(unit, spread.corners[0]), _number(unit, spread.corners[1])]
+        out[name] = entry
+    return out
+
+
+def _number(unit: "Shown", si: float) -> "Any":
+    return unit.value(si) if math.isfinite(si) else None
+
+
+def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+    """Correlation and covariance of the results that vary and are not copies of one another, in the units shown."""
+    assert made.correlation is not None
+    names = list(made.spreads)
+    kept: list[int] = []
+    same: dict[str, str] = {}
+    for i, name in enumerate(names):
+        spread = made.spreads[name]
+        if spread.std > 0.0:
+            twin = next((names[j] for j in kept if _same(spread, made.spreads[names[j]])), "")
+            if twin:
+                same[name] = twin
+            else:
+                kept.append(i)
+    copies = {"same": same} if same else {}
+    if len(kept) < 2:
+        return {"results": [names[i] for i in kept], **copies}
+    correlation = made.correlation[np.ix_(kept, kept)]
+    widths = np.array([shown[names[i]].width(made.spreads[names[i]].std) for i in kept])
+    return {
+        "results": [names[i] for i in kept],
+        **copies,
+        "units": [shown[names[i]].text for i in kept],
+        "correlation": [[float(f"{x:.6f}") + 0.0 for x in row] for row in correlation],
+        "covariance": [[float(f"{x:.6g}") + 0.0 for x in row] for row in correlation * np.outer(widths, widths)],
+    }
+
+
+def _same(one: Spread, other: Spread) -> bool:
+    return one.interval == other.interval and one.median == other.median
+
+
+def _warnings(made: Propagation) -> "list[dict[str, Any]]":
+    out = []
+    fractions = {s.admissible for s in made.spreads.values() if s.admissible < 1.0 - 1e-9}
+    if fractions:
+        share = 1.0 - min(fractions)
+        out.append(
+            {
+                "code": "partly-inadmissible",
+                "severity": "caution" if share < 0.05 else "serious",
+                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
+            }
+        )
+    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR]
+    if rough:
+        names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
+        listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+        are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
+        worst = max(s.estimate for s in rough)
+        known = f"known only to {worst:.1g} standard deviations" if math.isfinite(worst) else "hardly known"
+        out.append(
+            {
+                "code": "uncertainty-estimate",
+                "severity": "caution",
+                "message": f"the {are.format(listed)} {known}",
+                "remedy": "raise --samples",
+            }
+        )
+    if made.stopped:
+        message = f"the time limit was reached: {len(made.spreads)} of {len(made.stopped)} results have a distribution"
+        remedy = "raise --time-limit, or give a smaller number of --samples"
+        out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": remedy})
+    elif made.inputs and not any(s.varies for s in made.spreads.values()):
+        out.append(
+            {
+                "code": "nothing-varies",
+                "severity": "caution",
+                "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
+            }
+        )
+    if any(s.varies and not math.isfinite(s.std) for s in made.spreads.values()):
+        out.append(
+            {
+                "code": "no-deviation",
+                "severity": "note",
+                "message": "two or three readings give no standard deviation; intervals hold, shares are slopes",
+                "remedy": "four readings or more",
+            }
+        )
+    return out

@@ -1,0 +1,74 @@
+"""What is asked of single results: probabilities beyond limits, and quantiles."""
+
+from dynamics_cli.core.answering.limits import limit_entry
+from dynamics_cli.core.documents import number
+from dynamics_cli.core.inputs.settings import read_probability
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.number import plain
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from dynamics_cli.core.inputs.settings import Settings
+    from dynamics_cli.core.uncertainty.propagation import Propagation
+    from dynamics_cli.core.units.display import Shown
+    from dynamics_cli.quantities import Kind
+
+# Quantiles farther out are no matter of inputs known by mean and deviation.
+LEAST_LEVEL = 1e-6
+_PERCENT = 100.0
+
+
+def read_levels(kinds: "Mapping[str, Kind]", settings: "Settings") -> "list[tuple[str, float]]":
+    """`--quantile speed="5 %"`: a result by name and a probability, as often as given."""
+    made = []
+    for name, text in settings.quantile:
+        if name not in kinds:
+            hint = f"results are {', '.join(kinds)}"
+            raise UsageError(f"there is no result {name!r}", parameter="quantile", hint=hint, code="unknown-result")
+        made.append((name, read_probability(text, "quantile", LEAST_LEVEL)))
+    return made
+
+
+def limit_entries(limits: "list[Any]", made: "Propagation", shown: "Mapping[str, Shown]") -> "list[dict[str, Any]]":
+    """What the document says of each limit: within it or not, and how probable it is to be beyond."""
+    entries = []
+    for key, _, value, reading in limits:
+        if key not in made.spreads:
+            continue
+        entry = limit_entry(key, plain(value), reading, shown[key])
+        p = next(p for limit, p in made.spreads[key].beyond if limit == reading.si)
+        entry["probability"] = p
+        text = f"{number(reading.value, 6)} {reading.unit}".rstrip()
+        entry["message"] = f"{key} is beyond {text} with a probability of {chance(p)}"
+        entries.append(entry)
+    return entries
+
+
+def level_entries(
+    levels: "list[tuple[str, float]]", made: "Propagation", shown: "Mapping[str, Shown]"
+) -> "list[dict[str, Any]]":
+    """What the document says of each quantile asked."""
+    entries = []
+    for name, level in levels:
+        if name not in made.spreads:
+            continue
+        unit = shown[name]
+        value = unit.value(next(found for asked, found in made.spreads[name].levels if asked == level))
+        message = f"{name} is below {number(value, 6)} {unit.text}".rstrip() + f" with a probability of {chance(level)}"
+        own = {"unit": unit.text} if unit.text else {}
+        entries.append({"result": name, "probability": level, "value": value, **own, "message": message})
+    return entries
+
+
+def chance(p: float) -> str:
+    """A probability for people: `3.4 %`, and never a rounded 0 or 100 %."""
+    if p in (0.0, 1.0):
+        return f"{_PERCENT * p:.0f} %"
+    if p < 1e-4:
+        return f"{p:.1e}"
+    if p > 1.0 - 1e-4:
+        return f"1 − {1.0 - p:.1e}"
+    return f"{_PERCENT * p:.3g} %"

@@ -1,0 +1,215 @@
+"""Quantiles by integrating along one direction: parallel lines across the space, and on each the root of model = v.
+
+With z = a·s + B·y, s along the gradient, P(result ≤ v) = Σ_j w_j Φ(s_j(v)) over lines j with quadrature points y_j. All
+roots on all lines and all quantiles are found by one Newton iteration, bordered by the condition on the probability.
+"""
+
+import numpy as np
+
+from dynamics_cli.numerics.distributions.normal_arrays import density, probability
+from dynamics_cli.numerics.quadrature.hermite import gauss_hermite
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.uncertainty.space import Space
+
+    Array = NDArray[Any]
+
+MOST_STEPS = 14
+FIRST_DIFFERENCE = 1e-3
+LONGEST_STEP = 2.0
+# The orders of the rule along the lines, for moments.
+ORDERS = (7, 12, 20, 33, 55)
+# Half the curvature over the slope that a model may have for the estimate of what a last step leaves over; and how much
+# of it is let stand, in units of the squared tolerance.
+_CURVATURE = 0.1
+_LEFT = 50.0
+# Lines of less weight say nothing about whether the model rises along them.
+_NEGLIGIBLE = 1e-9
+
+
+class Lines:
+    """Parallel lines through the space: z = direction·s + base_j, with weights that sum to one."""
+
+    def __init__(
+        self, space: "Space", result: int, direction: "Array", across: "Array", rest: "Array", w: "Array"
+    ) -> None:
+        self.space = space
+        self.result = result
+        self.direction = direction
+        self.rest = rest
+        self.weights = w
+        self.base = across @ rest
+
+    def values(self, s: "Array") -> "Array":
+        """The result at s (lines, k)."""
+        z = self.base[:, :, None] + self.direction[:, None, None] * s
+        return self.space.evaluate(z.reshape(len(z), -1))[self.result].reshape(s.shape)  # type: ignore[no-any-return]
+
+    def at(self, index: "Array", s: "Array") -> "Array":
+        """The result on chosen lines, one s each."""
+        return self.space.evaluate(self.base[:, index] + self.direction[:, None] * s)[self.result]  # type: ignore[no-any-return]
+
+
+class Roots:
+    """Converged roots: s (lines, quantiles), the quantiles, the slopes there, and what the last step left over."""
+
+    __slots__ = ("quantiles", "residual", "s", "slopes", "steps")
+
+    def __init__(self, s: "Array", quantiles: "Array", slopes: "Array", steps: int, residual: float = 0.0) -> None:
+        self.s = s
+        self.quantiles = quantiles
+        self.slopes = slopes
+        self.steps = steps
+        self.residual = residual
+
+    def density(self, weights: "Array") -> "Array":
+        """The probability density of the result at its quantiles."""
+        return weights @ (density(self.s) / self.slopes)
+
+
+def solve(
+    lines: Lines, p: "Array", scores: "Array", tolerance: float, guess: "tuple[Array, Array] | None" = None
+) -> Roots | None:
+    """Find all quantiles; None where a value is undefined, the model does not rise, or the iteration does not settle.
+
+    `tolerance` bounds the weighted error left in s before the last step, whose own error is of second order.
+    """
+    weights = lines.weights
+    if guess is None:
+        s = np.broadcast_to(scores, (weights.size, p.size))
+        both = lines.values(np.concatenate([s, s + FIRST_DIFFERENCE], axis=1))
+        value = both[:, : p.size]
+        slope = (both[:, p.size :] - value) / FIRST_DIFFERENCE
+    else:
+        s, slope = guess
+        value = lines.values(s)
+    v = weights @ value
+    absolute = np.abs(weights)
+    last = FIRST_DIFFERENCE if guess is None else 1.0
+    for step in range(1, MOST_STEPS + 1):
+        if not (slope > 0.0).all() or np.isnan(value).any():
+            return None
+        share = weights[:, None] * density(s) / slope
+        change = p - weights @ probability(s) - (share * (v - value)).sum(axis=0)
+        v = v + change / share.sum(axis=0)
+        move = np.minimum(np.maximum((v - value) / slope, -LONGEST_STEP), LONGEST_STEP)
+        s_next = s + move
+        rest = float((absolute @ np.abs(move)).max())
+        # A secant's slope is wrong by the curvature over the step before: the product of both steps is what is left.
+        left = _CURVATURE * rest * last
+        if rest < tolerance and left < _LEFT * tolerance * tolerance:
+            return Roots(s_next, v, slope, step, left)
+        last = rest
+        before, s = value, s_next
+        value = lines.values(s)
+        # Secant; where the step was too small to tell, the old slope stands.
+        far = np.abs(move) > 1e-9
+        slope = np.where(far, (value - before) / np.where(far, move, 1.0), slope)
+    return None
+
+
+class Moments:
+    """Mean and deviation of a result over the lines, and how far the rule along them can be trusted.
+
+    `by_line` has the mean and the mean square about the common mean of every line.
+    """
+
+    __slots__ = ("by_line", "error", "mean", "order", "rising", "std")
+
+    def __init__(
+        self, mean: float, std: float, error: float, order: int, *, rising: bool,
+        by_line: "tuple[Array, Array] | None" = None,
+    ) -> None:  # fmt: skip
+        self.mean = mean
+        self.std = std
+        self.error = error
+        self.order = order
+        self.rising = rising
+        self.by_line = by_line
+
+
+def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moments:
+    """Mean and deviation by Gauss–Hermite along every line.
+
+    The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
+    """
+    trial = trial or lines
+    if lines.space.heavy:
+        made = order_moments(lines, ORDERS[1])
+        made.mean = made.std = np.nan
+        made.error = 0.0
+        return made
+    last = order_moments(trial, ORDERS[0])
+    if not last.rising:
+        return last
+    for count in ORDERS[1:]:
+        made = order_moments(trial, count)
+        if not made.rising or made.std == 0.0:
+            return made
+        last.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
+        if last.error <= 0.3 * accuracy:
+            break
+        made.error = last.error
+        last = made
+    if trial is lines:
+        return last
+    final = order_moments(lines, last.order)
+    final.error = last.error
+    return final
+
+
+def order_moments(lines: Lines, count: int) -> Moments:
+    """Mean and deviation by a rule of so many points along every line."""
+    nodes, along = gauss_hermite(count)
+    # Nodes of no weight would only find out that the model ends somewhere beyond.
+    heavy = along > 1e-18
+    nodes, along = nodes[heavy], along[heavy]
+    values = lines.values(np.broadcast_to(nodes, (lines.weights.size, nodes.size)))
+    sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
+    if np.isnan(values).any():
+        return Moments(np.nan, np.nan, np.inf, count, rising=False)
+    first = values @ along
+    mean = float(lines.weights @ first)
+    apart = values - mean
+    second = (apart * apart) @ along
+    variance = float(lines.weights @ second)
+    return Moments(mean, np.sqrt(max(variance, 0.0)), np.inf, count, rising=sound, by_line=(first, second))
+
+
+def features(rest: "Array") -> "Array":
+    """Terms of a quadratic in y (with products while there are few axes): what carries roots to other lines."""
+    axes, count = rest.shape
+    made = [np.ones(count), *rest, *(rest * rest)]
+    if axes <= 4:
+        made += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
+    return np.array(made).T
+
+
+_projections: "dict[tuple[object, object], Array]" = {}
+
+
+def _fit(old: Lines) -> "Array":
+    """From values on the old lines to the coefficients of the quadratic through them."""
+    root = np.sqrt(np.abs(old.weights))
+    return np.linalg.pinv(features(old.rest) * root[:, None], rcond=1e-9) * root
+
+
+def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | None" = None) -> "tuple[Array, Array]":
+    """A guess of roots and slopes on new lines from a quadratic fitted to those of old ones."""
+    if key is None:
+        terms = features(new.rest)
+        fit = _fit(old)
+        s, slope = terms @ (fit @ roots.s), terms @ (fit @ roots.slopes)
+    else:
+        if key not in _projections:
+            _projections[key] = features(new.rest) @ _fit(old)
+        s, slope = _projections[key] @ roots.s, _projections[key] @ roots.slopes
+    # A quadratic may be far off on far lines: it must not leave what the old roots spanned.
+    room = 1.0 + roots.s.max(axis=0) - roots.s.min(axis=0)
+    s = np.clip(s, roots.s.min(axis=0) - room, roots.s.max(axis=0) + room)
+    return s, np.maximum(slope, 0.1 * roots.slopes.min(axis=0))

@@ -1,0 +1,117 @@
+"""A slow model stood in for by polynomials of its inputs, fitted once for all its results.
+
+Every result would ask a model that is called case by case some hundreds of times, each along a direction of its own.
+The polynomials are fitted by least squares at a lattice's points and tried at others farther out; what they are off by
+there is part of every error stated.
+"""
+
+from itertools import combinations_with_replacement
+
+import numpy as np
+
+from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature.hermite import polynomials
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
+from dynamics_cli.numerics.quadrature.smolyak import chaos_terms
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+# Tried first, and where that is not near enough.
+DEGREES = (3, 6)
+MOST_TERMS = 250
+# Points beside those of the fit, how much farther out they lie, and how much worse it may be between them.
+TRIALS = 32
+FARTHER = 1.25
+SAFETY = 3.0
+
+
+def suits(space: Space) -> bool:
+    """Whether the inputs are continuous, of finite variance, and neither one nor very many."""
+    return (
+        2 <= space.size <= MOST_DIMENSIONS
+        and chaos_terms(space.size, 2) <= MOST_TERMS
+        and not (space.stepped or space.heavy)
+    )
+
+
+class StandIn:
+    """The polynomials: `space` has them as the model of the same inputs.
+
+    `errors` are those of each result (infinite where some case is refused), `missed` the share of its variance that the
+    polynomials leave out.
+    """
+
+    def __init__(self, space: Space, seed: int, accuracy: float) -> None:
+        self._scales = {
+            name: (made.mean, made.std) for name, made in zip(space.names, space.distributions, strict=True)
+        }
+        self._results = space.results
+        n = space.size
+        most = max(degree for degree in range(2, DEGREES[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
+        tried = FARTHER * quantile(lattice(n, TRIALS, 1, seed + 1))
+        there = space.evaluate(tried)
+        points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
+        for degree in sorted({min(degree, most) for degree in DEGREES}):
+            self.degree = degree
+            self._exponents = _products(n, degree)
+            self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
+            points, values = _grown(space, points, values, self.count, seed)
+            self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
+            if (self.errors <= accuracy * values.std(axis=1)).all():
+                break
+        self.space = Space(self, dict(zip(space.names, space.distributions, strict=True)), {})
+        self.space.factor = space.factor
+
+    def _standard(self, inputs: "dict[str, Any]") -> "Array":
+        """The inputs about their means, in their deviations."""
+        return np.array([(inputs[name] - mean) / std for name, (mean, std) in self._scales.items()])
+
+    def _fit(self, points: "Array", values: "Array", tried: "Array", there: "Array") -> None:
+        whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
+        self._whole = whole[:, None]
+        known, wanted = np.where(self._whole, values, 0.0), np.where(self._whole, there, 0.0)
+        made, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
+        self._coefficients = made.T
+        off = self._coefficients @ self._terms(tried) - wanted
+        near = self._coefficients @ self._terms(points) - known
+        variance = wanted.var(axis=1)
+        self.errors = np.where(whole, SAFETY * np.abs(np.concatenate([off, near], axis=1)).max(axis=1), np.inf)
+        self.missed = np.where(whole, off.var(axis=1) / np.where(variance > 0.0, variance, 1.0), np.inf)
+
+    def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
+        """Results by address."""
+        found = self._coefficients @ self._terms(self._standard(inputs))
+        return dict(zip(self._results, np.where(self._whole, found, np.nan), strict=True)), None
+
+    def _terms(self, u: "Array") -> "Array":
+        """Every product of Hermite polynomials (terms, points)."""
+        tables = polynomials(u, self.degree)
+        made = np.ones((len(self._exponents), u.shape[1]))
+        for axis in range(len(u)):
+            made *= tables[self._exponents[:, axis], axis]
+        return made
+
+
+def _products(n: int, degree: int) -> "Array":
+    """The exponents (terms, n) of all products of total degree ≤ `degree`."""
+    axes = [axes for total in range(degree + 1) for axes in combinations_with_replacement(range(n), total)]
+    return np.array([np.bincount(choice, minlength=n) for choice in axes])
+
+
+def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int) -> "tuple[Array, Array]":
+    """A lattice and the model's values at it; every so many of a larger lattice's points are those of a smaller one."""
+    made = quantile(lattice(space.size, count, 1, seed))
+    found = np.empty((len(values), count))
+    known = np.zeros(count, dtype=bool)
+    if points.shape[1]:
+        known[:: count // points.shape[1]] = True
+        found[:, known] = values
+    found[:, ~known] = space.evaluate(made[:, ~known])
+    return made, found

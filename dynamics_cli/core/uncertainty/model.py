@@ -1,0 +1,170 @@
+"""A task as a model on arrays: physics functions called with whole samples, refused cases marked and left out."""
+
+import numpy as np
+
+from dynamics_cli.core.answering.models import arguments, result_numbers
+from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.sampling import Drawing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.answering.task import Model, Task
+    from dynamics_cli.core.inputs.specification import Record
+    from dynamics_cli.core.inputs.values import Fields
+
+    Array = NDArray[Any]
+
+# Rounds in which a formula may refuse some rows for one reason after another.
+MOST_REFUSALS = 20
+# What rounding leaves of other numbers: some dozens of last bits. And a steadiness that no measured input has.
+ROUNDING, STEADY = 1e-14, 1e-12
+_FUNCTIONS: "dict[str, Callable[..., Any]]" = {
+    "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
+    "pi": lambda x: np.pi, "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
+    "multiply_add": lambda a, b, c: a * b + c, "maximum": np.maximum, "minimum": np.minimum,
+}  # fmt: skip
+
+
+class Sampled(np.ndarray):
+    """An array that goes through `numerics.elementary` in numpy's own loops.
+
+    Rows must equal single answers to the bit, so ordinary arrays are mapped through the C library value by value. A
+    sample needs no such thing: a last bit is nothing beside its spread, and the loops are many times faster.
+    """
+
+    def apply(self, name: str, *arguments: "Any") -> "Any":
+        """The elementary function `name`."""
+        return _FUNCTIONS[name](*arguments)
+
+
+def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
+    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none.
+
+    What may be zero at the means, by its own error or as a component of a vector, is beside them what rounding leaves
+    of the numbers it came from: those with its unit, or the other components.
+    """
+    bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
+    numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
+    sizes: dict[str, float] = {}
+    for name, size in (
+        *((kind.unit, abs(si)) for _, kind, si in bound.leaves() if kind.unit),
+        *((kind.unit, size) for _, kind, _, size in numbers if kind.unit),
+        *((name.partition("[")[0], size) for name, _, _, size in numbers if "[" in name),
+    ):
+        sizes[name] = max(size, sizes.get(name, 0.0))
+    noise = {}
+    for name, kind, value, size in numbers:
+        stem = name.partition("[")[0]
+        own = float(getattr(value, "error", None) or 0.0)
+        if stem in bounds:
+            own = max(own, bounds[stem].bound * (size if bounds[stem].relative else 1.0))
+        others = max(sizes.get(stem, 0.0), sizes.get(kind.unit, 0.0) if size <= own else 0.0)
+        noise[name] = max(own, STEADY * size, ROUNDING * others)
+    return noise
+
+
+class TaskModel:
+    """The model of a task at the inputs as read, with arrays at the uncertain addresses."""
+
+    def __init__(self, task: "Task", model: "Model", bound: "Fields", nominal: "Any") -> None:
+        self.task = task
+        self.bound = bound
+        self.function = model.call()
+        self.spec = task.specification.result
+        self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
+        self.kinds = {address: kind for address, kind, _ in bound.leaves()}
+        self.noise = _noise(nominal, self.spec, bound)
+        self.arrays = task.arrays
+
+    def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
+        """Results by address, and which rows are inadmissible."""
+        arrays = {name: value for name, value in inputs.items() if isinstance(value, np.ndarray)}
+        count = len(next(iter(arrays.values()))) if arrays else 1
+        if not count:  # where no point is admissible there is none to refine
+            return {name: np.empty(0) for name in self.names}, None
+        refused = self._outside(arrays, count)
+        if not self.arrays or not arrays:
+            return self._one_by_one(inputs, arrays, count, refused)
+        kept = None if refused is None else np.nonzero(~refused)[0]
+        for _ in range(MOST_REFUSALS):
+            if kept is not None and not kept.size:
+                return dict.fromkeys(self.names, np.nan), np.ones(count, dtype=bool)
+            try:
+                results = self._call(inputs, arrays, kept)
+            except InadmissibleError as error:
+                if error.refused is None:
+                    raise
+                bad = np.broadcast_to(np.asarray(error.refused, dtype=bool), count if kept is None else kept.shape)
+                kept = np.nonzero(~bad)[0] if kept is None else kept[~bad]
+                continue
+            except (TypeError, ValueError):
+                # A formula that asks a sample for its truth value takes one case at a time.
+                self.arrays = False
+                return self._one_by_one(inputs, arrays, count, refused)
+            return (results, None) if kept is None else self._spread(results, kept, count)
+        raise FaultError("the formula refuses rows without end")
+
+    def _call(self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", kept: "Any") -> "dict[str, Any]":
+        values = dict(inputs)
+        for name, array in arrays.items():
+            values[name] = (array if kept is None else array[kept]).view(Sampled)
+        args, kwargs = arguments(self.task, self.bound, values)
+        with Drawing():
+            record = self.function(*args, **kwargs)
+        found = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
+        return {name: found.get(name, np.nan) for name in self.names}
+
+    def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
+        refused = np.ones(count, dtype=bool)
+        refused[kept] = False
+        made = {}
+        for name, value in results.items():
+            made[name] = np.full(count, np.nan)
+            made[name][kept] = value
+        return made, refused
+
+    def _outside(self, arrays: "dict[str, Array]", count: int) -> "Any":
+        """Rows whose inputs leave their kind's bounds (a negative friction) or do not exist, or None."""
+        refused = None
+        for name, array in arrays.items():
+            kind = self.kinds[name]
+            if np.isnan(array.sum()):
+                bad = np.isnan(array)
+                refused = bad if refused is None else refused | bad
+            for bound, low in ((kind.low, True), (kind.above, True), (kind.high, False), (kind.below, False)):
+                if bound is None:
+                    continue
+                extreme = array.min() if low else array.max()
+                open_ = bound == (kind.above if low else kind.below)
+                if (extreme > bound if low else extreme < bound) or (extreme == bound and not open_):
+                    continue
+                apart = array - bound if low else bound - array
+                bad = apart <= 0.0 if open_ else apart < 0.0
+                refused = bad if refused is None else refused | bad
+        return refused
+
+    def _one_by_one(
+        self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", count: int, refused: "Any"
+    ) -> "tuple[dict[str, Any], Any]":
+        bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
+        made = {name: np.full(count, np.nan) for name in self.names}
+        columns = {name: array.tolist() for name, array in arrays.items()}
+        for row in np.nonzero(~bad)[0].tolist():
+            values = {**inputs, **{name: column[row] for name, column in columns.items()}}
+            args, kwargs = arguments(self.task, self.bound, values)
+            try:
+                with Drawing():
+                    record = self.function(*args, **kwargs)
+            except (DynamicsError, ArithmeticError):
+                bad[row] = True
+                continue
+            for name, _, value in result_numbers(record, self.spec):
+                if name in made:
+                    made[name][row] = value
+        return made, bad if bad.any() else None

@@ -1,0 +1,61 @@
+"""The picture of an uncertain result: its distribution, and what drives it."""
+
+import math
+
+from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from dynamics_cli.core.uncertainty.propagation import Propagation, Spread
+    from dynamics_cli.quantities import Kind
+
+MOST_DRIVERS = 12
+
+
+def of_spread(
+    command: str, made: "Propagation", kinds: "Mapping[str, Kind]", limits: "Mapping[str, list[float]]"
+) -> "Picture | None":
+    """The distribution of the first result that varies (the limited one, if any) and its tornado."""
+    varying = [spread for spread in made.spreads.values() if spread.interval[0] < spread.interval[1]]
+    varying.sort(key=lambda spread: spread.name not in limits)
+    if not varying:
+        return None
+    spread = varying[0]
+    axis = Axis(spread.name.replace("_", " "), kinds[spread.name])
+    panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
+    if spread.tornado:
+        panels.append(_tornado(made, spread, axis))
+    return Picture(tuple(panels), f"dynamics {command}: {axis.title}", distributions=len(panels))
+
+
+def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]") -> Panel:
+    values, chances = spread.cumulative
+    middles, heights = [], []
+    for i in range(len(values) - 1):
+        step = values[i + 1] - values[i]
+        middles.append(0.5 * (values[i] + values[i + 1]))
+        heights.append(max(0.0, chances[i + 1] - chances[i]) / step)
+    # Relative to the highest, so that the vertical axis needs no unit.
+    top = max(heights, default=1.0) or 1.0
+    items: list[Any] = [
+        Band(*spread.interval, f"{100.0 * coverage:.6g} % interval"),
+        Curve(middles, [height / top for height in heights], "density", role=0),
+        Curve(values, chances, "probability of less", "dashed", role=6),
+    ]
+    items += [Band(limit, limit, "limit") for limit in limits]
+    return Panel(axis, Axis("relative density, probability"), tuple(items))
+
+
+def _tornado(made: "Propagation", spread: "Spread", axis: Axis) -> Panel:
+    rows = []
+    for name, (a, b), share in zip(made.inputs, spread.tornado, spread.total or spread.first, strict=True):
+        if math.isfinite(a) and math.isfinite(b):
+            rows.append((abs(b - a), f"{name} ({100.0 * share:.0f} %)", min(a, b), max(a, b)))
+    rows.sort(key=lambda row: -row[0])
+    rows = rows[:MOST_DRIVERS]
+    bars = Bars(tuple(row[1] for row in rows), [row[2] for row in rows], [row[3] for row in rows])
+    title = "each input alone over its interval (share of the variance)"
+    return Panel(axis, Axis(""), (bars, Band(spread.median, spread.median, "median")), title)

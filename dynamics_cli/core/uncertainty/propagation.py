@@ -1,0 +1,325 @@
+"""Uncertain inputs through any model: distributions in, distributions out, and what drives them.
+
+`propagate` takes a model on arrays and the inputs' distributions and gives, for every result, mean, median, standard
+deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits;
+and, labelled apart, the range over the corners of all the inputs' intervals.
+"""
+
+import numpy as np
+
+from dynamics_cli.core.deadline import Reached, stop
+from dynamics_cli.core.inputs.settings import METHODS
+from dynamics_cli.core.uncertainty.interval_ends import add_corners
+from dynamics_cli.core.uncertainty.methods.choice import FEW_RESULTS, integrate
+from dynamics_cli.core.uncertainty.methods.classical import Plain, Sample, linear, second_order, unscented
+from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, Goal, Outcome, direction_of
+from dynamics_cli.core.uncertainty.methods.scanned_lines import exceedance
+from dynamics_cli.core.uncertainty.methods.surrogate import StandIn, suits
+from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.core.uncertainty.variance_shares import Shares, variance_shares
+from dynamics_cli.errors import InadmissibleError, UsageError
+from dynamics_cli.numerics.distributions import normal
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature.lattice import DEFAULT_SEED, MOST_DIMENSIONS, lattice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
+    from dynamics_cli.core.uncertainty.space import Model
+
+    Array = NDArray[Any]
+
+DEFAULT_ACCURACY = 1e-4
+# Points of a distribution function that is to be looked at.
+CURVE_POINTS = 121
+# Polynomials that leave out more of some result's variance do not say what drives it.
+MOST_MISSED = 0.1
+
+
+class Spread:
+    """One result's distribution in numbers."""
+
+    def __init__(self, name: str, method: str, quantiles: "Sequence[float]", mean: float, std: float) -> None:
+        self.name = name
+        self.method = method
+        self.interval = (float(quantiles[0]), float(quantiles[-1]))
+        self.median = float(quantiles[len(quantiles) // 2])
+        self.mean = float(mean)
+        self.std = float(std)
+        self.estimate = 0.0
+        self.admissible = 1.0
+        self.first: list[float] = []
+        self.total: list[float] = []
+        self.beyond: list[tuple[float, float]] = []
+        self.levels: list[tuple[float, float]] = []
+        self.cumulative: tuple[list[float], list[float]] = ([], [])
+        self.corners: tuple[float, float] | None = None
+        self.tornado: list[tuple[float, float]] = []
+
+    @property
+    def varies(self) -> bool:
+        """Whether the result has a distribution at all."""
+        return self.interval[0] < self.interval[1]
+
+    def number(self, which: str) -> float:
+        """One of mean, median, std, low and high."""
+        if which in ("low", "high"):
+            return self.interval[which == "high"]
+        return float(getattr(self, which))
+
+
+class Propagation:
+    """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results.
+
+    `correlated` says which inputs were taken to be.
+    """
+
+    def __init__(self, space: Space, coverage: float, seed: int) -> None:
+        self.inputs = space.names
+        self.coverage = coverage
+        self.seed = seed
+        self.spreads: dict[str, Spread] = {}
+        self.correlated: dict[tuple[str, str], float] = {}
+        self.correlation: Array | None = None
+        self.shares_method = ""
+        self.shares_error = 0.0
+        self.points = 0
+        # The results' names, should a time limit have left some of them without a spread.
+        self.stopped: list[str] = []
+
+    def varying(self) -> "set[str]":
+        """The results that vary; a vector is one, whichever of its components do."""
+        return {name.partition("[")[0] for name, spread in self.spreads.items() if spread.varies}
+
+    @property
+    def estimate(self) -> float:
+        """The largest error estimate, in standard deviations of the result it belongs to."""
+        return max((spread.estimate for spread in self.spreads.values()), default=0.0)
+
+
+def propagate(
+    model: "Model",
+    distributions: "Mapping[str, Distribution]",
+    correlation: "Mapping[tuple[str, str], float] | None" = None,
+    *,
+    coverage: float = 0.95,
+    method: str = "auto",
+    accuracy: float = DEFAULT_ACCURACY,
+    samples: int = 0,
+    seed: int = DEFAULT_SEED,
+    limits: "Mapping[str, Sequence[float]] | None" = None,
+    levels: "Mapping[str, Sequence[float]] | None" = None,
+    slopes: "Mapping[str, Mapping[str, float]] | None" = None,
+    shares: bool = True,
+    curve: bool = False,
+    partly: bool = False,
+) -> Propagation:
+    """Propagate uncertainty through `model`.
+
+    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
+    model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
+    exceedance is asked, `levels` probabilities whose quantiles are; `slopes` the derivatives of each result at the
+    inputs' means, where they are known; `curve` asks for the distribution function, at points across its range, of
+    every result with a limit, or else of the first that varies; `partly` for what was done when a time limit came.
+    """
+    if method not in METHODS:
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
+    if not 0.0 < coverage < 1.0:
+        raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
+    space = Space(model, distributions, correlation or {})
+    tail = 0.5 * (1.0 - coverage)
+    score = -normal.quantile(tail)
+    p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
+    goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed, curve=curve)
+    made = Propagation(space, coverage, seed)
+    made.correlated = dict(correlation or {})
+    if space.size == 0:
+        _certain(space, made)
+        return made
+    try:
+        probe = _probe(space, seed)
+        stand_in = None
+        if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
+            stand_in = StandIn(space, seed, goal.accuracy)
+        _distribute(space, made, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in)
+        if shares and space.results:
+            _add_shares(space, made, seed, stand_in)
+            add_corners(space, made.spreads, made.coverage)
+    except Reached:
+        if not partly:
+            raise
+        stop()
+        made.stopped = space.results
+    made.points = space.points
+    return made
+
+
+def _certain(space: Space, made: Propagation) -> None:
+    values = space.evaluate(np.zeros((0, 1)))[:, 0]
+    for name, value in zip(space.results, values.tolist(), strict=True):
+        made.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
+
+
+def _probe(space: Space, seed: int) -> "Array":
+    """All results at the centre, half a deviation to both sides of it on every axis, and at a few points beyond."""
+    n = space.size
+    step = 0.5 * np.eye(n)
+    few = quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed))
+    if n > MOST_DIMENSIONS:
+        few = np.resize(few, (n, few.shape[1]))
+    return space.evaluate(np.concatenate([np.zeros((n, 1)), step, -step, few], axis=1))
+
+
+def _distribute(
+    space: Space,
+    made: Propagation,
+    goal: Goal,
+    method: str,
+    samples: int,
+    probe: "Array",
+    wanted: "tuple[Mapping[str, Sequence[float]], Mapping[str, Sequence[float]]]",
+    slopes: "Mapping[str, Mapping[str, float]]",
+    stand_in: StandIn | None,
+) -> None:
+    sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
+    limits, levels = wanted
+    for row, name in enumerate(space.results):
+        # A curve is looked at of the limited results, or of the first that varies.
+        curve = goal.curve and (name in limits if limits else not made.varying())
+        own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
+        twin = next((space.results[i] for i in range(row) if np.array_equal(probe[i], probe[row], equal_nan=True)), "")
+        more = {name, twin} & (limits.keys() | levels.keys())
+        if twin and not more:
+            made.spreads[name] = _copy(made.spreads[twin], name)
+        elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
+            made.spreads[name] = _constant(name, float(probe[row, 0]), own)
+        elif sample is not None:
+            made.spreads[name] = _sampled(name, row, sample, own)
+        else:
+            best = _stood_in(stand_in, name, row, own, probe) if stand_in is not None and name not in more else None
+            # Where the polynomials are near enough, other points of the model itself would tell no more.
+            near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
+            if best is None or not (near or best.estimate <= FAIR):
+                other = _integrated(space, name, row, own, method, probe, slopes.get(name))
+                best = other if best is None or other.estimate < best.estimate else best
+            made.spreads[name] = best
+
+
+def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
+    """A result of the polynomials that stand in for a slow model; None where these are not near enough."""
+    if not stand_in.errors[row] < float(np.nanstd(probe[row])):
+        return None
+    quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
+    spread = _integrated(stand_in.space, name, row, quick, "auto", probe, None)
+    spread.estimate += float(stand_in.errors[row]) / spread.std if spread.std > 0.0 else np.inf
+    spread.method += f", on polynomials of degree {stand_in.degree} fitted to {stand_in.count} calls"
+    return spread
+
+
+def _copy(spread: Spread, name: str) -> Spread:
+    made = Spread.__new__(Spread)
+    made.__dict__.update(spread.__dict__, name=name)
+    return made
+
+
+def _constant(name: str, value: float, goal: Goal) -> Spread:
+    made = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
+    made.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in goal.limits]
+    made.levels = [(level, value) for level in goal.levels]
+    return made
+
+
+def _sampled(name: str, row: int, sample: Sample, goal: Goal) -> Spread:
+    plain, admissible, ordered = sample.plain(row, goal)
+    if ordered.size < 2:
+        raise InadmissibleError("hardly any case within the inputs' uncertainty is admissible", hint="check the inputs")
+    made = _of_plain(name, plain, goal)
+    made.admissible = admissible
+    made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
+    if goal.curve:
+        values = across_range(made.interval)
+        below = np.searchsorted(ordered, values, side="right") / ordered.size
+        made.cumulative = (values.tolist(), below.tolist())
+    return made
+
+
+def _of_plain(name: str, plain: Plain, goal: Goal) -> Spread:
+    made = Spread(name, plain.method, plain.quantiles[goal.main].tolist(), plain.mean, plain.std)
+    made.levels = goal.at_levels(plain.quantiles)
+    made.estimate = plain.estimate
+    return made
+
+
+def _integrated(
+    space: Space,
+    name: str,
+    row: int,
+    goal: Goal,
+    method: str,
+    probe: "Array",
+    slopes: "Mapping[str, float] | None",
+) -> Spread:
+    direction = direction_of(space, probe, row)
+    outcome = integrate(space, row, direction, goal, method)
+    spread = Spread(name, outcome.method, outcome.quantiles[goal.main].tolist(), outcome.mean, outcome.std)
+    spread.estimate, spread.admissible = outcome.estimate, outcome.admissible
+    spread.levels = goal.at_levels(outcome.quantiles)
+    if goal.limits:
+        found = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
+        spread.beyond = list(zip(goal.limits, found.tolist(), strict=True))
+    if goal.curve and spread.interval[0] < spread.interval[1]:
+        values = across_range(spread.interval)
+        spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
+    if method in ("linear", "second-order", "unscented"):
+        spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal)
+    return spread
+
+
+def across_range(interval: "tuple[float, float]") -> "Array":
+    """Points across a result's range: the interval, and as far again beyond it as half its width to each side."""
+    low, high = interval
+    return np.linspace(low - 0.5 * (high - low), high + 0.5 * (high - low), CURVE_POINTS)
+
+
+def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping[str, float] | None") -> Plain:
+    if method == "linear":
+        return linear(space, row, goal, slopes)
+    return second_order(space, row, goal) if method == "second-order" else unscented(space, row, goal)
+
+
+def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Spread:
+    """A classical method's numbers; its error is the distance from the quadrature's; probabilities as if normal."""
+    made = _of_plain(spread.name, plain, goal)
+    made.cumulative = spread.cumulative
+    apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
+    scale = outcome.std if outcome.std > 0.0 else 1.0
+    made.estimate = float(max(apart)) / scale + outcome.estimate
+    made.admissible = spread.admissible
+    for limit, _ in spread.beyond:
+        z = (limit - plain.mean) / plain.std if plain.std > 0.0 else np.copysign(np.inf, limit - plain.mean)
+        made.beyond.append((limit, normal.upper(float(z)) if np.isfinite(z) else float(z < 0.0)))
+    return made
+
+
+def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | None) -> None:
+    """Shares of the variance of every result, and the results' correlation."""
+    variances = np.nan_to_num([made.spreads[name].std ** 2 for name in space.results], posinf=0.0)
+    missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
+    if stand_in is not None and missed < MOST_MISSED:
+        space = stand_in.space
+    else:
+        missed = 0.0
+    admissible = min(spread.admissible for spread in made.spreads.values())
+    found: Shares = variance_shares(space, variances, seed, admissible)
+    for row, name in enumerate(space.results):
+        if made.spreads[name].varies and np.isfinite(found.first[row]).all():
+            made.spreads[name].first = found.first[row].tolist()
+            made.spreads[name].total = found.total[row].tolist()
+    made.shares_method, made.shares_error = found.method, found.error + missed
+    if sum(spread.std > 0.0 for spread in made.spreads.values()) > 1:
+        made.correlation = found.covariance()

@@ -1,0 +1,212 @@
+"""The space an uncertain calculation is integrated in: independent standard normals z, and the model on them.
+
+Everything that propagates uncertainty sees only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
+NaN where the model is inadmissible. NaN stays inside the engine; what leaves it is a fraction of inadmissible cases.
+"""
+
+from decimal import Decimal, localcontext
+
+import numpy as np
+
+from dynamics_cli.errors import FaultError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
+
+    Array = NDArray[Any]
+    Correlation = Mapping[tuple[str, str], float]
+    # Results by name, and the rows that are inadmissible (or None).
+    Model = Callable[[dict[str, Any]], tuple[dict[str, Any], Any]]
+
+# Arrays of more points leave the processor's cache, which costs more than twice the time a point.
+LARGEST_BLOCK = 1 << 13
+# Sets of points whose results are kept.
+MOST_KNOWN = 4096
+# A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
+_PIVOT = 1e-12
+
+
+class Space:
+    """Uncertain inputs, their correlation, and the model; counts the points it is asked for."""
+
+    def __init__(self, model: "Model", distributions: "Mapping[str, Distribution]", correlation: "Correlation") -> None:
+        self.model = model
+        self.fixed = {name: made.mean for name, made in distributions.items() if made.std == 0.0}
+        self.names = [name for name in distributions if name not in self.fixed]
+        self.distributions = [distributions[name] for name in self.names]
+        self.factor = factor(self.names, correlation, set(distributions))
+        self.smooth = all(made.smooth for made in self.distributions)
+        self.stepped = any(made.name == "empirical" for made in self.distributions)
+        # Without a finite variance (Student's t of two or three readings) neither has, as a rule, the result.
+        self.heavy = any(made.std == np.inf for made in self.distributions)
+        self.results: list[str] = []
+        # by result, what its values may be off by
+        self.noise: Mapping[str, float] = getattr(model, "noise", {})
+        self.points = 0
+        # A model that is asked case by case is dear, and its results are often asked for at the same points.
+        self.slow = not getattr(model, "arrays", True)
+        self._known: dict[bytes, Array] | None = {} if self.slow else None
+        # The sample that results share, once one of them needs it.
+        self.pool: Any = None
+
+    @property
+    def size(self) -> int:
+        """How many inputs are really uncertain."""
+        return len(self.names)
+
+    def inputs(self, z: "Array") -> "dict[str, Any]":
+        """The inputs at points z, by address."""
+        return self.inputs_of(z if self.factor is None else self.factor @ z)
+
+    def inputs_of(self, scores: "Array") -> "dict[str, Any]":
+        """The inputs whose own normal scores (correlated, if they are) are given."""
+        made: dict[str, Any] = dict(self.fixed)
+        for name, distribution, score in zip(self.names, self.distributions, scores, strict=True):
+            made[name] = distribution.at(score)
+        return made
+
+    def evaluate(self, z: "Array") -> "Array":
+        """Every result at points z (inputs, n): an array (results, n), NaN where inadmissible."""
+        count = z.shape[1]
+        if count > LARGEST_BLOCK:
+            parts = [self.evaluate(z[:, i : i + LARGEST_BLOCK]) for i in range(0, count, LARGEST_BLOCK)]
+            return np.concatenate(parts, axis=1)
+        if self._known is None:
+            return self.evaluate_inputs(self.inputs(z), count)
+        key = z.tobytes()
+        made = self._known.get(key)
+        if made is None:
+            made = self.evaluate_inputs(self.inputs(z), count)
+            if len(self._known) < MOST_KNOWN:
+                self._known[key] = made
+        return made
+
+    def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
+        """Every result at so many cases of the inputs."""
+        self.points += count
+        if not count and self.results:
+            return np.empty((len(self.results), 0))
+        with np.errstate(all="ignore"):
+            results, refused = self.model(inputs)
+        if not self.results:
+            self.results = list(results)
+        made = np.empty((len(self.results), count))
+        for row, name in enumerate(self.results):
+            made[row] = results[name]
+        if refused is not None:
+            made[:, refused] = np.nan
+        if not np.isfinite(made.sum()):
+            made[~np.isfinite(made)] = np.nan
+        return made
+
+
+def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]") -> "Array | None":
+    """The lower triangle L with L·Lᵀ = the correlation of the normal scores; None when nothing is correlated."""
+    matrix = np.eye(len(names))
+    for (one, other), rho in correlation.items():
+        for name in (one, other):
+            if name not in known:
+                hint = f"uncertain are {', '.join(known)}" if known else "no input is uncertain"
+                raise UsageError(f"{name!r} is no uncertain input", parameter="correlate", hint=hint)
+        if one == other or not -1.0 <= rho <= 1.0:
+            raise UsageError(
+                f"a correlation of {rho:g} between {one} and {other} cannot be",
+                parameter="correlate",
+                hint="it is between -1 and 1, of two different inputs",
+            )
+        if one in names and other in names:
+            i, j = names.index(one), names.index(other)
+            matrix[i, j] = matrix[j, i] = rho
+    if not (matrix - np.eye(len(names))).any():
+        return None
+    made = _cholesky(matrix)
+    if made is None:
+        _refuse(names, matrix)
+    return made
+
+
+def positive(matrix: "Array") -> bool:
+    """Whether a matrix of correlations can be one."""
+    return _cholesky(matrix) is not None
+
+
+def _cholesky(matrix: "Array") -> "Array | None":
+    """A triangular factor that allows pivots of zero (correlations of ±1); None when a pivot is negative.
+
+    A pivot such as 1 − ρ² keeps few digits of a ρ next to one, and is the variance of what then cancels: pivots are
+    calculated in 40 digits.
+    """
+    rows: list[dict[int, Decimal]] = []
+    with localcontext(prec=40):
+        for i, line in enumerate(matrix):
+            row: dict[int, Decimal] = {}
+            for j, entry in enumerate(line[: i + 1]):
+                other = rows[j] if j < i else row
+                shared = row.keys() & other.keys()
+                rest = Decimal(float(entry)) - sum((row[k] * other[k] for k in shared), Decimal(0))
+                if j < i:
+                    if j in other:
+                        row[j] = rest / other[j]
+                    elif abs(rest) > np.sqrt(_PIVOT):
+                        return None
+                elif rest < -_PIVOT:
+                    return None
+                elif rest > _PIVOT:
+                    row[j] = rest.sqrt()
+            rows.append(row)
+    made = np.zeros_like(matrix)
+    for i, row in enumerate(rows):
+        for j, value in row.items():
+            made[i, j] = float(value)
+    return made
+
+
+def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
+    """Name the pair without which the least eigenvalue would be largest, and the range that it may have."""
+    best, pair = -np.inf, (0, 1)
+    for i in range(len(names)):
+        for j in range(i):
+            if matrix[i, j]:
+                changed = matrix.copy()
+                changed[i, j] = changed[j, i] = 0.0
+                least = float(np.linalg.eigvalsh(changed)[0])
+                if least > best:
+                    best, pair = least, (i, j)
+    i, j = pair
+    low, high = _admissible(matrix, i, j)
+    hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
+    if not low < high:
+        hint = "the others contradict one another too"
+    raise UsageError(
+        f"the correlations cannot all hold: {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
+        parameter="correlate",
+        code="not-positive-definite",
+        hint=hint,
+    )
+
+
+def _admissible(matrix: "Array", i: int, j: int) -> tuple[float, float]:
+    """The correlations of a pair that leave the matrix positive: conditional correlation between −1 and 1."""
+    rest = [k for k in range(len(matrix)) if k not in (i, j)]
+    inner = np.linalg.pinv(matrix[np.ix_(rest, rest)]) if rest else np.zeros((0, 0))
+    a, b = matrix[i, rest], matrix[j, rest]
+    middle = float(a @ inner @ b)
+    room = float(np.sqrt(max(1.0 - float(a @ inner @ a), 0.0) * max(1.0 - float(b @ inner @ b), 0.0)))
+    return middle - room, middle + room
+
+
+def complement(direction: "Array") -> "Array":
+    """Orthonormal columns that span everything across a unit vector (a Householder reflection)."""
+    count = len(direction)
+    v = direction.copy()
+    v[0] += 1.0 if v[0] >= 0.0 else -1.0
+    norm = float(v @ v)
+    if norm == 0.0:
+        raise FaultError("a direction of length zero")
+    return (np.eye(count) - 2.0 * np.outer(v, v) / norm)[:, 1:]

@@ -1,0 +1,1 @@
+"""Units: what a name means in SI, exactly; quantities converted and shown."""

@@ -1,0 +1,68 @@
+"""Near words, for errors that suggest what was meant: of options and fields, and of units."""
+
+from dynamics_cli.core.units.table import NAMES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+COMMON_PREFIXES = {"s": ("k", "M", "G", "m", "c", "u"), "w": ("kilo", "mega", "milli", "centi", "micro")}
+
+
+def nearest_words(word: str, known: "Iterable[str]", count: int = 3) -> "list[str]":
+    """Up to `count` of the known words that look like `word`, nearest first."""
+    from difflib import get_close_matches
+
+    by_plain = {name.lower().replace("-", "_"): name for name in known}
+    near = get_close_matches(word.lower().replace("-", "_"), sorted(by_plain), n=count, cutoff=0.6)
+    return [by_plain[name] for name in near]
+
+
+def names_like(name: str, count: int = 5) -> list[str]:
+    """Find the names nearest to a misspelt one, nearest first; a difference of case alone is the nearest."""
+    if not 0 < len(name) <= 40:
+        return []
+    lower = name.lower()
+    limit = 0 if len(name) == 1 else 1 if len(name) <= 4 else 2
+    found = []
+    for known, prefixed in _spellings():
+        if abs(len(known) - len(name)) > limit:
+            continue
+        distance = _edits(lower, known.lower(), limit)
+        if distance <= limit:
+            found.append((distance, prefixed, known[0] != name[0], len(known), known))
+    # A name that differs in case alone is surely meant.
+    surely = [each for each in found if each[0] == 0]
+    return [known for *_, known in sorted(surely or found)[:count]]
+
+
+def names_in_other_case(name: str) -> list[str]:
+    """The names that differ from this one in capitals alone, with the common prefixes."""
+    lower = name.lower()
+    return sorted({known for known, _ in _spellings() if known.lower() == lower})
+
+
+def _spellings() -> "Iterator[tuple[str, bool]]":
+    for entry in NAMES.split():
+        name, _, flags = entry.split("|")
+        if not name[0].isdigit():
+            yield name, False
+        for flag in flags:
+            for prefix in COMMON_PREFIXES[flag]:
+                yield prefix + name, True
+
+
+def _edits(a: str, b: str, limit: int) -> int:
+    """Edits between two words, exchanged neighbours counting as one; anything above `limit` may come out larger."""
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, character in enumerate(a, 1):
+        older, before, row = before, row, [i]
+        for j, other in enumerate(b, 1):
+            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (character != other))
+            if i > 1 and j > 1 and character == b[j - 2] and a[i - 2] == other:
+                cost = min(cost, older[j - 2] + 1)
+            row.append(cost)
+        if min(row) > limit:
+            return limit + 1
+    return row[-1]

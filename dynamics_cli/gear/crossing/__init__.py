@@ -1,0 +1,1 @@
+"""Gears on shafts that cross or meet: bevel, crossed helical, hypoid and worm pairs."""

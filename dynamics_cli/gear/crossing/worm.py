@@ -1,0 +1,337 @@
+"""Cylindrical worm pairs: geometry, lead angle, efficiency both ways, and self-locking with its sign."""
+
+from math import pi
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
+from dynamics_cli.gear.crossing.worm_records import WormData
+from dynamics_cli.gear.pitch import require_module
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, pi_beside, sin, sqrt, tan
+from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Friction,
+    Module,
+    Positive,
+    Power,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Teeth,
+    Torque,
+)
+from dynamics_cli.records import Advice, Check, record
+
+FULL_DEPTH = 20.0 * pi / 180.0
+
+
+@record
+class AxialModule:
+    """Size of the teeth as the axial module of the worm, the transverse one of the wheel."""
+
+    module: Annotated[Module, "Axial module m_x [m]."]
+
+
+@record
+class WormNormalModule:
+    """Size of the teeth as the normal module."""
+
+    normal_module: Annotated[Module, "Normal module m_n [m]."]
+
+
+@record
+class WormDiameter:
+    """The worm by its reference diameter."""
+
+    worm_diameter: Annotated[Size, "Reference diameter of the worm d₁, e.g. 44 mm [m]."]
+
+
+@record
+class DiameterFactor:
+    """The worm by its diameter factor."""
+
+    diameter_factor: Annotated[Positive, "Diameter factor q = d₁/m_x, e.g. 10."]
+
+
+@record
+class LeadAngle:
+    """The worm by its lead angle."""
+
+    lead_angle: Annotated[Angle, "Lead angle γ at the reference cylinder, e.g. 8 deg [rad]."]
+
+
+def worm(
+    *,
+    threads: Annotated[Teeth, "Number of threads of the worm z₁, e.g. 2."],
+    teeth: Annotated[Teeth, "Number of teeth of the wheel z₂."],
+    size: Annotated[AxialModule | WormNormalModule, "Size of the teeth, axial or normal."],
+    worm: Annotated[
+        WormDiameter | DiameterFactor | LeadAngle, "The worm's reference diameter, diameter factor or lead angle."
+    ],
+    pressure_angle: Annotated[Angle, "Normal pressure angle α_n [rad]."] = FULL_DEPTH,
+    profile_shift: Annotated[
+        Ratio | None,
+        "Profile shift factor x₂ of the wheel, in axial modules; 0 unless given, or found from the centre "
+        "distance, e.g. 0.3.",
+    ] = None,
+    centre_distance: Annotated[Size | None, "Centre distance, in place of the profile shift, e.g. 68 mm [m]."] = None,
+    addendum_factor: Annotated[Ratio, "Addendum factor."] = 1.0,
+    dedendum_factor: Annotated[Ratio, "Dedendum factor."] = 1.25,
+    friction: Annotated[Friction, "Coefficient of friction μ of the flanks."] = 0.05,
+    speed: Annotated[ShaftSpeed | None, "Speed of the worm [rad/s]."] = None,
+    torque: Annotated[Torque | None, "Torque on the worm, driving, e.g. 12 N*m [N*m]."] = None,
+    power: Annotated[
+        Power | None, "Power into the worm, in place of the torque; needs the speed, e.g. 5 kW [W]."
+    ] = None,
+) -> WormData:
+    """Geometry of a worm pair with shafts at right angles, its efficiency both ways, and self-locking.
+
+    Equation
+    --------
+    tan γ = m_x z₁/d₁; a = (d₁ + d₂)/2 + x₂ m_x; F_n = F_t/(cos α_n sin γ + μ cos γ);
+    η = tan γ/tan(γ + ρ'), η' = tan(γ − ρ')/tan γ, tan ρ' = μ/cos α_n.
+
+    Returns
+    -------
+    WormData
+        Worm, wheel, efficiency and forces.
+
+    Raises
+    ------
+    InadmissibleError
+        When the worm has no diameter that fits, its root vanishes, or friction locks it also forwards.
+
+    Notes
+    -----
+    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, and its sign is
+    that of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
+    diameter are the usual choices, not limits.
+
+    References
+    ----------
+    DIN 3975; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 17.14.
+
+    Examples
+    --------
+    >>> from math import degrees
+    >>> answer = worm(threads=2, teeth=30, size=AxialModule(0.003), worm=WormDiameter(0.044))
+    >>> round(degrees(answer.lead_angle), 5)
+    7.76517
+    """
+    require(
+        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
+        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
+        pressure_angle=(pressure_angle, Angle),
+        code="pressure-angle",
+    )
+    module, gamma, slope, diameter = _worm(size, worm, threads)
+    require_module(module)
+    pressure_angle, friction = like(pressure_angle, module), like(friction, module)
+    wheel = teeth * module
+    add, ded = addendum_factor * module, dedendum_factor * module
+    root = diameter - 2.0 * ded
+    require(
+        root > 0.0,
+        "the worm's root would have a diameter of {root:6}",
+        root=(root, Size),
+        code="no-root",
+        hint="give the worm a larger diameter, or a smaller lead angle",
+    )
+    profile_shift = _shift(profile_shift, centre_distance, 0.5 * (diameter + wheel), module)
+    shift = profile_shift * module
+    require(
+        wheel + 2.0 * (shift - ded) > 0.0,
+        "the wheel's root would have a diameter of {root:6}",
+        root=(wheel + 2.0 * (shift - ded), Size),
+        code="no-wheel-root",
+        hint="give it more teeth, or a larger profile shift",
+    )
+    drag = friction / cos(pressure_angle)
+    rho = atan(drag)
+    require(
+        gamma + rho < 0.5 * pi,
+        "lead angle and angle of friction sum to {total:6}: the worm cannot drive either",
+        total=(gamma + rho, Angle),
+        code="locked",
+        hint="a smaller lead angle or less friction",
+    )
+    # tan(γ ± ρ) of the tangents: angles would round away what is left of their difference
+    forward = slope * multiply_add(-slope, drag, 1.0) / (slope + drag)
+    left = (slope - drag) / (1.0 + slope * drag)
+    backward = left / slope
+    load = _load(torque, power, speed)
+    forces = _forces(load, diameter, gamma, rho, pressure_angle, friction)
+    wheel_torque = None if load is None else 0.5 * wheel * forces[1]  # type: ignore[operator]
+    locking = -atan(left)
+    axial = atan2(sin(pressure_angle), cos(pressure_angle) * cos(gamma))
+    return WormData(
+        ratio=teeth / threads,
+        lead_angle=gamma,
+        lead=pi_beside(module) * module * threads,
+        axial_pitch=pi_beside(module) * module,
+        axial_module=module,
+        normal_module=module * cos(gamma),
+        diameter_factor=diameter / module,
+        axial_pressure_angle=axial,
+        centre_distance=0.5 * (diameter + wheel) + shift if centre_distance is None else centre_distance,
+        profile_shift=profile_shift,
+        worm_diameter=diameter,
+        worm_tip_diameter=diameter + 2.0 * add,
+        worm_root_diameter=root,
+        worm_length=pi_beside(module) * module * (4.5 + 0.02 * teeth),
+        wheel_diameter=wheel,
+        throat_diameter=wheel + 2.0 * (add + shift),
+        wheel_outer_diameter=wheel + 2.0 * (add + shift) + module,
+        wheel_root_diameter=wheel + 2.0 * (shift - ded),
+        throat_radius=0.5 * diameter - add,
+        face_width=2.0 * module * sqrt(diameter / module + 1.0),
+        friction_angle=rho,
+        efficiency=forward,
+        backward_efficiency=backward,
+        locking_margin=locking,
+        self_locking=plain(locking) >= 0.0,
+        sliding_speed=None if speed is None else 0.5 * absolute(speed) * diameter / cos(gamma),
+        wheel_speed=None if speed is None else speed * (threads / teeth),
+        worm_torque=load,
+        wheel_torque=wheel_torque,
+        worm_tangential_force=forces[0],
+        worm_axial_force=forces[1],
+        radial_force=forces[2],
+        normal_force=forces[3],
+        release_torque=None if load is None else 0.5 * diameter * forces[1] * -left,  # type: ignore[operator]
+        checks=_checks(forward, gamma, pressure_angle, friction),
+        advice=_advice(gamma, rho)
+        + tooth_advice(
+            "the wheel",
+            teeth,
+            axial,
+            addendum_factor + profile_shift,
+            addendum_factor - profile_shift,
+            profile_shift,
+            ("raise its profile shift, or give it more teeth", "lower its profile shift"),
+        ),
+    )
+
+
+def _worm(
+    size: AxialModule | WormNormalModule, worm: WormDiameter | DiameterFactor | LeadAngle, threads: int
+) -> tuple[float, float, float, float]:
+    """Axial module, lead angle and its tangent, reference diameter."""
+    if isinstance(worm, LeadAngle):
+        gamma = worm.lead_angle
+        require(
+            (gamma > 0.0) & (gamma < 0.5 * pi),
+            "the lead angle {gamma:6} must be above 0 and below 90 degrees",
+            gamma=(gamma, Angle),
+            code="lead-angle",
+        )
+        module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
+        return module, gamma, tan(gamma), threads * module / tan(gamma)
+    if isinstance(worm, DiameterFactor):
+        gamma = atan2(threads, worm.diameter_factor)
+        module = size.module if isinstance(size, AxialModule) else size.normal_module / cos(gamma)
+        return module, gamma, threads / worm.diameter_factor, worm.diameter_factor * module
+    diameter = worm.worm_diameter
+    require(
+        diameter > 0.0,
+        "a worm of {diameter:6} diameter has no threads",
+        diameter=(diameter, Size),
+        code="worm-diameter",
+    )
+    if isinstance(size, AxialModule):
+        rise = threads * size.module
+        return size.module, atan2(rise, diameter), rise / diameter, diameter
+    # sin γ = m_n z₁/d₁
+    rise = threads * size.normal_module
+    require(
+        rise < diameter,
+        "a worm of {diameter:6} diameter has no room for {threads} threads of {normal_module:6} normal "
+        "module: sin γ would be {sine:6}",
+        diameter=(diameter, Size),
+        threads=threads,
+        normal_module=(size.normal_module, Size),
+        sine=(rise / diameter, Ratio),
+        code="worm-diameter",
+        hint="give the worm a larger diameter",
+    )
+    run = sqrt((diameter - rise) * (diameter + rise))
+    gamma = atan2(rise, run)
+    return size.normal_module / cos(gamma), gamma, rise / run, diameter
+
+
+def _shift(given: float | None, distance: float | None, reference: float, module: float) -> float:
+    """x₂ as given, or as the centre distance asks for it."""
+    require(
+        given is None or distance is None,
+        "profile shift and centre distance are both given",
+        code="shift",
+        hint="give one of them: each follows from the other",
+    )
+    if distance is not None:
+        return (distance - reference) / module
+    return 0.0 if given is None else given
+
+
+def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
+    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
+    if power is None:
+        return None if torque is None else absolute(torque)
+    require(
+        speed is not None and absolute(speed) > 0.0,
+        "a power needs a speed to become a torque",
+        code="speed",
+        hint="give --speed",
+    )
+    return absolute(power) / absolute(speed)  # type: ignore[arg-type]
+
+
+def _forces(
+    torque: float | None, diameter: float, gamma: float, rho: float, pressure_angle: float, friction: float
+) -> tuple[float | None, float | None, float | None, float | None]:
+    """Tangential and axial force on the worm, radial and normal force, when the worm drives."""
+    if torque is None:
+        return None, None, None, None
+    tangential = 2.0 * torque / diameter
+    normal = tangential / (cos(pressure_angle) * sin(gamma) + friction * cos(gamma))
+    return tangential, tangential / tan(gamma + rho), normal * sin(pressure_angle), normal
+
+
+def _checks(forward: float, gamma: float, pressure_angle: float, friction: float) -> tuple[Check, ...]:
+    """The efficiency again from the forces of an inclined plane."""
+    g, a, mu = plain(gamma), plain(pressure_angle), plain(friction)
+    again = tan(g) * (cos(a) - mu * tan(g)) / (cos(a) * tan(g) + mu)
+    residual = abs(plain(forward) - again)
+    return (Check("efficiency from the forces", residual <= 1e-13, residual, 1e-13),)
+
+
+def _advice(gamma: float, rho: float) -> tuple[Advice, ...]:
+    lead, friction = plain(gamma), plain(rho)
+    if lead <= friction:
+        word = "statically self-locking" if lead > 0.5 * friction else "self-locking"
+        return (
+            Advice(
+                "self-locking",
+                worded(
+                    "{word}: the lead angle {lead} is below the angle of friction {friction}",
+                    word=word,
+                    lead=(lead, Angle),
+                    friction=(friction, Angle),
+                ),
+                "note",
+                "vibration lowers friction: do not rely on it as a brake",
+            ),
+        )
+    if lead < 1.5 * friction:
+        return (
+            Advice(
+                "nearly-self-locking",
+                worded(
+                    "the lead angle {lead} is little above the angle of friction {friction}",
+                    lead=(lead, Angle),
+                    friction=(friction, Angle),
+                ),
+                remedy="its locking depends on lubrication and vibration",
+            ),
+        )
+    return ()

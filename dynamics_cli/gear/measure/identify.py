@@ -1,0 +1,294 @@
+"""An unknown gear from what can be measured of it: module or pitch, pressure angle and profile shift."""
+
+from math import pi
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.gear.pitch import SERIES_I, SERIES_II
+from dynamics_cli.gear.single.toothing import Toothing
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, sin, sqrt
+from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Module, Ratio, Size, Text
+from dynamics_cli.records import Advice, Check, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
+SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
+DIAMETRAL_PITCHES = (
+    1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.5, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
+    32, 36, 40, 44, 48, 56, 64, 72, 80, 96, 120,
+)  # fmt: skip
+COMMON_SHIFT = 1.0
+
+
+@record
+class SpanRead:
+    """A span that was measured."""
+
+    over: Annotated[Count, "Over how many teeth, e.g. 4."]
+    length: Annotated[Size, "What was read [m]."]
+
+
+@record
+class Candidate:
+    """A gear that what was measured may belong to."""
+
+    size: Annotated[Text, "Its module or diametral pitch, as it is ordered."]
+    module: Annotated[Module, "Normal module [m]."]
+    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."]
+    profile_shift: Annotated[Ratio, "Profile shift factor, from the spans."]
+    addendum_factor: Annotated[Ratio | None, "Addendum factor that the tip diameter asks for."]
+    base_pitch_error: Annotated[Coordinate | None, "Normal base pitch, measured less its own [m]."]
+    disagreement: Annotated[
+        Ratio, "How far everything is off, in units of what measuring is good for; below 1 it fits."
+    ]
+
+
+@record
+class Identified:
+    """Gears that fit, best first."""
+
+    candidates: Annotated[tuple[Candidate, ...], "The gears."]
+    base_pitch: Annotated[Size | None, "Normal base pitch that was measured [m]."]
+    fitting: Annotated[Count, "How many standard gears fit within what measuring is good for."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def identify(
+    *,
+    teeth: Annotated[Count, "Number of teeth, counted, e.g. 24."],
+    spans: Annotated[tuple[SpanRead, ...], "Spans over different numbers of teeth; two give the base pitch."],
+    tip_diameter: Annotated[Size | None, "Tip diameter, e.g. 80 mm [m]."] = None,
+    helix_angle: Annotated[Angle, "Helix angle, measured at the pitch cylinder [rad]."] = 0.0,
+    reading: Annotated[Size, "What a reading is good for [m]."] = 2e-5,
+    count: Annotated[Count, "How many candidates to show."] = 5,
+) -> Identified:
+    """Name an unknown gear from its teeth, spans and tip diameter.
+
+    Equation
+    --------
+    p_bn = (W_k − W_j)/(k − j) = π m_n cos α_n; then x from W_k, and h_a* = (d_a − d)/(2 m_n) − x.
+
+    Returns
+    -------
+    Identified
+        Standard modules and diametral pitches with common pressure angles, best agreement first.
+
+    Raises
+    ------
+    InadmissibleError
+        When spans contradict one another, or there are too few of them to tell.
+
+    Notes
+    -----
+    A span grows by one base pitch a tooth, whatever the shift; only m cos α is known from it. Module and pressure angle
+    are told apart by the tip diameter and by what is usual: a shift beyond ±1 and an addendum other than 1 or 0.8
+    count against a candidate.
+
+    References
+    ----------
+    KHK Gear Technical Reference (identifying an unknown gear); ISO 54.
+
+    Examples
+    --------
+    >>> reads = (SpanRead(4, 0.0328266), SpanRead(3, 0.0239703))
+    >>> identify(teeth=24, spans=reads, tip_diameter=0.0804).candidates[0].size
+    'module 3'
+    """
+    require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
+    require(count > 0, "no candidate is asked for", code="count")
+    require(reading > 0.0, "readings are never exact", code="reading", hint='--reading "0.02 mm"')
+    require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
+    require(len({one.over for one in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
+    for one in spans:
+        require(
+            one.over >= 1 and one.length > 0.0,
+            "a span needs at least one tooth and a length above zero, not {over} teeth and {length:6}",
+            over=one.over,
+            length=(one.length, Size),
+            code="spans",
+        )
+    require(
+        len(spans) > 1 or tip_diameter is not None,
+        "one span alone fits too many gears",
+        code="spans",
+        hint="give a second span over one tooth more, or the tip diameter",
+    )
+    readings = _Readings(teeth, spans, tip_diameter, helix_angle, reading)
+    names = _chosen(readings.plain())
+    require(
+        bool(names),
+        "no standard gear of {teeth} teeth has a base pitch near {base_pitch:6}",
+        teeth=teeth,
+        base_pitch=(plain(readings.pitch or 0.0), Size),
+        code="no-candidate",
+    )
+    fitting = sum(off <= 1.0 for off, _, _, _ in names)
+    shown = tuple(_candidate(readings, name, size, degrees) for _, name, size, degrees in names[:count])
+    return Identified(
+        candidates=shown,
+        base_pitch=readings.pitch,
+        fitting=fitting,
+        checks=_checks(readings, shown[0]),
+        advice=_advice(fitting, tip_diameter),
+    )
+
+
+def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | None, float]:
+    """The base pitch by the spans farthest apart, and what it is good for; refuses spans that contradict it."""
+    if len(spans) == 1:
+        return None, 0.0
+    ordered = sorted(spans, key=lambda one: one.over)
+    steps = ordered[-1].over - ordered[0].over
+    pitch = (ordered[-1].length - ordered[0].length) / steps
+    require(
+        pitch > 0.0,
+        "the spans grow shorter with more teeth: {pitch:6} for each tooth",
+        pitch=(pitch, Size),
+        code="spans",
+    )
+    for one in ordered[1:-1]:
+        off = one.length - ordered[0].length - (one.over - ordered[0].over) * pitch
+        require(
+            absolute(off) <= 3.0 * reading,
+            "the span over {over} teeth is {off:6} off the line of the others",
+            over=one.over,
+            off=(off, Size),
+            code="spans",
+            hint="an anvil off the flank, or a wrong count: measure again",
+        )
+    return pitch, 2.0 * reading / steps
+
+
+def _sizes() -> "Iterator[tuple[str, int, int]]":
+    """Name, and the module in metres as a fraction."""
+    for module in (*SMALL_MODULES, *SERIES_I, *SERIES_II):
+        # none has more than three decimals of a millimetre
+        yield f"module {module:g}", round(1000 * module), 1_000_000
+    for diametral in DIAMETRAL_PITCHES:
+        yield f"{diametral:g} DP", 2540, round(100_000 * diametral)
+
+
+class _Readings:
+    """What was read of the gear, and what it is good for."""
+
+    def __init__(
+        self, teeth: int, spans: tuple[SpanRead, ...], tip_diameter: float | None, helix_angle: float, reading: float
+    ) -> None:
+        self.teeth = teeth
+        self.spans = spans
+        self.tip_diameter = tip_diameter
+        self.helix_angle = helix_angle
+        self.reading = reading
+        self.pitch, self.room = _base_pitch(spans, reading)
+
+    def plain(self) -> "_Readings":
+        """The same in plain doubles."""
+        spans = tuple(SpanRead(one.over, plain(one.length)) for one in self.spans)
+        tip = None if self.tip_diameter is None else plain(self.tip_diameter)
+        return _Readings(self.teeth, spans, tip, plain(self.helix_angle), plain(self.reading))
+
+    def mean(self) -> float:
+        """The mean of the spans."""
+        return sum(one.length for one in self.spans) / len(self.spans)
+
+    def bare(self, angle: float) -> float:
+        """The same mean of a gear of module one without shift: m times this, and 2 x m sin α more, is a span."""
+        from dynamics_cli.gear.measure.sizes import span_length
+
+        unit = Toothing(self.teeth, False, like(1.0, angle), angle, self.helix_angle, 0.0, 1.0, 1.0)
+        return sum(span_length(unit, one.over) for one in self.spans) / len(self.spans)
+
+
+def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
+    """What fits, best first: disagreement, name, module as a fraction, and pressure angle in degrees."""
+    found = []
+    mean, sizes = read.mean(), tuple(_sizes())
+    for degrees in PRESSURE_ANGLES:
+        angle = degrees * pi / 180.0
+        bare = read.bare(angle)
+        for name, *size in sizes:
+            module = size[0] / size[1]
+            error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
+            if error is not None and abs(error) > 6.0 * read.room:
+                continue
+            shift = (mean / module - bare) / (2.0 * sin(angle))
+            if abs(shift) > 2.5:
+                continue
+            off, _ = _disagreement(read, module, angle, degrees, shift, error)
+            if off < 1e4:
+                found.append((sqrt(off), name, (size[0], size[1]), degrees))
+    # of equal ones the size listed first
+    order = {name: place for place, (name, *_) in enumerate(sizes)}
+    return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
+
+
+def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
+    """One of the chosen, in the numbers that were read: of its standard size and angle doubles are rounded too."""
+    mean = read.mean()
+    module = like(float(size[0]), mean) / float(size[1])
+    angle = like(degrees, mean) * pi_beside(mean) / 180.0
+    error = None if read.pitch is None else read.pitch - pi_beside(mean) * module * cos(angle)
+    shift = (mean / module - read.bare(angle)) / (2.0 * sin(angle))
+    off, addendum = _disagreement(read, module, angle, degrees, shift, error)
+    return Candidate(name, module, angle, shift, addendum, error, sqrt(off))
+
+
+def _disagreement(
+    read: _Readings, module: float, angle: float, degrees: float, shift: float, error: float | None
+) -> tuple[float, float | None]:
+    """The square of how far a candidate is off, and its addendum."""
+    off = 0.0 if error is None else error * error / (read.room * read.room)
+    beyond = maximum(absolute(shift) - COMMON_SHIFT, 0.0)
+    off = off + 0.2 * shift * shift + 25.0 * beyond * beyond
+    addendum = None
+    if read.tip_diameter is not None:
+        addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
+        known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
+        # of full depth, or a stub's 4/5
+        full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
+        off = off + minimum(full * full, stub * stub + 0.25)
+    # what is rare counts a little
+    return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
+
+
+def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
+    """The spans of the best candidate against what was read."""
+    from dynamics_cli.gear.measure.sizes import span_length
+
+    gear = Toothing(
+        read.teeth,
+        False,
+        best.module,
+        best.pressure_angle,
+        plain(read.helix_angle),
+        plain(best.profile_shift),
+        1.0,
+        1.0,
+    )
+    worst = max(abs(span_length(gear, one.over) - plain(one.length)) for one in read.spans)
+    room = 6.0 * plain(read.reading)
+    return (Check("spans of the best candidate against the readings [m]", worst <= room, worst, room),)
+
+
+def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:
+    if fitting == 1:
+        return ()
+    if fitting == 0:
+        return (
+            Advice(
+                "no-fit",
+                "no standard gear fits within what the readings are good for: the nearest are shown",
+                "serious",
+            ),
+        )
+    return (
+        Advice(
+            "several-fit",
+            worded("{fitting} standard gears fit these readings", fitting=fitting),
+            remedy="measure more sharply" if tip_diameter is not None else "give the tip diameter",
+        ),
+    )

@@ -1,0 +1,305 @@
+"""Measuring a gear: every size that shows its tooth thickness, and the profile shift back from a measured size."""
+
+from dynamics_cli.errors import InadmissibleError, require, worded
+from dynamics_cli.gear.measure.pins import Pins, pins, shift_from_pins
+from dynamics_cli.gear.measure.sizes import (
+    Chord,
+    Span,
+    chordal,
+    constant_chord,
+    shift_from_chord,
+    shift_from_span,
+    span,
+)
+from dynamics_cli.gear.pair.engagement import with_shift
+from dynamics_cli.gear.pitch import Pitch, module_advice
+from dynamics_cli.gear.single.gear import Gear, Sign, require_circles
+from dynamics_cli.gear.single.rack import FULL_DEPTH
+from dynamics_cli.gear.single.rack import Profile as BasicProfile
+from dynamics_cli.gear.single.toothing_given import fillet_of, gear_of, toothing
+from dynamics_cli.numerics.elementary import absolute, pi_beside, tan
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size
+from dynamics_cli.records import Advice, Check, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeVar
+
+    from dynamics_cli.gear.single.toothing import Toothing
+
+    Sized = TypeVar("Sized")
+
+
+FULL = BasicProfile("a")
+ISO = Sign("iso")
+
+# What was measured, as a refusal calls it.
+_READ = ("a span", "a size over pins", "a chordal thickness")
+
+
+@record
+class ShiftFound:
+    """What a measured size says of the tooth."""
+
+    profile_shift: Annotated[Ratio, "The profile shift that gives the measured size."]
+    thickness_deviation: Annotated[Coordinate, "Normal tooth thickness at the pitch circle, measured less nominal [m]."]
+
+
+@record
+class Measurements:
+    """The sizes of a gear."""
+
+    normal_thickness: Annotated[Size, "Normal tooth thickness at the pitch circle, s_n [m]."]
+    span: Annotated[Span | None, "Base tangent length, W_k."]
+    pins: Annotated[Pins | None, "Size over pins or balls, M_dK."]
+    chordal: Annotated[Chord | None, "Chordal thickness at the pitch circle."]
+    constant_chord: Annotated[Chord | None, "Constant chord."]
+    from_span: Annotated[ShiftFound | None, "From the measured span."] = None
+    from_pins: Annotated[ShiftFound | None, "From the measured size over pins."] = None
+    from_chord: Annotated[ShiftFound | None, "From the measured chordal thickness."] = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def measure(
+    *,
+    teeth: Annotated[Count, "Number of teeth, e.g. 24."],
+    pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
+    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
+    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
+    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
+    internal: Annotated[bool, "Whether the teeth point inwards."] = False,
+    shift_sign: Annotated[
+        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
+    ] = ISO,
+    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[
+        Ratio | None,
+        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
+    ] = None,
+    tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
+    face_width: Annotated[
+        Size | None, "Face width, to see whether a helical gear is wide enough for its span, e.g. 20 mm [m]."
+    ] = None,
+    over: Annotated[
+        Count | None, "Teeth to span (spaces of an internal gear); the best number unless given, e.g. 4."
+    ] = None,
+    pin: Annotated[
+        Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
+    ] = None,
+    upper_allowance: Annotated[
+        Coordinate | None,
+        "Upper deviation of the normal tooth thickness, E_sns, negative for backlash, e.g. -0.05 mm [m].",
+    ] = None,
+    lower_allowance: Annotated[
+        Coordinate | None, "Lower deviation of the normal tooth thickness, E_sni, e.g. -0.09 mm [m]."
+    ] = None,
+    measured_span: Annotated[Size | None, "A span that was measured over `over` teeth, e.g. 32.8 mm [m]."] = None,
+    measured_pins: Annotated[
+        Size | None, "A size that was measured over pins of diameter `pin`, e.g. 82.1 mm [m]."
+    ] = None,
+    measured_chord: Annotated[
+        Size | None, "A chordal thickness that was measured at the pitch circle, e.g. 4.7 mm [m]."
+    ] = None,
+) -> Measurements:
+    """Sizes that show a gear's tooth thickness: span, over pins or balls, chordal and constant chord, with tolerances.
+
+    Equation
+    --------
+    W_k = m_n cos α_n ((k − ½) π + z inv α_t) + 2 x m_n sin α_n;
+    inv α_K = D_M/(z m_n cos α_n) − π/(2z) + 2 x tan α_n/z + inv α_t, M = d_b/cos α_K (· cos 90°/z) + D_M;
+    s̄ = z_v m_n sin(s_n/(z_v m_n)), z_v = z/cos³β; constant chord s_n cos²α_n.
+
+    Returns
+    -------
+    Measurements
+        Every size that this gear allows, its limits, where the instrument touches, and the shift from measured sizes.
+
+    Raises
+    ------
+    InadmissibleError
+        When a span or pin that was asked for does not touch on the flanks.
+
+    Notes
+    -----
+    Exact but for the chordal thickness of a helical gear, which is that of the equivalent spur gear by convention.
+    Helical gears: balls, or pins for an even number of teeth. The condition of W and M to the module is 1.
+
+    References
+    ----------
+    ISO 21771 (tooth thickness and its measures); KHK Gear Technical Reference, tooth thickness.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> answer = measure(teeth=24, pitch=NormalModule(0.003), profile_shift=0.4)
+    >>> (answer.span.over, round(1e3 * answer.span.span, 4))
+    (4, 32.8266)
+    """
+    made = gear_of(
+        teeth=teeth,
+        pitch=pitch,
+        profile=profile,
+        pressure_angle=pressure_angle,
+        addendum_factor=addendum_factor,
+        dedendum_factor=dedendum_factor,
+        root_radius_factor=root_radius_factor,
+        helix_angle=helix_angle,
+        profile_shift=profile_shift,
+        internal=internal,
+        sign=shift_sign,
+    )
+    gear = toothing(made, tip_diameter=tip_diameter, fillet=fillet_of(made, root_radius_factor))
+    _require_allowances(upper_allowance, lower_allowance, gear)
+    allowances = (upper_allowance, lower_allowance)
+    advice: list[Advice] = []
+    spanned = _if_possible("span", lambda: span(gear, over, allowances), over is not None, advice)
+    pinned = _if_possible("pins", lambda: pins(gear, pin, allowances), pin is not None, advice)
+    chord = _if_possible("chordal", lambda: chordal(gear, allowances), False, advice)
+    constant = (
+        None if internal else _if_possible("constant_chord", lambda: constant_chord(gear, allowances), False, advice)
+    )
+    advice += _advice(gear, spanned, face_width)
+    from_chord = None if measured_chord is None else _found(gear, shift_from_chord(gear, measured_chord))
+    read = _from_span(gear, spanned, measured_span), _from_pins(gear, pin, measured_pins), from_chord
+    for found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
+        if found is not None:
+            _require_cut(made, found.profile_shift, size, name, tip_diameter, root_radius_factor)
+    return Measurements(
+        normal_thickness=_thickness(gear),
+        span=spanned,
+        pins=pinned,
+        chordal=chord,
+        constant_chord=constant,
+        from_span=read[0],
+        from_pins=read[1],
+        from_chord=read[2],
+        checks=_checks(gear, spanned, pinned),
+        advice=tuple(advice) + module_advice(pitch, made.module),
+    )
+
+
+def _require_allowances(upper: float | None, lower: float | None, gear: "Toothing") -> None:
+    least = upper if lower is None else lower
+    if least is not None:
+        require(
+            least > -_thickness(gear),
+            "an allowance of {least:6} leaves nothing of teeth {thickness:6} thick",
+            least=(plain(least), Size),
+            thickness=(plain(_thickness(gear)), Size),
+            code="allowances",
+            hint="an allowance is a part of the tooth thickness, such as -0.05 mm",
+        )
+    if upper is not None and lower is not None:
+        require(
+            lower <= upper,
+            "the lower allowance {lower:6} is above the upper one {upper:6}",
+            lower=(lower, Size),
+            upper=(upper, Size),
+            code="allowances",
+        )
+
+
+def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: list[Advice]) -> "Sized | None":
+    """A size, or why there is none; refused when it was asked for."""
+    if asked:
+        return make()
+    try:
+        return make()
+    except InadmissibleError as error:
+        advice.append(Advice(error.code, error.message, "note", error.hint, result=name))
+        return None
+
+
+def _thickness(gear: "Toothing") -> float:
+    own = -gear.shift if gear.internal else gear.shift
+    return gear.module * (0.5 * pi_beside(gear.module) + 2.0 * own * tan(gear.pressure_angle))
+
+
+def _found(gear: "Toothing", shift: float) -> ShiftFound:
+    change = 2.0 * (shift - gear.shift) * gear.module * tan(gear.pressure_angle)
+    return ShiftFound(shift, -change if gear.internal else change)
+
+
+def _from_span(gear: "Toothing", spanned: Span | None, measured: float | None) -> ShiftFound | None:
+    if measured is None:
+        return None
+    require(spanned is not None, "say over how many teeth the span was measured", code="over", hint="--over 4")
+    assert spanned is not None
+    return _found(gear, shift_from_span(gear, spanned.over, measured))
+
+
+def _from_pins(gear: "Toothing", pin: float | None, measured: float | None) -> ShiftFound | None:
+    if measured is None:
+        return None
+    require(pin is not None, "say which pins the size was measured over", code="pin", hint='--pin "5 mm"')
+    assert pin is not None
+    return _found(gear, shift_from_pins(gear, pin, measured))
+
+
+def _require_cut(
+    made: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
+) -> None:
+    """Refuse a reading whose profile shift leaves no such gear."""
+    own = with_shift(made, -shift if made.internal else shift)
+    try:
+        require_circles(own)
+        toothing(own, tip_diameter=tip_diameter, fillet=fillet_of(own, radius))
+    except InadmissibleError as error:
+        require(
+            False,
+            "{name} of {size:6} would mean a profile shift of {shift:6}, which leaves no gear of {teeth} teeth: "
+            "{reason}",
+            name=name,
+            size=(size, Size),
+            shift=(shift, Ratio),
+            teeth=abs(made.teeth),
+            reason=error.message,
+            code="measured",
+            hint="look at the reading, the number of teeth spanned, the module and the tip diameter",
+        )
+
+
+def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
+    """The profile shift found again from the sizes that were returned."""
+    found = []
+    room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
+    if spanned is not None:
+        off = absolute(shift_from_span(gear, spanned.over, spanned.span) - gear.shift)
+        found.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
+    if pinned is not None:
+        off = absolute(shift_from_pins(gear, pinned.pin, pinned.size) - gear.shift)
+        found.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
+    return tuple(found)
+
+
+def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) -> list[Advice]:
+    found = []
+    if spanned is not None and spanned.least_face_width is not None and face_width is not None:
+        least = plain(spanned.least_face_width)
+        if plain(face_width) <= least:
+            found.append(
+                Advice(
+                    "narrow-face",
+                    worded(
+                        "a face of {face_width:6} is too narrow: the anvils need {least:6}",
+                        face_width=(plain(face_width), Size),
+                        least=(least, Size),
+                    ),
+                    "serious",
+                    "span fewer teeth, or measure over balls",
+                )
+            )
+    if gear.teeth % 2 and plain(gear.helix_angle) != 0.0:
+        found.append(
+            Advice(
+                "odd-helical",
+                "an odd helical gear is measured over balls in one transverse plane, not over pins",
+                "note",
+            )
+        )
+    return found

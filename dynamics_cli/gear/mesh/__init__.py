@@ -1,0 +1,1 @@
+"""Two exact profiles turned through each other: contact, clearances and what overlaps."""

@@ -1,0 +1,120 @@
+"""Advice on a mesh: what jams, overlaps or is cut off, and the remedy."""
+
+from dynamics_cli.errors import worded
+from dynamics_cli.gear.mesh.profile_contact import Path
+from dynamics_cli.gear.single.flanks import ToothForm
+from dynamics_cli.quantities import Ratio, Size
+from dynamics_cli.records import Advice
+
+# Angles and shares within this are rounding.
+EXACT = 1e-12
+# An overlap below this share of a module counts as contact.
+OVERLAP = 1e-6
+
+
+def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
+    """Say so when the tips are left at full height where `gear pair` shortens them."""
+    one, two = first.cutter, second.cutter
+    if one is None or two is None:
+        return ()
+    change = distance - first.module * (one.pitch_radius + two.pitch_radius + one.shift + two.shift)
+    if change > -1e-9 * first.module:
+        return ()
+    tips = [2.0 * (form.tip + change) for form in (first, second)]
+    return (
+        Advice(
+            "full-tips",
+            worded(
+                "the tips are full height; gear pair shortens them by {change:6} to keep the tip clearance",
+                change=(-change, Size),
+            ),
+            "note",
+            worded(
+                'give --first-tip-diameter "{first:9}" --second-tip-diameter "{second:9}"',
+                first=(tips[0], Size),
+                second=(tips[1], Size),
+            ),
+        ),
+    )
+
+
+def advice(
+    path: Path,
+    ratio: float,
+    backlash: float,
+    gaps: "dict[str, float]",
+    clearances: tuple[float, float],
+    first: ToothForm,
+) -> tuple[Advice, ...]:
+    """What is wrong with a mesh, or has an end other than the tips'."""
+    found = []
+    if ratio < 1.0:
+        found.append(
+            Advice(
+                "open-mesh",
+                worded(
+                    "the contact ratio is {ratio:6}: between one pair of teeth and the next nothing is in contact",
+                    ratio=(ratio, Ratio),
+                ),
+                "serious",
+                "bring the gears closer together, or give them higher teeth",
+            )
+        )
+    if backlash < -EXACT:
+        found.append(
+            Advice(
+                "jam",
+                worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size)),
+                "serious",
+                "raise the centre distance, or lower the profile shifts",
+            )
+        )
+    for where, gap in gaps.items():
+        if gap < -OVERLAP * first.module:
+            found.append(
+                Advice(
+                    "interference",
+                    worded("{where}: the profiles overlap by {gap:6}", where=where, gap=(-gap, Size)),
+                    "serious",
+                    "shorten the tips",
+                )
+            )
+    for which, clearance in zip(("gear 1", "gear 2"), clearances, strict=True):
+        if clearance < 0.0:
+            message = worded(
+                "the tips of {which} reach {clearance:6} into the root circle",
+                which=which,
+                clearance=(-clearance, Size),
+            )
+            found.append(Advice("tip-clearance", message, "serious", "shorten the tips"))
+    if path.start > path.tip_start + EXACT:
+        lost = path.start - path.tip_start
+        found.append(
+            Advice(
+                "clipped",
+                worded(
+                    "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's form circle",
+                    lost=(lost, Size),
+                ),
+            )
+        )
+    if path.end < path.tip_end - EXACT:
+        lost = path.tip_end - path.end
+        found.append(
+            Advice(
+                "clipped",
+                worded(
+                    "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's form circle",
+                    lost=(lost, Size),
+                ),
+            )
+        )
+    return tuple(found)
+
+
+def tips_meet(overlap: float) -> tuple[Advice, ...]:
+    """That tips trim flanks off the line of action."""
+    message = worded(
+        "off the line of action the tips overlap the flanks they pass by {overlap:6}", overlap=(overlap, Size)
+    )
+    return (Advice("tip-interference", message, "serious", "shorten the tips, or make the tooth numbers differ more"),)

@@ -1,0 +1,345 @@
+"""The proof of a mesh: both exact profiles turned through it, with what they really do."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.mesh.advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
+from dynamics_cli.gear.mesh.bounds import mesh_numerics
+from dynamics_cli.gear.mesh.flank_clearance import flank_gap
+from dynamics_cli.gear.mesh.profile_contact import (
+    Path,
+    half_play,
+    path_of_contact,
+    remedy_of_open_mesh,
+    tips_pass,
+    transmission_error,
+)
+from dynamics_cli.gear.mesh.root_clearance import root_gaps
+from dynamics_cli.gear.pair.engagement import require_partners
+from dynamics_cli.gear.pitch import Pitch
+from dynamics_cli.gear.rounding import bare, carried, in_digits, in_many_digits, tighten
+from dynamics_cli.gear.single.flanks import ToothForm
+from dynamics_cli.gear.single.gear import Sign
+from dynamics_cli.gear.single.profile import tooth_form
+from dynamics_cli.gear.single.rack import FULL_DEPTH
+from dynamics_cli.gear.single.rack import Profile as BasicProfile
+from dynamics_cli.gear.single.toothing_given import gear_of
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, tan
+from dynamics_cli.numerics.involute import inverse_involute
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size, Text
+from dynamics_cli.records import Advice, Check, Columns, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+FULL = BasicProfile("a")
+ISO = Sign("iso")
+MOST_POINTS = 10_000_000
+# Chords of the sampled flanks overlap by less than this share of the module where they touch.
+TRIMS = 1e-4
+
+
+@record
+class ContactPoint:
+    """A point of contact."""
+
+    along: Annotated[Coordinate, "Its place on the line of action, from the pitch point, positive towards recess [m]."]
+    first_diameter: Annotated[Size, "Diameter of gear 1 that touches there [m]."]
+    second_diameter: Annotated[Size, "Diameter of gear 2 that touches there [m]."]
+    error: Annotated[Angle, "What gear 2 is ahead of the exact ratio [rad]."]
+
+
+@record
+class MeshProof:
+    """What two profiles do in mesh."""
+
+    centre_distance: Annotated[Size, "Centre distance [m]."]
+    working_pressure_angle: Annotated[Angle, "Transverse working pressure angle [rad]."]
+    contact_ratio: Annotated[
+        Ratio, "Transverse contact ratio of the involutes that are really there, between form circles and tips."
+    ]
+    nominal_contact_ratio: Annotated[Ratio, "The same by the tip circles alone."]
+    begins_at: Annotated[Text, "What begins the contact."]
+    ends_at: Annotated[Text, "What ends it."]
+    transmission_error: Annotated[
+        Angle, "Largest angle that gear 2 is off the exact ratio, over the whole path of contact [rad]."
+    ]
+    contact_points: Annotated[Count, "Points of contact that were looked at."]
+    backlash: Annotated[Coordinate, "Transverse backlash along the line of action; negative when the teeth jam [m]."]
+    first_in_second: Annotated[
+        Coordinate | None,
+        "Least distance of gear 1's teeth from the root of gear 2's spaces; negative when they overlap [m].",
+    ]
+    second_in_first: Annotated[
+        Coordinate | None, "Least distance of gear 2's teeth from the root of gear 1's spaces [m]."
+    ]
+    first_tip_clearance: Annotated[Coordinate, "From the tips of gear 1 to the root circle of gear 2 [m]."]
+    second_tip_clearance: Annotated[Coordinate, "From the tips of gear 2 to the root circle of gear 1 [m]."]
+    runs: Annotated[bool, "Whether the pair runs: contact without a gap, no jam, no overlap."]
+    path: Annotated[Columns[ContactPoint], "Some of the points of contact."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def mesh(
+    *,
+    first_teeth: Annotated[Count, "Teeth of gear 1, which drives, e.g. 24."],
+    second_teeth: Annotated[Count, "Teeth of gear 2, e.g. 60."],
+    pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
+    centre_distance: Annotated[Size | None, "Centre distance; without backlash unless given, e.g. 90 mm [m]."] = None,
+    internal: Annotated[bool, "Whether gear 2 is an internal gear."] = False,
+    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
+    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
+    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    first_profile_shift: Annotated[Ratio, "Profile shift factor of gear 1."] = 0.0,
+    second_profile_shift: Annotated[Ratio, "Profile shift factor of gear 2."] = 0.0,
+    shift_sign: Annotated[
+        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
+    ] = ISO,
+    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[
+        Ratio | None,
+        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
+    ] = None,
+    first_tip_diameter: Annotated[
+        Size | None, "Tip diameter of gear 1, where it is not that of the rack, e.g. 44.8 mm [m]."
+    ] = None,
+    second_tip_diameter: Annotated[
+        Size | None, "Tip diameter of gear 2, where it is not that of the rack, e.g. 79.4 mm [m]."
+    ] = None,
+    points: Annotated[Count, "Points of contact to look at."] = 100000,
+    shown: Annotated[Count, "How many of them to show."] = 11,
+) -> MeshProof:
+    """Turn two exact profiles through their mesh: transmission error, least clearances, real contact ratio.
+
+    Equation
+    --------
+    At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is held
+    against z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and where
+    the flank begins, where the normal passes through the pitch point; tips against the root circle.
+
+    Returns
+    -------
+    MeshProof
+        What the profiles do, and whether the pair runs.
+
+    Raises
+    ------
+    InadmissibleError
+        When the base circles do not leave room, or no involutes meet at all.
+
+    Notes
+    -----
+    Transverse profiles of gears on parallel axes, rigid and exact. Distances from the roots are those of the exact
+    profiles; overlaps below a millionth of a module do not keep a pair from running. Only whether tips trim flanks
+    beside the line of action is sampled.
+
+    References
+    ----------
+    ISO 21771 (line of action, contact ratio, interference).
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> round(mesh(first_teeth=20, second_teeth=20, pitch=NormalModule(0.001)).contact_ratio, 4)
+    1.5568
+    """
+    require(
+        points >= 2,
+        "read {points} points of contact, wanted at least 2",
+        points=points,
+        code="points",
+        hint="give 2 at least",
+    )
+    require(
+        points <= MOST_POINTS,
+        "read {points} points of contact, wanted at most {most}",
+        points=points,
+        most=MOST_POINTS,
+        code="points",
+    )
+    given = {
+        "first_teeth": first_teeth,
+        "second_teeth": second_teeth,
+        "pitch": pitch,
+        "internal": internal,
+        "profile": profile,
+        "pressure_angle": pressure_angle,
+        "helix_angle": helix_angle,
+        "first_profile_shift": first_profile_shift,
+        "second_profile_shift": second_profile_shift,
+        "shift_sign": shift_sign,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "first_tip_diameter": first_tip_diameter,
+        "second_tip_diameter": second_tip_diameter,
+    }
+    known = _Known(carried(given), carried(centre_distance))
+    exact = in_digits(lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places))
+    if exact is not None:
+        tighten(known.numbers(), exact.numbers())
+    bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
+    return _proof(known, exact, points, shown, bare_tips)
+
+
+def forms_of(
+    *,
+    first_teeth: int,
+    second_teeth: int,
+    first_profile_shift: float,
+    second_profile_shift: float,
+    internal: bool,
+    shift_sign: str,
+    root_radius_factor: float | None,
+    first_tip_diameter: float | None,
+    second_tip_diameter: float | None,
+    **common: "Any",
+) -> tuple[ToothForm, ToothForm]:
+    """Both profiles; what they have in common is given once."""
+    common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
+    one = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
+    two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
+    require_partners(one, two)
+    return tooth_form(one, first_tip_diameter, root_radius_factor), tooth_form(
+        two, second_tip_diameter, root_radius_factor
+    )
+
+
+def without_backlash(first: ToothForm, second: ToothForm) -> float:
+    """The centre distance at which the flanks touch on both sides: thicknesses and pitch on the working circles."""
+    sign = -1.0 if second.internal else 1.0
+    total = first.teeth + sign * second.teeth
+    thick = first.teeth * first.half_base + sign * (second.teeth * second.half_base)
+    value = (thick if second.internal else thick - pi_beside(thick)) / total
+    require(
+        value >= 0.0,
+        "inv α_w would be {involute:6}: these gears cannot mesh without backlash",
+        involute=(value, Ratio),
+        code="no-working-angle",
+        hint="raise the sum of the profile shifts",
+    )
+    return absolute(first.base + sign * second.base) / cos(inverse_involute(value))
+
+
+def _require_contact(path: Path) -> None:
+    require(
+        path.end > path.start,
+        "no involutes meet: contact would begin at {start:6} and end at {end:6} along the line of action",
+        start=(path.start, Size),
+        end=(path.end, Size),
+        code="open-mesh",
+        hint=remedy_of_open_mesh(path.start > path.tip_start, path.end < path.tip_end),
+    )
+
+
+def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
+    """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
+    import numpy as np
+
+    first, second, plain = bare(known.first), bare(known.second), bare(known.path)
+    apart = bare(known.results["centre_distance"])
+    lengths, error = transmission_error(first, second, apart, plain, points)
+    worst = float(np.max(np.abs(error)))
+    # gear 2 turns faster by the ratio, and so does the rounding of gear 1's angle
+    turned = EXACT * max(1.0, first.teeth / second.teeth)
+    jammed = max(0.0, -bare(known.backlash))
+    trimmed = max(
+        0.0, -_beside(first, second, apart, bare(known.play)) - jammed, -tips_pass(first, second, apart) - EXACT
+    )
+    trims = trimmed > TRIMS * first.module or tips_pass(first, second, apart) < -EXACT
+    found = {name: bare(value) for name, value in known.results.items()}
+    gaps = {"gear 1 in the root of gear 2": known.inward, "gear 2 in the root of gear 1": known.outward}
+    overlaps = {where: bare(gap) for where, gap in gaps.items() if gap is not None}
+    clearances = found["first_tip_clearance"], found["second_tip_clearance"]
+    room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
+    runs = found["contact_ratio"] >= 1.0 and found["backlash"] >= -EXACT * apart and room and not trims
+    picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
+    path = _points(first, second, plain, lengths[picks], error[picks])
+    shares = len(lengths) - 1, picks.tolist()
+    notes = tip_notes(first, second, apart) if bare_tips else ()
+    return MeshProof(
+        **found,
+        begins_at="tip of gear 2" if plain.start == plain.tip_start else "form circle of gear 1",
+        ends_at="tip of gear 1" if plain.end == plain.tip_end else "form circle of gear 2",
+        transmission_error=worst,
+        contact_points=len(lengths),
+        first_in_second=bare(known.inward),
+        second_in_first=bare(known.outward),
+        runs=runs,
+        path=path,
+        checks=(Check("conjugate action", worst <= turned, worst, turned),),
+        advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
+        + (tips_meet(trimmed) if trims else ())
+        + notes,
+        numerics=mesh_numerics(known, exact, worst, path.arrays, shares),
+    )
+
+
+class _Known:
+    """What is known of a mesh in closed form, in numbers that carry rounding bounds."""
+
+    def __init__(
+        self, given: "dict[str, Any]", distance: "float | None", places: "tuple[Any, Any] | None" = None
+    ) -> None:
+        first, second = forms_of(**given)
+        if distance is None:
+            distance = without_backlash(first, second)
+        path = path_of_contact(first, second, distance)
+        _require_contact(path)
+        self.first, self.second, self.path = first, second, path
+        play = half_play(first, second, path)
+        self.backlash = 2.0 * play * second.base
+        self.play = maximum(play, 0.0)
+        self.pitch_point = first.base * tan(path.pressure_angle)
+        clearances = _tip_clearances(first, second, distance)
+        self.results = {
+            "centre_distance": distance,
+            "working_pressure_angle": path.pressure_angle,
+            "contact_ratio": (path.end - path.start) / path.pitch,
+            "nominal_contact_ratio": (path.tip_end - path.tip_start) / path.pitch,
+            "backlash": self.backlash,
+            "first_tip_clearance": clearances[0],
+            "second_tip_clearance": clearances[1],
+        }
+        self._gaps(distance, places)
+
+    def _gaps(self, distance: float, places: "tuple[Any, Any] | None") -> None:
+        first, second, path = self.first, self.second, self.path
+        # where an involute gets to where the other begins, they touch there by design, or jam
+        touch = minimum(0.5 * self.backlash, 0.0)
+        touches = touch if path.end < path.tip_end else None, touch if path.start > path.tip_start else None
+        self.inward, self.outward, self.places = root_gaps(first, second, distance, self.play, touches, places)
+
+    def numbers(self) -> "list[Any]":
+        """Every number whose bound is stated or goes into one."""
+        path = self.path
+        lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
+        return [*self.results.values(), self.inward, self.outward, *lengths]
+
+
+def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
+    """The least distance of either gear's teeth from the other's flanks, beside the line of action."""
+    one = flank_gap(first, second, distance, play)
+    return min(one, flank_gap(second, first, distance, play * second.teeth / first.teeth))
+
+
+def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tuple[float, float]:
+    if second.internal:
+        return second.root - distance - first.tip, second.tip - distance - first.root
+    return distance - first.tip - second.root, distance - second.tip - first.root
+
+
+def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, error: object) -> Columns[ContactPoint]:
+    import numpy as np
+
+    own: np.ndarray = lengths  # type: ignore[assignment]
+    other = own + path.total if second.internal else path.total - own
+    return Columns(
+        ContactPoint,
+        along=own - first.base * tan(path.pressure_angle),
+        first_diameter=2.0 * np.hypot(first.base, own),
+        second_diameter=2.0 * np.hypot(second.base, other),
+        error=error,
+    )

@@ -1,0 +1,349 @@
+"""How near the teeth of one gear come to the root of the other: the least distance, exact but for rounding.
+
+Between two gears the normal of a least distance passes through the pitch point, like that of a contact; of a tooth only
+the edge of its tip can be there (what else has such a normal is on the line of action, and touches). So the edge's path
+in the space is held against the root: trochoid or fillet, where the flank begins, and the root circle. Places are found
+in doubles; a distance is least there, so what a place is off counts by its square, and the distance itself is taken
+with its rounding bound.
+"""
+
+import math
+from math import pi
+
+from dynamics_cli.gear.rounding import bare, error_of, with_error
+from dynamics_cli.gear.single.flanks import ToothForm, _fillet_centre
+from dynamics_cli.numerics import elementary
+from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, pi_beside, sin, sqrt
+from dynamics_cli.numerics.number import like
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+    Vector = tuple[float, float]
+    # Angle of the gear, which edge, place along the root (None: where the flank begins), and which side of the space.
+    Place = tuple[float, float, float | None, float]
+
+# Turns of the gear and places along the root at the first look; how many of the least places are looked at again.
+TURNS, PLACES, BEST = 481, 49, 3
+# Steps of Newton's method for the nearest places at once and for one place, which may lead so many steps away.
+SHARPER, STEPS, FAR = 3, 40, 2.0
+# Angles are found to the first of these, or where rounding hides it to the second: a distance is off by the square.
+SHARP, BLUNT = 1e-13, 1e-10
+# Modules beyond the form circle within which an edge is looked at: farther off it is farther from the root than that.
+BESIDE = 0.7
+
+
+class RootCurve:
+    """One side of a gear's space below its flank, in the space's frame: x along its middle, y ≥ 0.
+
+    `functions` has the elementary functions for the numbers that it is asked with.
+    """
+
+    def __init__(self, form: ToothForm, functions: "Any" = elementary) -> None:
+        self.form = form
+        self.functions = functions
+        if form.internal:
+            self._fillet()
+        else:
+            self._trochoid()
+
+    def _trochoid(self) -> None:
+        form, cutter, junction = self.form, self.form.cutter, self.form.junction
+        assert cutter is not None
+        assert junction is not None
+        self.radius, self.excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
+        self.depth, self.offset, self.rounding = cutter.corner_depth, cutter.corner_offset, cutter.tip_radius
+        self.range = (0.5 * pi, bare(junction.direction))
+        self.forward = 1.0
+        self.end = form.form, pi_beside(form.half_base) / form.teeth - form.half_angle(junction.roll)
+
+    def _fillet(self) -> None:
+        form = self.form
+        centre, angle = _fillet_centre(form)
+        half = pi_beside(angle) / form.teeth - angle
+        self.centre = centre * cos(half), centre * sin(half)
+        ratio = centre / form.base
+        # from the radius to the normal of the involute, which leans by the pressure angle of the centre
+        lean = 0.5 * pi - atan(sqrt((ratio - 1.0) * (ratio + 1.0)))
+        self.range = (bare(half), bare(half + lean))
+        self.forward = -1.0
+        self.end = form.form, form.half_angle(form.roll(form.form))
+
+    def at(self, theta: "Any") -> "tuple[Any, Any]":
+        """The point at θ, and the unit normal into the space."""
+        sin, cos, sqrt = self.functions.sin, self.functions.cos, self.functions.sqrt
+        sine, cosine = sin(theta), cos(theta)
+        if self.form.internal:
+            x, y = self.centre
+            return (x + self.form.fillet * cosine, y + self.form.fillet * sine), (-cosine, -sine)
+        widening = sqrt(1.0 + self.excess * cosine * cosine)
+        xi = self.radius * sine - (self.depth + self.rounding * sine / widening) / sine
+        across = self.radius * cosine
+        travel = self.depth * cosine / sine - self.offset
+        turn = (travel - self.rounding * self.excess * cosine / widening) / self.radius
+        # the curve leans by θ − turn; its point stands on its normal, ξ from where that is nearest the centre
+        sine, cosine = sin(theta - turn), cos(theta - turn)
+        module = self.form.module
+        point = module * (across * cosine + xi * sine), module * (across * sine - xi * cosine)
+        return point, (sine, -cosine)
+
+    def corner(self) -> "Vector":
+        """Where the flank begins."""
+        radius, angle = self.end
+        return radius * self.functions.cos(angle), radius * self.functions.sin(angle)
+
+
+class TipPath:
+    """The edge of a tooth's tip in the space that it turns through."""
+
+    def __init__(
+        self, first: ToothForm, second: ToothForm, distance: float, play: float, functions: "Any" = elementary
+    ) -> None:
+        self.functions = functions
+        self.first = first
+        self.second = second
+        self.distance = distance
+        self.play = play
+        half = first.half_angle(first.roll(first.tip))
+        self.half = pi_beside(half) / first.teeth - half if first.internal else half
+        inside = first.internal or second.internal
+        self.way = 1.0 if inside else -1.0
+        self.ratio = self.way * first.teeth / second.teeth
+
+    def at(self, turn: "Any", side: float) -> "tuple[Any, Any]":
+        """Where the edge is at an angle of its gear, and its velocity by that angle."""
+        sin, cos = self.functions.sin, self.functions.cos
+        angle = turn + side * self.half
+        along, across = self.first.tip * cos(angle), self.first.tip * sin(angle)
+        if self.first.internal:
+            x, y, way = along - self.distance, across, 1.0
+        elif self.second.internal:
+            x, y, way = along + self.distance, across, 1.0
+        else:
+            x, y, way = self.distance - along, -across, -1.0
+        # in this order: of doubles that stand for exact angles nothing is rounded away in other numbers
+        back = self.way * turn * self.first.teeth / self.second.teeth + self.play
+        sine, cosine = sin(back), cos(back)
+        px, py = x * cosine + y * sine, y * cosine - x * sine
+        vx, vy = -way * across, way * along
+        # what its own gear does, less what the space does with it
+        return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
+
+    def reach(self) -> float:
+        """The angle to either side within which the edge may be near the root."""
+        first, second, a = self.first, self.second, self.distance
+        if second.internal:
+            edge = max(second.form - BESIDE * second.module, second.tip)
+            cosine = (edge * edge - first.tip * first.tip - a * a) / (2.0 * first.tip * a)
+        else:
+            edge = min(second.form + BESIDE * second.module, second.tip)
+            cosine = (first.tip * first.tip + a * a - edge * edge) / (2.0 * first.tip * a)
+        polar = pi if cosine <= -1.0 else 0.0 if cosine >= 1.0 else acos(cosine)
+        return min(pi, polar + self.half)
+
+
+def root_gaps(
+    first: ToothForm,
+    second: ToothForm,
+    distance: float,
+    play: float,
+    touches: "tuple[float | None, float | None]",
+    places: "tuple[Any, Any] | None" = None,
+) -> "tuple[float | None, float | None, tuple[Any, Any]]":
+    """The least distances of the first gear's teeth from the second's roots and of the second's from the first's.
+
+    None where the tips stay beyond the form circle; the places of the least distances come with them.
+    """
+    turned = play * (second.teeth / first.teeth)
+    if places is None:
+        one, two, apart = bare(first), bare(second), bare(distance)
+        places = least_places(one, two, apart, bare(play)), least_places(two, one, apart, bare(turned))
+    into, out = places
+    inward = None if into is None else root_gap(first, second, distance, play, touches[0], into)
+    outward = None if out is None else root_gap(second, first, distance, turned, touches[1], out)
+    return inward, outward, places
+
+
+def root_gap(
+    first: ToothForm,
+    second: ToothForm,
+    distance: float,
+    play: float,
+    touch: "float | None",
+    places: "tuple[Place, ...]",
+) -> float:
+    """The least distance of a tooth of `first` from the root of the space of `second` it turns through.
+
+    `play` is half the angle `second` can be turned by: the driving flanks touch. `touch` is the distance by design
+    from where the flank begins, where an involute of `first` gets so far. Negative ones are overlaps.
+    """
+    path, curve = TipPath(first, second, distance, play), RootCurve(second)
+    found = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
+    if touch is not None:
+        found.append(touch)
+    least = min(found, key=bare)
+    # whichever of nearly equal ones is least, their bounds hold together
+    worst = max(error_of(one) for one in found if bare(one - least) <= error_of(one))
+    return with_error(least, worst)  # type: ignore[no-any-return]
+
+
+def least_places(first: ToothForm, second: ToothForm, distance: float, play: float) -> "tuple[Place, ...] | None":
+    """Where the least distances are, in doubles; None where the tips stay beyond the form circle."""
+    import numpy as np
+
+    deepest = distance + first.tip if second.internal else absolute(distance - first.tip)
+    if (deepest < second.form) if second.internal else (deepest > second.form):
+        return None
+    both = TipPath(first, second, distance, play, np), RootCurve(second, np)
+    path, curve = TipPath(first, second, distance, play, math), RootCurve(second, math)
+    # without backlash one side is the mirror image of the other
+    sides = (-1.0, 1.0) if play > 0.0 else (1.0,)
+    found = [place for side in sides for place in _places(both, path, curve, side)]
+    gaps = [_distance(path, curve, *place) for place in found]
+    nearly = min(gaps, default=0.0) + 1e-9 * second.module
+    return tuple(place for place, gap in zip(found, gaps, strict=True) if gap <= nearly)
+
+
+def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> float:
+    if second.internal:
+        return second.root - distance - first.tip
+    return first.tip - distance - second.root if first.internal else distance - first.tip - second.root
+
+
+def _distance(path: TipPath, curve: RootCurve, turn: float, side: float, theta: "float | None", mirror: float) -> float:
+    """The distance at a place: along the normal of the root, or straight to where the flank begins."""
+    (x, y), _ = path.at(like(turn, path.play), side)
+    y = mirror * y
+    if theta is None:
+        px, py = curve.corner()
+        return sqrt((x - px) * (x - px) + (y - py) * (y - py))
+    (px, py), (nx, ny) = curve.at(like(theta, path.play))
+    return (x - px) * nx + (y - py) * ny  # type: ignore[no-any-return]
+
+
+def _places(both: "tuple[TipPath, RootCurve]", path: TipPath, curve: RootCurve, side: float) -> "Iterator[Place]":
+    """The least distances of one edge, from a look at many angles at once (`both` take arrays)."""
+    import numpy as np
+
+    reach = path.reach()
+    turns, thetas = np.linspace(-reach, reach, TURNS), np.linspace(*curve.range, PLACES)
+    gap, places, mirrored = _look(*both, turns, thetas, side)
+    padded = np.concatenate(([np.inf], gap, [np.inf]))
+    least = np.flatnonzero((gap <= padded[:-2]) & (gap <= padded[2:]) & (gap < np.inf))
+    for row in least[np.argsort(gap[least], kind="stable")][:BEST]:
+        mirror = -1.0 if mirrored[row] else 1.0
+        start, steps = (turns[row], places[row]), (turns[1] - turns[0], thetas[1] - thetas[0])
+        for turn, theta in _refined(path, curve, _floats(start), _floats(steps), side, mirror):
+            yield turn, side, theta, mirror
+
+
+def _floats(two: "tuple[Any, Any]") -> "tuple[float, float]":
+    return float(two[0]), float(two[1])
+
+
+def _look(
+    path: TipPath, curve: RootCurve, turns: "Array", thetas: "Array", side: float
+) -> "tuple[Array, Array, Array]":
+    """At each angle the distance from the root, the nearest place of it, and whether that is on the mirrored side."""
+    import numpy as np
+
+    (x, y), _ = path.at(turns, side)
+    mirrored, y = y < 0.0, np.abs(y)
+    (cx, cy), _ = curve.at(thetas)
+    theta = thetas[np.hypot(x[:, None] - cx, y[:, None] - cy).argmin(axis=1)]
+    low, high = sorted(curve.range)
+
+    def along(at: "Array") -> "Array":
+        (cx, cy), (nx, ny) = curve.at(at)
+        return (y - cy) * nx - (x - cx) * ny  # type: ignore[no-any-return]
+
+    small = 1e-4 * (thetas[1] - thetas[0])
+    for _ in range(SHARPER):
+        slope = (along(theta + small) - along(theta - small)) / (2.0 * small)
+        move = along(theta) / np.where(slope == 0.0, np.inf, slope)
+        theta = np.clip(theta - np.clip(move, -(high - low), high - low), low, high)
+    (cx, cy), (nx, ny) = curve.at(theta)
+    off = (x - cx) * nx + (y - cy) * ny
+    # an edge that is past the end of the root and in the flank is another matter
+    beyond = (theta == curve.range[1]) & (curve.forward * along(theta) > 0.0)
+    gap = np.where(beyond, np.where(off > 0.0, np.hypot(x - cx, y - cy), np.inf), off)
+    away = np.hypot(x, y)
+    near = away > path.second.tip if path.second.internal else away < path.second.tip
+    return np.where(near, gap, np.inf), theta, mirrored
+
+
+def _refined(
+    path: TipPath,
+    curve: RootCurve,
+    start: "tuple[float, float]",
+    steps: "tuple[float, float]",
+    side: float,
+    mirror: float,
+) -> "list[tuple[float, float | None]]":
+    """The angle and the place of a least distance near a first look at it."""
+
+    def towards(turn: float, theta: float) -> "tuple[float, float]":
+        """How far the edge is off the normal of the root, and its speed along that normal."""
+        (x, y), (u, v) = path.at(turn, side)
+        (px, py), (nx, ny) = curve.at(theta)
+        return (x - px) * ny - (mirror * y - py) * nx, u * nx + mirror * v * ny
+
+    def to_corner(turn: float) -> float:
+        (x, y), (u, v) = path.at(turn, side)
+        px, py = curve.corner()
+        return (x - px) * u + (mirror * y - py) * mirror * v  # type: ignore[no-any-return]
+
+    made: list[tuple[float, float | None]] = []
+    low, high = sorted(curve.range)
+    place = _newton(towards, start, steps)
+    if place is not None and low <= place[1] <= high and abs(place[0] - start[0]) < FAR * steps[0]:
+        made.append(place)
+    turn = _newton_of_one(to_corner, start[0], steps[0])
+    if turn is not None and abs(turn - start[0]) < FAR * steps[0]:
+        (x, y), _ = path.at(turn, side)
+        px, py = curve.corner()
+        (_, _), (nx, ny) = curve.at(curve.range[1])
+        if (x - px) * nx + (mirror * y - py) * ny > 0.0:
+            made.append((turn, None))
+    return made
+
+
+def _newton_of_one(function: "Callable[[float], float]", x: float, step: float) -> "float | None":
+    """The root of a function near x by secants; None where they lead away."""
+    before, f_before = x - 1e-3 * step, function(x - 1e-3 * step)
+    for _ in range(STEPS):
+        value = function(x)
+        if value == f_before or value == 0.0:
+            return x
+        move = value * (x - before) / (value - f_before)
+        before, f_before, x = x, value, x - min(max(move, -step), step)
+        if abs(x - before) <= SHARP:
+            return x
+    return None
+
+
+def _newton(
+    function: "Callable[[float, float], tuple[float, float]]", start: "tuple[float, float]",
+    steps: "tuple[float, float]",
+) -> "tuple[float, float] | None":  # fmt: skip
+    """The root of two functions of two numbers, slopes by differences; None where the steps lead away."""
+    x, y = start
+    hx, hy = 1e-4 * steps[0], 1e-4 * steps[1]
+    for _ in range(STEPS):
+        f, g = function(x, y)
+        fx, gx = (0.5 * (a - b) / hx for a, b in zip(function(x + hx, y), function(x - hx, y), strict=True))
+        fy, gy = (0.5 * (a - b) / hy for a, b in zip(function(x, y + hy), function(x, y - hy), strict=True))
+        slope = fx * gy - fy * gx
+        if slope == 0.0:
+            return None
+        dx, dy = (f * gy - g * fy) / slope, (g * fx - f * gx) / slope
+        cut = max(abs(dx) / steps[0], abs(dy) / steps[1], 1.0)
+        x, y = x - dx / cut, y - dy / cut
+        if abs(dx) <= SHARP and abs(dy) <= SHARP:
+            return x, y
+    return (x, y) if abs(dx) <= BLUNT and abs(dy) <= BLUNT else None

@@ -1,0 +1,1 @@
+"""Two cylindrical gears, or a gear and a rack: engagement, contact, forces, interference."""

@@ -1,0 +1,63 @@
+"""Backlash of a pair: what distance and thinned teeth make of it, and how teeth are thinned and cut for one."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.pair.engagement import Engagement, at_tight_distance, reference_distance, with_shift
+from dynamics_cli.gear.pair.records import Mate
+from dynamics_cli.gear.single.gear import Gear
+from dynamics_cli.numerics.elementary import absolute, cos, tan
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Size
+
+
+def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) -> tuple[Mate, Mate]:
+    """Both gears with the allowance that gives a backlash, half of it each, beyond what the centre distance gives."""
+    require(
+        plain(first.thinning) == 0.0 and plain(second.thinning) == 0.0,
+        "backlash and thinning are both given",
+        code="thinning",
+        hint="give one of them: each follows from the other",
+    )
+    require(
+        backlash >= mesh.backlash,
+        "the centre distance alone makes a backlash of {least:6}, more than {backlash:6}",
+        least=(plain(mesh.backlash), Size),
+        backlash=(plain(backlash), Size),
+        code="backlash",
+        hint="lower the centre distance, or raise a profile shift",
+    )
+    reach = reference_distance(mesh.first, mesh.second) / mesh.centre_distance
+    half = 0.5 * (backlash - mesh.backlash) * cos(mesh.first.helix_angle) * reach
+    return Mate(first.teeth, first.profile_shift, first.tip_diameter, half), Mate(
+        second.teeth, second.profile_shift, second.tip_diameter, half
+    )
+
+
+def as_cut(gear: Gear, thinning: float) -> Gear:
+    """The gear as its rack cuts it for thinner teeth, its blank the same."""
+    shift = generating_shift(gear, thinning)
+    return gear if shift is None else with_shift(gear, shift, gear.tip_change + (gear.shift - shift))
+
+
+def generating_shift(gear: Gear, thinning: float) -> float | None:
+    """x_E = x − A_sn/(2 m_n tan α_n) of a gear whose teeth are thinned."""
+    if plain(thinning) == 0.0:
+        return None
+    change: float = 0.5 * thinning / (gear.module * tan(gear.rack.pressure_angle))
+    return gear.shift - change
+
+
+def total_backlash(mesh: Engagement, mates: tuple[Mate, Mate]) -> float:
+    """j_wt of the centre distance, and of the thinner teeth carried to the working circle; refuses jammed teeth."""
+    thinner = (mates[0].thinning + mates[1].thinning) / cos(mesh.first.helix_angle)
+    reach = mesh.centre_distance / reference_distance(mesh.first, mesh.second)
+    total = mesh.backlash + thinner * reach
+    if plain(total) < -1e-2 * plain(mesh.first.module):
+        require(
+            False,
+            "the teeth would overlap by {total:6}: without backlash the centre distance is {tight:9}",
+            total=(-plain(total), Size),
+            tight=(plain(absolute(at_tight_distance(mesh.first, mesh.second).centre_distance)), Size),
+            code="jammed",
+            hint="change the centre distance, a profile shift or the thinning",
+        )
+    return total

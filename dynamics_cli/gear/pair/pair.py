@@ -1,0 +1,302 @@
+"""Two cylindrical gears on parallel shafts: how they stand, touch, slide, push and whether they interfere."""
+
+from math import gcd
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.pair.advice import pair_advice
+from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
+from dynamics_cli.gear.pair.engagement import (
+    Engagement,
+    Path,
+    contact_ratio,
+    overlap_ratio,
+    path,
+    reference_distance,
+    specific_sliding,
+)
+from dynamics_cli.gear.pair.forces import BearingLoad, Bearings, ToothForces, bearing_loads, loss_factor, tooth_forces
+from dynamics_cli.gear.pair.interference import Verdict, verdicts
+from dynamics_cli.gear.pair.records import ContactPoint, Mate, PairData
+from dynamics_cli.gear.pair.shift_split import Split, Tips, engaged
+from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
+from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
+from dynamics_cli.gear.single.gear import Hand, Sign, signed_gear
+from dynamics_cli.gear.single.rack import Profile, basic_rack
+from dynamics_cli.numerics.elementary import absolute, cos, pi_beside, sqrt
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Angle, Annotated, Friction, Power, Ratio, ShaftSpeed, Size, Torque
+from dynamics_cli.records import Check
+
+EQUAL, CLEARANCE = Split("equal"), Tips("clearance")
+
+
+def pair(
+    *,
+    first: Annotated[Mate, "The driving gear (of an internal pair, the pinion)."],
+    second: Annotated[Mate, "The driven gear (of an internal pair, the ring)."],
+    pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
+    pressure_angle: Annotated[
+        Angle | None, "Normal pressure angle α_n; 20 degrees unless one is given, e.g. 20 deg [rad]."
+    ] = None,
+    transverse_pressure_angle: Annotated[
+        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
+    ] = None,
+    helix_angle: Annotated[Angle, "Helix angle β at the reference cylinder [rad]."] = 0.0,
+    hand: Annotated[Hand, "Hand of the first gear's helix."] = Hand("right"),  # noqa: B008
+    profile: Annotated[
+        Profile,
+        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own.",
+    ] = Profile("a"),  # noqa: B008
+    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[Ratio | None, "Radius of the rack's corner ρ_fP*, e.g. 0.38."] = None,
+    internal: Annotated[bool, "The second gear is internal."] = False,
+    shift_sign: Annotated[
+        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
+    ] = Sign("iso"),  # noqa: B008
+    centre_distance: Annotated[
+        Size | None, "Working centre distance; with both shifts given, the backlash follows from it, e.g. 90 mm [m]."
+    ] = None,
+    split: Annotated[
+        Split,
+        "How the shift that a centre distance asks for is divided: equal, by-teeth, first, second, balanced-sliding.",
+    ] = EQUAL,
+    tips: Annotated[
+        Tips, "Tips shortened so that the rack's tip clearance is kept (clearance), or not (full)."
+    ] = CLEARANCE,
+    backlash: Annotated[
+        Size | None,
+        "Circumferential backlash j_wt on the working pitch circles: teeth of both gears are thinned alike for it, "
+        "e.g. 0.1 mm [m].",
+    ] = None,
+    face_width: Annotated[Size | None, "Common face width b, for the overlap ratio, e.g. 20 mm [m]."] = None,
+    friction: Annotated[Friction, "Mean coefficient of friction of the flanks, for the efficiency."] = 0.06,
+    torque: Annotated[Torque | None, "Torque on the first gear, e.g. 12 N*m [N*m]."] = None,
+    power: Annotated[Power | None, "Power, in place of the torque; needs the speed, e.g. 5 kW [W]."] = None,
+    speed: Annotated[ShaftSpeed | None, "Speed of the first gear [rad/s]."] = None,
+    first_bearings: Annotated[Bearings | None, "Bearings of the first gear's shaft."] = None,
+    second_bearings: Annotated[Bearings | None, "Bearings of the second gear's shaft."] = None,
+) -> PairData:
+    """Everything about two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
+
+    Equation
+    --------
+    inv α_wt = inv α_t + 2(x₁ + x₂)tan α_n/(z₁ + z₂); a_w = a_d cos α_t/cos α_wt; ε_α = [√(r_a1² − r_b1²) +
+    √(r_a2² − r_b2²) − a_w sin α_wt]/p_bt; an internal gear has z₂ < 0, and with it negative lengths.
+
+    Returns
+    -------
+    PairData
+        The pair, its path of contact, verdicts and forces.
+
+    Raises
+    ------
+    InadmissibleError
+        When inv α_w would be negative, the centre distance is below that of the base circles or jams the teeth, a
+        ring has too few teeth, the gears never touch, or one of them cannot exist by itself.
+
+    Notes
+    -----
+    Geometry without deviations or deflection. Strength (ISO 6336, AGMA 2001) is not rated. As α_wt → 0 the centre
+    distance depends on the shifts as inv α_t/tan α_wt, and its bound says so. The efficiency is Ohlendorf's estimate
+    with a constant coefficient of friction, for contact ratios between 1 and 2.
+
+    References
+    ----------
+    ISO 21771, sections 5 to 7; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 17.6 to 17.8.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> answer = pair(first=Mate(12, 0.6), second=Mate(24, 0.36), pitch=NormalModule(0.003))
+    >>> round(1e3 * answer.centre_distance, 4)
+    56.4999
+    """
+    lean = absolute(helix_angle)
+    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
+    rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
+    module = module_of(pitch, lean)
+    gears = [
+        signed_gear(
+            mate.teeth,
+            module,
+            rack,
+            internal=ring,
+            sign=shift_sign,
+            helix_angle=lean,
+            shift=0.0 if mate.profile_shift is None else mate.profile_shift,
+        )
+        for mate, ring in ((first, False), (second, internal))
+    ]
+    mesh, tip_change = engaged(gears[0], gears[1], first, second, centre_distance, split, tips)
+    if backlash is not None:
+        first, second = thinned_for(mesh, first, second, backlash)
+        mesh, tip_change = engaged(gears[0], gears[1], first, second, centre_distance, split, tips)
+    play = total_backlash(mesh, (first, second))
+    cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
+    course = path(mesh)
+    load = _torque(torque, power, speed)
+    found = verdicts(mesh, course, play, cut, root_radius_factor)
+    forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
+    return _result(mesh, course, tip_change, found, forces, load, speed, friction, face_width,
+                   (first, second), (first_bearings, second_bearings), pitch, play)  # fmt: skip
+
+
+def _own_hand(hand: Hand, helix_angle: float) -> str:
+    return str(hand) if plain(helix_angle) >= 0.0 else ("left" if hand == "right" else "right")
+
+
+def _torque(torque: float | None, power: float | None, speed: float | None) -> float | None:
+    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
+    if power is None:
+        return torque
+    require(
+        speed is not None and absolute(speed) > 0.0,
+        "a power needs a speed to become a torque",
+        code="speed",
+        hint="give --speed",
+    )
+    return power / absolute(speed)  # type: ignore[arg-type]
+
+
+def _result(
+    mesh: Engagement,
+    course: Path,
+    tip_change: float | None,
+    found: tuple[Verdict, ...],
+    forces: ToothForces | None,
+    torque: float | None,
+    speed: float | None,
+    friction: float,
+    face_width: float | None,
+    mates: tuple[Mate, Mate],
+    spans: tuple[Bearings | None, Bearings | None],
+    pitch: object,
+    backlash: float,
+) -> PairData:
+    one, two = mesh.first, mesh.second
+    module = one.module
+    transverse = contact_ratio(mesh, course.start, course.end)
+    nominal = contact_ratio(mesh, course.nominal_start, course.nominal_end)
+    overlap = None if face_width is None else overlap_ratio(one, face_width)
+    working = mesh.working_diameter(one), mesh.working_diameter(two)
+    losses = loss_factor(mesh, course)
+    require(
+        friction * losses < 1.0,
+        "a friction coefficient of {friction:6} would lose {loss:6} times the power",
+        friction=(friction, Ratio),
+        loss=(friction * losses, Ratio),
+        code="friction",
+    )
+    common = gcd(one.teeth, two.teeth)
+    turns = None if speed is None else absolute(speed) / (2.0 * pi_beside(speed))
+    pitch_curvature = mesh.pitch_curvature
+    thinned = tuple(mate.thinning for mate in mates)
+    return PairData(
+        centre_distance=absolute(mesh.centre_distance),
+        working_pressure_angle=mesh.angle,
+        involute=mesh.tight,
+        ratio=abs(two.teeth) / one.teeth,
+        first_profile_shift=one.shift,
+        second_profile_shift=two.shift,
+        reference_distance=absolute(reference_distance(one, two)),
+        distance_modification=absolute(mesh.centre_distance / module) - absolute(reference_distance(one, two) / module),
+        tip_change=tip_change,
+        first_working_diameter=working[0],
+        second_working_diameter=absolute(working[1]),
+        first_base_diameter=one.base_diameter,
+        second_base_diameter=absolute(two.base_diameter),
+        first_tip_diameter=one.tip_diameter,
+        second_tip_diameter=absolute(two.tip_diameter),
+        first_root_diameter=one.root_diameter,
+        second_root_diameter=absolute(two.root_diameter),
+        transverse_contact_ratio=transverse,
+        nominal_contact_ratio=nominal if plain(nominal) != plain(transverse) else None,
+        overlap_ratio=overlap,
+        total_contact_ratio=None if overlap is None else transverse + overlap,
+        path_length=course.end - course.start,
+        approach_length=pitch_curvature - course.start,
+        recess_length=course.end - pitch_curvature,
+        first_generating_shift=generating_shift(one, thinned[0]),
+        second_generating_shift=generating_shift(two, thinned[1]),
+        circumferential_backlash=backlash,
+        normal_backlash=backlash * cos(mesh.angle) * cos(one.base_helix_angle),
+        first_tip_clearance=found[-2 if not two.internal else -4].margin,
+        second_tip_clearance=found[-1 if not two.internal else -3].margin,
+        loss_factor=losses,
+        efficiency=1.0 - friction * losses,
+        common_factor=common,
+        pitch_line_speed=None if speed is None else 0.5 * absolute(speed) * working[0],
+        mesh_frequency=None if turns is None else turns * one.teeth,
+        hunting_frequency=None if turns is None else turns * common / abs(two.teeth),
+        torque=torque,
+        second_torque=None if torque is None else torque * abs(two.teeth) / one.teeth,
+        forces=forces,
+        bearings=_bearings(forces, working, spans),
+        points=tuple(_points(mesh, course, working[0], speed)),
+        verdicts=found,
+        checks=_checks(mesh),
+        advice=pair_advice(mesh, transverse, backlash, found, thinned) + module_advice(pitch, module),
+    )
+
+
+def _points(mesh: Engagement, course: Path, working: float, speed: float | None) -> "list[ContactPoint]":
+    pitch = mesh.first.base_pitch
+    places = (
+        ("A", course.start),
+        ("B", course.end - pitch),
+        ("C", mesh.pitch_curvature),
+        ("D", course.start + pitch),
+        ("E", course.end),
+    )
+    made = []
+    for name, curvature in places:
+        other = mesh.line - curvature
+        away = curvature - mesh.pitch_curvature
+        # 1 + 1/u
+        factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
+        own, mate = specific_sliding(mesh, curvature)
+        base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
+        made.append(
+            ContactPoint(
+                name,
+                away,
+                2.0 * sqrt(base * base + curvature * curvature),
+                2.0 * sqrt(wide * wide + other * other),
+                absolute(curvature),
+                absolute(other),
+                factor,
+                None if speed is None else 0.5 * factor * working * absolute(speed),
+                own,
+                mate,
+            )
+        )
+    return made
+
+
+def _bearings(
+    forces: ToothForces | None, working: tuple[float, float], spans: tuple[Bearings | None, Bearings | None]
+) -> tuple[BearingLoad, ...] | None:
+    if spans[0] is None and spans[1] is None:
+        return None
+    require(
+        forces is not None,
+        "bearings carry the forces of a torque, and none is given",
+        code="load",
+        hint="give --torque, or --power and --speed",
+    )
+    loads: tuple[BearingLoad, ...] = ()
+    for name, diameter, span in zip(("first", "second"), working, spans, strict=True):
+        if span is not None:
+            loads += bearing_loads(name, forces, 0.5 * absolute(diameter), span)  # type: ignore[arg-type]
+    return loads
+
+
+def _checks(mesh: Engagement) -> tuple[Check, ...]:
+    """The working pitch circles touch, and both base circles see the same pressure angle."""
+    from dynamics_cli.numerics.elementary import cos as cosine
+
+    own = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))
+    base = plain(mesh.first.base_diameter)
+    residual = abs(own - base) / base
+    return (Check("working pitch circle and base circle", residual <= 1e-13, residual, 1e-13),)

@@ -1,0 +1,190 @@
+"""A gear on a rack: the rack's own dimensions, where it stands, how it touches and what it moves."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
+from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
+from dynamics_cli.gear.single.gear import signed_gear
+from dynamics_cli.gear.single.rack import Profile, basic_rack
+from dynamics_cli.gear.single.trochoid import root
+from dynamics_cli.numerics.elementary import absolute, pi_beside, sin, tan
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Teeth, Torque
+from dynamics_cli.records import Advice, record
+
+
+@record
+class RackData:
+    """A rack and the gear on it."""
+
+    pitch: Annotated[Size, "Transverse pitch p_t of the rack, along its travel [m]."]
+    normal_pitch: Annotated[Size, "Normal pitch p_n [m]."]
+    tooth_thickness: Annotated[Size, "Normal tooth thickness at the rack's datum line, half the pitch [m]."]
+    addendum: Annotated[Size, "Addendum of the rack h_aP [m]."]
+    dedendum: Annotated[Size, "Dedendum of the rack h_fP [m]."]
+    tooth_depth: Annotated[Size, "Tooth depth [m]."]
+    datum_distance: Annotated[Size, "From the gear's axis to the rack's datum line, r + x m_n, without backlash [m]."]
+    mounting_distance: Annotated[
+        Size | None, "From the gear's axis to the back of the rack, where its datum height is given [m]."
+    ]
+    tip_diameter: Annotated[Size, "Tip diameter of the gear d_a [m]."]
+    base_diameter: Annotated[Size, "Base diameter of the gear d_b [m]."]
+    reference_diameter: Annotated[Size, "Reference diameter of the gear d, which rolls on the rack's pitch line [m]."]
+    transverse_contact_ratio: Annotated[Ratio, "Transverse contact ratio ε_α."]
+    nominal_contact_ratio: Annotated[Ratio | None, "ε_α by the tips alone, were no involute cut away, where it is."]
+    overlap_ratio: Annotated[Ratio | None, "Overlap ratio ε_β."]
+    approach_length: Annotated[Coordinate, "Path of contact on the side of the rack's tips [m]."]
+    recess_length: Annotated[Coordinate, "Path of contact on the side of the gear's tips [m]."]
+    root_margin: Annotated[
+        Coordinate, "What is left along the line of action between the rack's tip and the gear's root form circle [m]."
+    ]
+    travel: Annotated[Size, "Travel of the rack in one turn of the gear, z p_t [m]."]
+    rack_speed: Annotated[Speed | None, "Speed of the rack [m/s]."]
+    tangential_force: Annotated[Force | None, "Force along the travel [N]."]
+    radial_force: Annotated[Force | None, "Force that parts gear and rack [N]."]
+    axial_force: Annotated[Force | None, "Force across the travel [N]."]
+    advice: tuple[Advice, ...] = ()
+
+
+def rack(
+    *,
+    teeth: Annotated[Teeth, "Number of teeth of the gear."],
+    pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
+    pressure_angle: Annotated[
+        Angle | None, "Normal pressure angle α_n; 20 degrees unless one is given, e.g. 20 deg [rad]."
+    ] = None,
+    transverse_pressure_angle: Annotated[
+        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
+    ] = None,
+    helix_angle: Annotated[Angle, "Helix angle β of the gear, and of the rack's teeth [rad]."] = 0.0,
+    profile_shift: Annotated[Ratio, "Profile shift factor x of the gear."] = 0.0,
+    profile: Annotated[
+        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
+    ] = Profile("a"),  # noqa: B008
+    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a* of gear and rack, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP* of gear and rack, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[Ratio | None, "Radius of the generating rack's corner ρ_fP*, e.g. 0.38."] = None,
+    tip_shortening: Annotated[Size, "How much the gear's tips are cut back, radially [m]."] = 0.0,
+    datum_height: Annotated[Size | None, "Height H of the rack's datum line above its back, e.g. 32 mm [m]."] = None,
+    face_width: Annotated[Size | None, "Face width, for the overlap ratio, e.g. 20 mm [m]."] = None,
+    speed: Annotated[ShaftSpeed | None, "Speed of the gear [rad/s]."] = None,
+    torque: Annotated[Torque | None, "Torque on the gear, e.g. 12 N*m [N*m]."] = None,
+) -> RackData:
+    """Dimensions of a rack and of its mesh with a gear: distance, contact ratio, travel, forces.
+
+    Equation
+    --------
+    a = z m_t/2 + x m_n (+ H); ε_α = [√(r_a² − r_b²) − r sin α_t + (h_a* − x)m_n/sin α_t]/p_bt; v = ω d/2.
+
+    Returns
+    -------
+    RackData
+        Rack, mesh and motion.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no such gear, or the two never touch.
+
+    Notes
+    -----
+    The pressure angle of the mesh is that of the rack whatever the distance. Strength is not rated.
+
+    References
+    ----------
+    ISO 53, ISO 21771; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 17.9.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> answer = rack(teeth=12, pitch=NormalModule(0.003), profile_shift=0.6, datum_height=0.032)
+    >>> round(1e3 * answer.mounting_distance, 3)
+    51.8
+    """
+    lean = absolute(helix_angle)
+    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
+    basic = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
+    module = module_of(pitch, lean)
+    gear = signed_gear(teeth, module, basic, helix_angle=lean, shift=profile_shift, tip_change=-tip_shortening / module)
+    thickness = gear.tip_thickness
+    require(thickness >= 0.0, "the gear's teeth are pointed below their tips", code="pointed", hint="lower the shift")
+    alpha = gear.transverse_angle
+    radius = 0.5 * gear.reference_diameter
+    sine = sin(alpha)
+    approach = (basic.addendum - profile_shift) * module / sine
+    recess = 0.5 * gear.base_diameter * gear.tip_roll - radius * sine
+    form = root(gear.cutter).roll * 0.5 * gear.base_diameter
+    margin = radius * sine - approach - form
+    first = approach if plain(margin) >= 0.0 else radius * sine - form
+    ratio = (recess + first) / gear.base_pitch
+    require(
+        ratio > 0.0,
+        "gear and rack never touch: the contact ratio would be {ratio:6}",
+        ratio=(ratio, Ratio),
+        code="open-mesh",
+    )
+    transverse = pi_beside(gear.transverse_module) * gear.transverse_module
+    distance = radius + profile_shift * module
+    if datum_height is not None:
+        require(
+            datum_height > basic.dedendum * module,
+            "the rack's teeth reach {dedendum:6} below its datum line, which is {datum_height:6} above the back",
+            dedendum=(plain(basic.dedendum * module), Size),
+            datum_height=(plain(datum_height), Size),
+            code="datum-height",
+            hint="raise --datum-height",
+        )
+    tangential = None if torque is None else torque / radius
+    return RackData(
+        pitch=transverse,
+        normal_pitch=pi_beside(module) * module,
+        tooth_thickness=0.5 * pi_beside(module) * module,
+        addendum=basic.addendum * module,
+        dedendum=basic.dedendum * module,
+        tooth_depth=(basic.addendum + basic.dedendum) * module,
+        datum_distance=distance,
+        mounting_distance=None if datum_height is None else distance + datum_height,
+        tip_diameter=gear.tip_diameter,
+        base_diameter=gear.base_diameter,
+        reference_diameter=gear.reference_diameter,
+        transverse_contact_ratio=ratio,
+        nominal_contact_ratio=(recess + approach) / gear.base_pitch if _cuts(margin / module) else None,
+        overlap_ratio=None if face_width is None else face_width * sin(lean) / (pi_beside(module) * module),
+        approach_length=first,
+        recess_length=recess,
+        root_margin=margin,
+        travel=teeth * transverse,
+        rack_speed=None if speed is None else speed * radius,
+        tangential_force=tangential,
+        radial_force=None if tangential is None else absolute(tangential) * tan(alpha),
+        axial_force=None if tangential is None else absolute(tangential) * tan(lean),
+        advice=module_advice(pitch, module) + _advice(margin / module, ratio),
+    )
+
+
+def _cuts(margin: float) -> bool:
+    """Whether the involute ends short of the rack's tips, by more than the corner of a standard rack is rounded off."""
+    return plain(margin) < -1e-3
+
+
+def _advice(margin: float, ratio: float) -> tuple[Advice, ...]:
+    made = []
+    if plain(margin) < 0.0:
+        made.append(
+            Advice(
+                "interference",
+                worded(
+                    "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
+                ),
+                "serious" if _cuts(margin) else "note",
+                "raise the profile shift, or the number of teeth",
+            )
+        )
+    if plain(ratio) < 1.0:
+        made.append(
+            Advice(
+                "contact-ratio",
+                worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio)),
+                "serious",
+            )
+        )
+    return tuple(made)

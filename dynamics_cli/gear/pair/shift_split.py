@@ -1,0 +1,204 @@
+"""From what was given to an engagement: the centre distance from the shifts, or the shifts from the centre distance."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.pair.engagement import (
+    Engagement,
+    angle_at,
+    at_tight_distance,
+    needed_shift,
+    reference_distance,
+    require_partners,
+    specific_sliding,
+    tight_involute,
+    with_shift,
+)
+from dynamics_cli.gear.rounding import bare
+from dynamics_cli.gear.single.gear import Gear, require_circles
+from dynamics_cli.gear.single.limits import bisect
+from dynamics_cli.gear.single.trochoid import roll_less_arc, root
+from dynamics_cli.numerics.elementary import absolute, cos
+from dynamics_cli.numerics.involute import inverse_involute, involute
+from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.quantities import Ratio, Size
+from dynamics_cli.records import Choice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.gear.pair.records import Mate
+
+ROUNDING = 1e-15
+
+
+class Split(Choice):
+    """How the sum of profile shifts is divided between two gears."""
+
+    names = ("equal", "by-teeth", "first", "second", "balanced-sliding")
+    aliases = {"half": "equal", "pinion": "first", "gear": "second", "wheel": "second", "sliding": "balanced-sliding"}  # noqa: RUF012
+
+
+class Tips(Choice):
+    """Whether the tips are shortened to keep the tip clearance of the rack."""
+
+    names = ("clearance", "full")
+    aliases = {"shortened": "clearance", "khk": "clearance", "nominal": "full"}  # noqa: RUF012
+
+
+def engaged(
+    first: Gear, second: Gear, one: "Mate", two: "Mate", centre_distance: float | None, split: str, tips: str
+) -> tuple[Engagement, float | None]:
+    """The gears with their final shifts and tips at their centre distance, and the change k of the tips."""
+    require_partners(first, second)
+    if centre_distance is None:
+        mesh = at_tight_distance(first, second)
+        return _tipped(mesh, one, two, tips)
+    distance = -centre_distance if second.internal else centre_distance
+    angle = angle_at(first, second, distance)
+    if one.profile_shift is not None and two.profile_shift is not None:
+        tight = tight_involute(first, second)
+        return _tipped(Engagement(first, second, distance, angle, tight), one, two, tips)
+    total = needed_shift(first, second, angle)
+    if one.profile_shift is not None:
+        shifts = one.profile_shift, total - one.profile_shift
+    elif two.profile_shift is not None:
+        shifts = total - second.shift, second.shift
+    else:
+        shifts = _divided(first, second, distance, angle, total, split, (one, two, tips))
+    made = Engagement(with_shift(first, shifts[0]), with_shift(second, shifts[1]), distance, angle, involute(angle))
+    return _tipped(made, one, two, tips)
+
+
+def _divided(
+    first: Gear, second: Gear, distance: float, angle: float, total: float, split: str, given: "tuple[Mate, Mate, str]"
+) -> tuple[float, float]:
+    if split == "first":
+        return total, 0.0 * total
+    if split == "second":
+        return 0.0 * total, total
+    if split == "by-teeth":
+        own = total * (first.teeth / (first.teeth + second.teeth))
+        return own, total - own
+    if split == "balanced-sliding":
+        own = _balanced(first, second, distance, angle, total, given)
+        return own, total - own
+    return 0.5 * total, 0.5 * total
+
+
+def _balanced(
+    first: Gear, second: Gear, distance: float, angle: float, total: float, given: "tuple[Mate, Mate, str]"
+) -> float:
+    """x₁ at which both gears slide alike where each slides most: ζ₁ at A equals ζ₂ at E."""
+
+    def difference(
+        shift: float, one: Gear, two: Gear, a: float, alpha: float, both: float, mates: "tuple[Mate, Mate, str]"
+    ) -> float:
+        mesh = Engagement(with_shift(one, shift), with_shift(two, both - shift), a, alpha, 0.0)
+        mesh, _ = _tipped(mesh, *mates, check=False)
+        end = 0.5 * mesh.first.base_diameter * mesh.first.tip_roll
+        start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.tip_roll
+        # where a path reaches a base circle its sliding has no bound
+        at_start = specific_sliding(mesh, start)[0] if plain(start) > 0.0 else -1e9 + 1e12 * start
+        at_end = specific_sliding(mesh, end)[1] if plain((mesh.line - end) * mesh.ratio) > 0.0 else -1e9
+        return at_end - at_start  # type: ignore[operator]
+
+    own = *(bare(one) for one in (first, second, distance, angle, total)), (*map(bare, given[:2]), given[2])
+    grid = [-1.0 + 0.05 * k for k in range(61)]
+    values: list[float | None] = []
+    for shift in grid:
+        try:
+            values.append(difference(shift, *own))
+        except ArithmeticError:
+            values.append(None)
+        except Exception as error:
+            if getattr(error, "status", None) != 3:
+                raise
+            values.append(None)
+    for low, high, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
+        if a is not None and b is not None and a > 0.0 >= b and max(abs(a), abs(b)) < 1e3:
+            found = bisect(lambda shift: difference(shift, *own), low, high)
+            slope = (difference(found + 1e-5, *own) - difference(found - 1e-5, *own)) / 2e-5
+            start: float = like(found, total)
+            return start - difference(start, first, second, distance, angle, total, given) / slope
+    require(
+        False,
+        "no profile shift of the first gear between -1 and 2 balances the sliding",
+        code="no-balance",
+        hint="choose another split",
+    )
+    return total
+
+
+def pointed_diameter(gear: Gear, thinning: float) -> float | None:
+    """Where both flanks of a thinned tooth meet, in ISO's sign: inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
+
+    The two flanks of an untouched tooth have been seen to leave its tip a land.
+    """
+    half = gear.base_half_angle - thinning / gear.module / gear.teeth
+    if plain(thinning) <= 0.0 or plain(half) <= 0.0:
+        return None
+    return gear.base_diameter / cos(inverse_involute(half))
+
+
+def _require_thickness(gear: Gear, thinning: float) -> None:
+    """Refuse a thinning that leaves no tooth where the involute begins; the reference circle may lie off the teeth."""
+    if plain(thinning) <= 0.0:
+        return
+    roll = gear.roll(gear.root_diameter) if gear.internal else root(gear.cutter).roll
+    most = gear.module * gear.teeth * (gear.base_half_angle - roll_less_arc(roll))
+    require(
+        thinning < most,
+        "teeth that could be {most:6} thinner before nothing is left of them cannot be {thinning:6} thinner",
+        most=(plain(most), Size),
+        thinning=(plain(thinning), Size),
+        code="thinning",
+        hint="thinning is the allowance of one tooth for backlash",
+    )
+
+
+def _tipped(
+    mesh: Engagement, one: "Mate", two: "Mate", tips: str, check: bool = True
+) -> tuple[Engagement, float | None]:
+    """The engagement with its tips as they are: given, shortened, or as the rack leaves them."""
+    first, second = mesh.first, mesh.second
+    change = None
+    if tips == "clearance":
+        shifted = reference_distance(first, second) + first.module * (first.shift + second.shift)
+        change = (mesh.centre_distance - shifted) / first.module
+        # at the reference distance what is left is rounding
+        if plain(change) >= -ROUNDING * abs(plain(mesh.centre_distance)) / plain(first.module):
+            change = None
+    if check and change is not None:
+        require(
+            first.rack.addendum + first.rack.dedendum + change > 0.0,
+            "this centre distance, with profile shifts that sum to {shifts:6}, shortens the tips by {change:6} "
+            "modules: no tooth is left",
+            shifts=(plain(first.shift + second.shift), Ratio),
+            change=(-plain(change), Ratio),
+            code="no-tooth",
+            hint="bring the gears closer together, or take more teeth or a larger module",
+        )
+    made = []
+    for gear, mate in ((first, one), (second, two)):
+        own = with_shift(gear, gear.shift, 0.0 if change is None else change)
+        if mate.tip_diameter is not None:
+            bare_tip = with_shift(gear, gear.shift).tip_diameter
+            wanted = -mate.tip_diameter if gear.internal else mate.tip_diameter
+            own = with_shift(gear, gear.shift, 0.5 * (wanted - bare_tip) / gear.module)
+        if check:
+            require_circles(own)
+            thickness = own.tip_thickness
+            require(
+                thickness >= 0.0,
+                "the teeth of the gear of {teeth} are pointed below their tips at {diameter:6} diameter",
+                teeth=abs(gear.teeth),
+                diameter=(plain(absolute(own.tip_diameter)), Size),
+                code="pointed",
+                hint="lower its profile shift, or give a smaller tip diameter",
+            )
+            _require_thickness(own, mate.thinning)
+        point = pointed_diameter(own, mate.thinning)
+        if point is not None and plain(point) < plain(own.tip_diameter):
+            own = with_shift(gear, gear.shift, own.tip_change + 0.5 * (point - own.tip_diameter) / gear.module)
+        made.append(own)
+    both_given = one.tip_diameter is not None and two.tip_diameter is not None
+    shortened = Engagement(made[0], made[1], mesh.centre_distance, mesh.angle, mesh.tight)
+    return shortened, None if both_given else change

@@ -1,0 +1,1 @@
+"""One cylindrical gear: its rack, diameters, root, profile and limits."""

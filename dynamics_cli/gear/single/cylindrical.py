@@ -1,0 +1,346 @@
+"""One cylindrical gear, spur or helical, external or internal: every diameter, pitch, thickness and limit."""
+
+from math import pi
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.gear.pitch import Pitch, SpurPitch, module_advice, module_of
+from dynamics_cli.gear.single.gear import Gear, Hand, Sign, signed_gear
+from dynamics_cli.gear.single.limits import LEAST_TIP, bare, least_shift, least_teeth, pointed_shift
+from dynamics_cli.gear.single.rack import FULL_DEPTH, Profile, basic_rack
+from dynamics_cli.gear.single.records import GearData
+from dynamics_cli.gear.single.trochoid import root
+from dynamics_cli.numerics.elementary import absolute, atan, cos, pi_beside, sin, tan
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Angle, Annotated, Ratio, Size, Teeth
+from dynamics_cli.records import Advice, Check
+
+
+def spur(
+    *,
+    teeth: Annotated[Teeth, "Number of teeth z (AGMA: N)."],
+    pitch: Annotated[SpurPitch, "Size of the teeth."],
+    pressure_angle: Annotated[Angle, "Pressure angle α of the rack (AGMA: φ) [rad]."] = FULL_DEPTH,
+    profile_shift: Annotated[Ratio, "Profile shift factor x, in modules."] = 0.0,
+    profile: Annotated[
+        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
+    ] = Profile("a"),  # noqa: B008
+    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[
+        Ratio | None,
+        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+    ] = None,
+    tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
+    internal: Annotated[bool, "An internal gear (ring)."] = False,
+    shift_sign: Annotated[
+        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
+    ] = Sign("iso"),  # noqa: B008
+    avoid_undercut: Annotated[
+        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+    ] = False,
+) -> GearData:
+    """All dimensions of one spur gear from its generating rack.
+
+    Equation
+    --------
+    d = z m; d_b = d cos α; d_a = d + 2m(h_a* + x + k); d_f = d − 2m(h_fP* − x); s = m(π/2 + 2x tan α);
+    s_a = d_a(s/d + inv α − inv α_a).
+
+    Returns
+    -------
+    GearData
+        Diameters, pitches, thicknesses and limits.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no such gear: the circles are out of order, the teeth are pointed below their tips, the rack
+        leaves no involute, an internal tip lies inside the base circle, or no shift avoids undercut.
+
+    Notes
+    -----
+    Geometry without allowances. Rating of strength (ISO 6336, AGMA 2001) is outside this program. The tip thickness is
+    a difference: its condition grows as the tooth becomes pointed.
+
+    References
+    ----------
+    ISO 21771, ISO 53; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 17.4 and 17.5.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> round(1e3 * spur(teeth=12, pitch=NormalModule(0.003)).base_diameter, 3)
+    33.829
+    """
+    rack = basic_rack(profile, pressure_angle, addendum_factor, dedendum_factor, root_radius_factor)
+    module = module_of(pitch, 0.0)
+    gear = signed_gear(
+        teeth,
+        module,
+        rack,
+        internal=internal,
+        sign=shift_sign,
+        shift=profile_shift,
+        tip_change=-tip_shortening / module,
+    )
+    return describe(_without_undercut(gear) if avoid_undercut else gear, pitch, None)
+
+
+def helical(
+    *,
+    teeth: Annotated[Teeth, "Number of teeth z (AGMA: N)."],
+    pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
+    helix_angle: Annotated[Angle, "Helix angle β at the reference cylinder (AGMA: ψ), e.g. 15 deg [rad]."],
+    hand: Annotated[Hand, "Hand of the helix."] = Hand("right"),  # noqa: B008
+    pressure_angle: Annotated[
+        Angle | None, "Normal pressure angle α_n (AGMA: φ_n); 20 degrees unless one is given, e.g. 20 deg [rad]."
+    ] = None,
+    transverse_pressure_angle: Annotated[
+        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
+    ] = None,
+    profile_shift: Annotated[Ratio, "Profile shift factor x, in normal modules."] = 0.0,
+    profile: Annotated[
+        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
+    ] = Profile("a"),  # noqa: B008
+    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[
+        Ratio | None,
+        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+    ] = None,
+    tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
+    internal: Annotated[bool, "An internal gear (ring)."] = False,
+    shift_sign: Annotated[
+        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
+    ] = Sign("iso"),  # noqa: B008
+    avoid_undercut: Annotated[
+        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+    ] = False,
+) -> GearData:
+    """All dimensions of one helical gear from its generating rack.
+
+    Equation
+    --------
+    m_t = m_n/cos β; tan α_t = tan α_n/cos β; d = z m_t; sin β_b = sin β cos α_n; p_z = π d/tan β; factors and shift
+    count in normal modules.
+
+    Returns
+    -------
+    GearData
+        Diameters, pitches, thicknesses and limits.
+
+    Raises
+    ------
+    InadmissibleError
+        As `spur` does, and for a helix of 90 degrees, or both pressure angles given.
+
+    Notes
+    -----
+    Geometry without allowances. Rating of strength (ISO 6336, AGMA 2001) is outside this program.
+
+    References
+    ----------
+    ISO 21771, ISO 53; Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 17.12.
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> from math import degrees, radians
+    >>> answer = helical(teeth=12, pitch=NormalModule(0.003), helix_angle=radians(30.0))
+    >>> round(degrees(answer.transverse_pressure_angle), 5)
+    22.79588
+    """
+    lean = absolute(helix_angle)
+    require(
+        lean < 0.5 * pi,
+        "the helix angle is {helix_angle:6}; it must be below 90 degrees",
+        helix_angle=(helix_angle, Angle),
+        code="helix-angle",
+    )
+    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
+    rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
+    module = module_of(pitch, lean)
+    gear = signed_gear(
+        teeth,
+        module,
+        rack,
+        internal=internal,
+        sign=shift_sign,
+        helix_angle=lean,
+        shift=profile_shift,
+        tip_change=-tip_shortening / module,
+    )
+    leaning = hand if plain(helix_angle) >= 0.0 else Hand("left" if hand == "right" else "right")
+    return describe(_without_undercut(gear) if avoid_undercut else gear, pitch, leaning)
+
+
+def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
+    """α_n, from whichever was given."""
+    if transverse is None:
+        return FULL_DEPTH if normal is None else normal
+    require(
+        normal is None,
+        "the pressure angle is given twice, normal and transverse",
+        code="two-pressure-angles",
+        hint="give one of them",
+    )
+    require(
+        transverse < 0.5 * pi,
+        "the pressure angle {transverse:6} must be below 90 degrees",
+        transverse=(transverse, Angle),
+        code="pressure-angle",
+    )
+    return atan(tan(transverse) * cos(helix_angle))
+
+
+def _without_undercut(gear: Gear) -> Gear:
+    """The same gear with the least shift that leaves its involute whole."""
+    require(not gear.internal, "an internal gear is not cut by a rack", code="internal")
+    least = least_shift(gear)
+    shift = least if least > 0.0 else 0.0 * least
+    most = pointed_shift(gear)
+    require(
+        shift <= most,
+        "no profile shift is possible with {teeth} teeth: undercut ends at x = {shift:6}, but the tips are pointed "
+        "from x = {most:6}",
+        teeth=gear.teeth,
+        shift=(plain(shift), Ratio),
+        most=(plain(most), Ratio),
+        code="no-shift-serves",
+        hint="use more teeth, a larger pressure angle, a smaller addendum factor, or shortened tips",
+    )
+    return Gear(gear.teeth, gear.module, gear.rack, gear.helix_angle, shift, gear.tip_change)
+
+
+def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
+    """All dimensions of a single gear."""
+    helical_gear = hand is not None
+    tip = gear.tip_diameter
+    roll = gear.tip_roll
+    tip_thickness = gear.tip_thickness
+    require(
+        tip_thickness >= 0.0,
+        "the teeth are pointed below their tips: at {tip:6} diameter they would be {tip_thickness:6} thick",
+        tip=(absolute(tip), Size),
+        tip_thickness=(tip_thickness, Size),
+        code="pointed",
+        hint="lower the profile shift, or shorten the tips",
+    )
+    module, beta = gear.module, gear.helix_angle
+    cosine = cos(beta)
+    transverse = gear.transverse_angle
+    base_helix = gear.base_helix_angle
+    normal_thickness = module * (0.5 * pi_beside(module) + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
+    normal_pitch = pi_beside(module) * module
+    junction = None if gear.internal else root(gear.cutter)
+    cos_base = cos(base_helix)
+    least = None if gear.internal else least_shift(gear)
+    most = None if gear.internal else pointed_shift(gear)
+    tilted = helical_gear and plain(beta) > 0.0
+    form = None if junction is None else 2.0 * module * junction.form_radius
+    if form is not None:
+        require(
+            form < tip,
+            "the rack leaves no involute: the root reaches {form:9} diameter, the tips {tip:9}",
+            form=(form, Size),
+            tip=(tip, Size),
+            code="no-flank",
+            hint="raise the profile shift",
+        )
+    return GearData(
+        reference_diameter=absolute(gear.reference_diameter),
+        base_diameter=absolute(gear.base_diameter),
+        tip_diameter=absolute(tip),
+        root_diameter=absolute(gear.root_diameter),
+        root_form_diameter=form,
+        v_diameter=absolute(gear.reference_diameter + 2.0 * gear.shift * module),
+        normal_module=module,
+        transverse_module=gear.transverse_module if helical_gear else None,
+        normal_pitch=normal_pitch,
+        transverse_pitch=normal_pitch / cosine if helical_gear else None,
+        axial_pitch=normal_pitch / sin(beta) if tilted else None,
+        base_pitch=gear.base_pitch,
+        normal_base_pitch=normal_pitch * cos(gear.rack.pressure_angle) if helical_gear else None,
+        transverse_pressure_angle=transverse if helical_gear else None,
+        tip_pressure_angle=atan(roll),
+        base_helix_angle=base_helix if helical_gear else None,
+        tip_helix_angle=atan(tan(beta) * tip / gear.reference_diameter) if helical_gear else None,
+        lead=pi_beside(module) * absolute(gear.reference_diameter) / tan(beta) if tilted else None,
+        profile_shift=gear.shift,
+        addendum=module * (gear.rack.addendum + gear.shift + gear.tip_change),
+        dedendum=module * (gear.rack.dedendum - gear.shift),
+        tooth_depth=module * (gear.rack.addendum + gear.rack.dedendum + gear.tip_change),
+        root_radius=module * gear.rack.tip_radius,
+        normal_thickness=normal_thickness,
+        transverse_thickness=normal_thickness / cosine if helical_gear else None,
+        transverse_space=(normal_pitch - normal_thickness) / cosine,
+        tip_thickness=tip_thickness,
+        base_thickness=gear.base_diameter * gear.base_half_angle if not gear.internal else None,
+        virtual_teeth=abs(gear.teeth) / (cos_base * cos_base * cosine) if helical_gear else None,
+        equivalent_teeth=abs(gear.teeth) / (cosine * cosine * cosine) if helical_gear else None,
+        least_shift=least,
+        least_teeth=None if least is None else least_teeth(bare(gear)),
+        pointed_shift=most,
+        undercut=None if junction is None else junction.undercut,
+        hand=hand if tilted else None,
+        checks=_checks(gear, roll, tip_thickness),
+        advice=_advice(gear, pitch, least, most, tip_thickness, form),
+    )
+
+
+def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
+    """The tip thickness again from the tooth thickness at the reference circle."""
+    from dynamics_cli.numerics.involute import involute
+
+    steepness = tan(plain(gear.transverse_angle))
+    if steepness > 10.0:
+        return ()
+    turn = involute(plain(gear.transverse_angle)) - involute(atan(plain(roll)))
+    across = 0.5 * pi + 2.0 * plain(gear.shift) * tan(plain(gear.rack.pressure_angle))
+    again = plain(gear.tip_diameter) * (across / gear.teeth + turn)
+    residual = absolute(again - plain(tip_thickness)) / plain(gear.module)
+    size = abs(plain(gear.tip_diameter)) / plain(gear.module)
+    tolerance = 1e-13 * (size + 10.0) * (1.0 + steepness * steepness)
+    return (Check("tooth thickness at the tip", residual <= tolerance, residual, tolerance),)
+
+
+def _advice(
+    gear: Gear, pitch: object, least: float | None, most: float | None, tip_thickness: float, form: float | None
+) -> tuple[Advice, ...]:
+    found = list(module_advice(pitch, gear.module))
+    share = plain(tip_thickness) / plain(gear.module)
+    if share < LEAST_TIP:
+        found.append(
+            Advice(
+                "thin-tip",
+                worded(
+                    "the tips are {share:3} modules thick, less than {limit}",
+                    share=(share, Ratio),
+                    limit=(LEAST_TIP, Ratio),
+                ),
+                remedy="lower the profile shift, or shorten the tips",
+            )
+        )
+    if least is None or most is None or plain(least) <= plain(gear.shift):
+        return tuple(found)
+    low, high = plain(least), plain(most)
+    remedy = worded(
+        "raise the profile shift by {more} to {low:6}", more=(low - plain(gear.shift), Ratio), low=(low, Ratio)
+    )
+    if low > high:
+        remedy = worded(
+            "no profile shift is possible with {teeth} teeth: undercut ends at x = {low:6}, tips are pointed from "
+            "{high:6}",
+            teeth=gear.teeth,
+            low=(low, Ratio),
+            high=(high, Ratio),
+        )
+    found.append(
+        Advice(
+            "undercut",
+            worded("the rack undercuts the teeth: the involute begins at {form:6} diameter", form=(plain(form), Size)),
+            "serious" if low > high else "caution",
+            remedy,
+        )
+    )
+    return tuple(found)

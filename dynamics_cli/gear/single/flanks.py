@@ -1,0 +1,286 @@
+"""Exact profiles of gears as ordered pieces: root arc, trochoid or fillet, involute, tip arc, sharing their end points.
+
+Angles are measured from a tooth's centreline, radii in metres, in the transverse plane. A profile is a chain of points
+of one tooth in polar form; a whole gear repeats the chain, and the arcs between the chains close it.
+"""
+
+from math import ceil, pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.single.trochoid import Cutter, Root, root
+from dynamics_cli.numerics.elementary import atan, pi_beside, sqrt
+from dynamics_cli.quantities import Angle, Annotated, Size
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+# A root or tip land narrower than this share of a pitch is a point.
+_NO_LAND = 1e-12
+_MOST_POINTS = 2_000_000
+# Steps of the first look at a trochoid.
+_COARSE = 48
+
+
+@record
+class ToothForm:
+    """One tooth, ready to be drawn or meshed; lengths in metres."""
+
+    teeth: Annotated[int, "Number of teeth."]
+    internal: Annotated[bool, "Whether the teeth point inwards."]
+    module: Annotated[float, "Normal module [m]."]
+    base: Annotated[float, "Base radius [m]."]
+    tip: Annotated[float, "Tip radius [m]."]
+    form: Annotated[float, "Radius where the involute begins above the root [m]."]
+    root: Annotated[float, "Root radius [m]."]
+    half_base: Annotated[
+        float,
+        "Half angle between the involutes of one tooth (of one space of an internal gear) at the base circle [rad].",
+    ]
+    cutter: Annotated[Cutter | None, "The rack that cuts the root of an external gear."] = None
+    junction: Annotated[Root | None, "Where its trochoid meets the involute."] = None
+    fillet: Annotated[float, "Radius of the fillet of an internal gear [m]."] = 0.0
+
+    def length(self, radius: float) -> float:
+        """Length of the line of action from the base circle to a radius."""
+        return sqrt((radius - self.base) * (radius + self.base))
+
+    def roll(self, radius: float) -> float:
+        """Roll angle t of the involute at a radius."""
+        return self.length(radius) / self.base
+
+    def half_angle(self, roll: float) -> float:
+        """Half the angle of the tooth (of the space of an internal gear) where the involute has this roll angle."""
+        return self.half_base - (roll - atan(roll))
+
+
+def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm:
+    """Give the form of an external gear cut by a rack; refuses what leaves no flank or a pointed tip."""
+    junction = root(cutter)
+    base = cutter.base_radius * module
+    form = junction.form_radius * module
+    require(
+        form < tip_radius,
+        "the root reaches {form:9} diameter, beyond the tips at {tip_radius:9}: no involute is left",
+        form=(2.0 * form, Size),
+        tip_radius=(2.0 * tip_radius, Size),
+        code="no-flank",
+        hint="raise the profile shift",
+    )
+    shape = ToothForm(
+        teeth=cutter.teeth,
+        internal=False,
+        module=module,
+        base=base,
+        tip=tip_radius,
+        form=form,
+        root=cutter.root_radius * module,
+        half_base=pi_beside(module) / cutter.teeth - cutter.space_half_angle,
+        cutter=cutter,
+        junction=junction,
+    )
+    return _with_tip(shape)
+
+
+def internal_form(
+    teeth: int,
+    module: float,
+    *,
+    base_radius: float,
+    half_base: float,
+    tip_radius: float,
+    root_radius: float,
+    fillet: float,
+) -> ToothForm:
+    """Give the form of an internal gear whose fillet is an arc tangent to root circle and involute.
+
+    A curve at a constant distance from an involute is an involute of the same base circle, so the centre of the fillet
+    and its point on the flank are closed forms: t = √((r_f − ρ)² − r_b²)/r_b + ρ/r_b.
+    """
+    require(
+        tip_radius >= base_radius,
+        "the tips at {tip_radius:9} diameter lie inside the base circle of {base_radius:9}, where there is no involute",
+        tip_radius=(2.0 * tip_radius, Size),
+        base_radius=(2.0 * base_radius, Size),
+        code="tip-inside-base",
+        hint="raise the tip diameter, or the profile shift",
+    )
+    centre = root_radius - fillet
+    require(centre > base_radius, "a fillet of {fillet:6} does not fit", fillet=(fillet, Size), code="fillet")
+    reach = sqrt((centre - base_radius) * (centre + base_radius)) + fillet
+    form = sqrt(base_radius * base_radius + reach * reach)
+    require(form > tip_radius, "the fillet of {fillet:6} leaves no flank", fillet=(fillet, Size), code="fillet")
+    shape = ToothForm(
+        teeth=teeth,
+        internal=True,
+        module=module,
+        base=base_radius,
+        tip=tip_radius,
+        form=form,
+        root=root_radius,
+        half_base=half_base,
+        fillet=fillet,
+    )
+    _fillet_centre(shape)
+    return _with_tip(shape)
+
+
+def _with_tip(shape: ToothForm) -> ToothForm:
+    half = shape.half_angle(shape.roll(shape.tip))
+    if shape.internal:
+        half = pi_beside(half) / shape.teeth - half
+    require(
+        half > -_NO_LAND,
+        "the teeth are pointed below their tips: half the tip angle would be {half:6}",
+        half=(half, Angle),
+        code="pointed",
+        hint="lower the profile shift, or shorten the tips",
+    )
+    return shape
+
+
+def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
+    """Radius, and angle from the centreline of the tooth, of the fillet's centre of an internal gear."""
+    centre = shape.root - shape.fillet
+    ratio = centre / shape.base
+    t = sqrt((ratio - 1.0) * (ratio + 1.0))
+    half = shape.half_base - (t - atan(t)) - shape.fillet / shape.base
+    require(
+        half >= 0.0,
+        "a fillet of {fillet:6} is wider than the tooth space",
+        fillet=(shape.fillet, Size),
+        code="fillet",
+        hint="give a smaller one",
+    )
+    return centre, pi_beside(half) / shape.teeth - half
+
+
+@record
+class Chain:
+    """One flank from root to tip in polar form, and what its chords leave out."""
+
+    radius: Annotated["Array", "Radii, root first [m]."]
+    angle: Annotated["Array", "Angles from the tooth's centreline, positive [rad]."]
+    joint: Annotated[int, "Index of the point where trochoid or fillet ends and the involute begins."]
+    deviation: Annotated[float, "Proved bound on the distance of the chords from the exact curves [m]."]
+
+
+def flank(shape: ToothForm, tolerance: float) -> Chain:
+    """Sample one flank so that no chord leaves the exact curve by more than `tolerance`, with the bound proved.
+
+    Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀); near the base circle by
+    (u₁ − u₀)²·r_b √(1 + u₁²)/8, or the height of the triangle of chord and end tangents. Trochoid: it turns one way
+    only, so it lies in that triangle.
+    """
+    import numpy as np
+
+    low, high, invert = shape.roll(max(shape.form, shape.base)), shape.roll(shape.tip), shape.internal
+    if shape.junction is not None:
+        low = shape.junction.roll
+    rolls, off = _involute_rolls(shape.base, min(low, high), max(low, high), tolerance)
+    if invert:
+        rolls = rolls[::-1]
+    radius = shape.base * np.sqrt(1.0 + rolls * rolls)
+    half = shape.half_base - (rolls - np.arctan(rolls))
+    # the ends are the very radii that the record states
+    radius[0], radius[-1] = shape.form, shape.tip
+    if invert:
+        return Chain(radius, pi / shape.teeth - half, 0, off)
+    root_radius, root_angle, more = _trochoid(shape, tolerance)
+    return Chain(
+        np.concatenate([root_radius[:-1], radius]),
+        np.concatenate([root_angle[:-1], half]),
+        len(root_radius) - 1,
+        max(off, more),
+    )
+
+
+def _involute_rolls(base: float, low: float, high: float, tolerance: float) -> "tuple[Array, float]":
+    """Roll angles spread so that every chord is off alike, and the proved bound of what they are off."""
+    import numpy as np
+
+    first, last = low * sqrt(low), high * sqrt(high)
+    count = max(2, ceil((last - first) * sqrt(base / (18.0 * tolerance))))
+    while True:
+        require(
+            count < _MOST_POINTS,
+            "a tolerance of {tolerance:3} needs too many points",
+            tolerance=(tolerance, Size),
+            code="tolerance",
+        )
+        steps = np.linspace(first, last, count + 1)
+        rolls = np.cbrt(steps) ** 2
+        rolls[0], rolls[-1] = low, high
+        step = rolls[1:] - rolls[:-1]
+        near = step * step * np.sqrt(1.0 + rolls[1:] * rolls[1:])
+        rise = step * (rolls[1:] + rolls[:-1])
+        far = 0.25 * rise * rise / np.maximum(rolls[:-1], 1e-300)
+        # the triangle of chord and end tangents: the chord is no longer than its arc r_b (t₁² − t₀²)/2
+        corner = 2.0 * rise * np.tan(0.5 * np.minimum(step, 1.0)) + (step > 1.0) * 1e300
+        off = 0.125 * base * float(np.max(np.minimum(np.minimum(near, far), corner)))
+        if off <= tolerance:
+            return rolls, off
+        count += 1 + count // 8
+
+
+def _trochoid(shape: ToothForm, tolerance: float) -> "tuple[Array, Array, float]":
+    """The trochoid from the root circle to the involute: radii, angles, and the proved bound of its chords."""
+    import numpy as np
+
+    cutter, junction = shape.cutter, shape.junction
+    assert cutter is not None
+    assert junction is not None
+    coarse = np.linspace(0.5 * pi, junction.direction, _COARSE + 1)
+    heights = shape.module * _triangles(*trochoid_points(cutter, coarse))
+    # where the coarse triangles are high the chords are short: every one is off alike
+    spread = np.concatenate([[0.0], np.cumsum(np.sqrt(heights))])
+    count = max(2, ceil(1.05 * float(spread[-1]) / sqrt(tolerance)))
+    while True:
+        require(
+            count < _MOST_POINTS,
+            "a tolerance of {tolerance:3} needs too many points",
+            tolerance=(tolerance, Size),
+            code="tolerance",
+        )
+        theta = np.interp(np.linspace(0.0, spread[-1], count + 1), spread, coarse)
+        radius, angle, direction = trochoid_points(cutter, theta)
+        off = shape.module * float(np.max(_triangles(radius, angle, direction)))
+        if off <= tolerance:
+            break
+        count += 1 + count // 8
+    radius, angle = shape.module * radius, pi / shape.teeth - angle
+    radius[0], radius[-1] = shape.root, shape.form
+    angle[-1] = shape.half_angle(junction.roll)
+    return radius, angle, off
+
+
+def trochoid_points(cutter: Cutter, theta: "Array") -> "tuple[Array, Array, Array]":
+    """Radii in modules, half angles of the space, and directions of the curve, at directions θ of its normal."""
+    import numpy as np
+
+    sine, cosine = np.sin(theta), np.cos(theta)
+    radius, excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
+    widening = np.sqrt(1.0 + excess * cosine * cosine)
+    depth = cutter.corner_depth + cutter.tip_radius * sine / widening
+    xi = radius * sine - depth / sine
+    across = radius * cosine
+    travel = cutter.corner_depth * cosine / sine - cutter.corner_offset - cutter.tip_radius * excess * cosine / widening
+    turn = travel / radius
+    return np.sqrt(across * across + xi * xi), theta - np.arctan2(xi, across) - turn, turn - theta
+
+
+def _triangles(radius: "Array", angle: "Array", direction: "Array") -> "Array":
+    """Heights of the triangles of chord and end tangents of a curve that turns one way; infinite if it does not."""
+    import numpy as np
+
+    steps = np.diff(direction)
+    turned = np.abs(steps)
+    if np.any(steps[1:] * steps[:-1] < 0.0) or np.any(turned > 1.0):
+        return np.full(steps.shape, np.inf)
+    away = np.hypot(np.diff(radius), 0.5 * (radius[1:] + radius[:-1]) * np.diff(angle))
+    return 0.5 * away * np.tan(0.5 * turned)

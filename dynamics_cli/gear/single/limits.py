@@ -1,0 +1,100 @@
+"""How far the profile may be shifted: undercut on one side, pointed teeth on the other."""
+
+from math import ceil, pi
+
+from dynamics_cli.gear.single.gear import Gear
+from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.involute import involute
+from dynamics_cli.numerics.number import like, plain
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# Tips thinner than this share of a module are usually avoided, and in hardened gears thinner than twice that.
+LEAST_TIP = 0.2
+# A number of teeth that is whole but for rounding counts as whole.
+ROUNDING = 1e-13
+
+
+def bare(gear: Gear) -> Gear:
+    """The gear in plain doubles."""
+    from dynamics_cli.gear.single.rack import BasicRack
+
+    rack = BasicRack(*(plain(value) for value in gear.rack.__dict__.values()))
+    return Gear(
+        gear.teeth, plain(gear.module), rack, plain(gear.helix_angle), plain(gear.shift), plain(gear.tip_change)
+    )
+
+
+def least_shift(gear: Gear) -> float:
+    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β)."""
+    rack = gear.rack
+    reach = rack.dedendum - rack.tip_radius * (1.0 - sin(rack.pressure_angle))
+    sine = sin(gear.transverse_angle)
+    return reach - 0.5 * gear.teeth * sine * sine / cos(gear.helix_angle)
+
+
+def least_teeth(gear: Gear) -> int:
+    """Least number of teeth without undercut at the gear's shift: z ≥ 2 cos β (h_fP* − ρ*(1 − sin α_n) − x)/sin²α_t."""
+    sine = sin(gear.transverse_angle)
+    # what `least_shift` asks of a gear of no teeth is how deep the rack's flank reaches
+    reach = least_shift(gear) + 0.5 * gear.teeth * sine * sine / cos(gear.helix_angle) - gear.shift
+    return max(1, ceil(2.0 * cos(gear.helix_angle) * reach / (sine * sine) * (1.0 - ROUNDING)))
+
+
+def _shifted(gear: Gear, shift: float) -> Gear:
+    return Gear(gear.teeth, gear.module, gear.rack, gear.helix_angle, shift, gear.tip_change)
+
+
+def pointed_shift(gear: Gear) -> float:
+    """Profile shift factor at which the tip thickness of an external gear vanishes.
+
+    A tooth whose tip is at the reference circle has a thickness there; from it the shift is bracketed upwards, and one
+    Newton step in the numbers that came in carries derivatives and rounding through.
+    """
+    own = bare(gear)
+
+    base, angle = own.base_diameter, involute(own.transverse_angle) + 0.5 * pi / own.teeth
+    widening, reach = 2.0 * tan(own.rack.pressure_angle) / own.teeth, 2.0 * own.module
+    tip = own.reference_diameter + reach * (own.rack.addendum + own.tip_change)
+
+    def half(shift: float) -> float:
+        ratio = (tip + reach * shift) / base
+        roll = sqrt((ratio - 1.0) * (ratio + 1.0))
+        return angle + widening * shift - (roll - atan(roll))
+
+    low = -own.rack.addendum - own.tip_change
+    high = low + 1.0
+    while half(high) > 0.0:
+        low, high = high, 2.0 * high - low + 1.0
+    # the lower end may be pointed itself when the rack is; among tracked numbers, so that rounding of its sums counts
+    found: float = like(bisect(half, low, high), gear.module)
+    shifted = _shifted(gear, found)
+    tip = shifted.tip_diameter
+    remaining = shifted.tip_thickness / tip
+    slope = 2.0 * tan(own.rack.pressure_angle) / own.teeth
+    slope -= 2.0 * plain(shifted.tip_roll) * own.module / plain(tip)
+    return found - remaining / slope
+
+
+def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:
+    """Where a function that is positive at `low` and not at `high` changes its sign, to the last bits.
+
+    Illinois steps kept within the bracket; every third step halves it.
+    """
+    f_low, f_high = function(low), function(high)
+    for count in range(200):
+        middle = 0.5 * (low + high)
+        if count % 3 != 2 and f_low > 0.0 > f_high:
+            trial = (low * f_high - high * f_low) / (f_high - f_low)
+            if low < trial < high or high < trial < low:
+                middle = trial
+        if middle in (low, high) or absolute(high - low) <= 4e-16 * max(absolute(low), absolute(high)):
+            break
+        value = function(middle)
+        if value > 0.0:
+            low, f_low = middle, value
+        else:
+            high, f_high = middle, value
+    return low if abs(f_low) < abs(f_high) else high

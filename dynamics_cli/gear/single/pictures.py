@@ -1,0 +1,304 @@
+"""Pictures of one gear: its teeth with their circles, where it is measured, its rack."""
+
+from math import acos, cos, degrees, nan, pi, sin, tan
+
+from dynamics_cli.errors import InadmissibleError, worded
+from dynamics_cli.gear.section import BLACK, MOST_DRAWN, RIM, centre_lines, circle, outline_points
+from dynamics_cli.pictures import Axis, Bars, Curve, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.quantities import Angle, Coordinate, Module, Ratio, Size
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.pictures import Style
+
+    Points = tuple[list[float], list[float]]
+
+X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
+SHOWN = 3
+# Colours of tip, reference, base and root circle.
+ROLES = (0, 1, 2, 3)
+STEPS = 96
+# What a line on paper can show of a module.
+FINE = 2e-3
+
+
+def gear_picture(made: "Any", *, teeth: int, internal: bool = False, **given: "Any") -> Picture:
+    """The whole gear with its main sizes, and three teeth enlarged with their circles."""
+    module = float(made.normal_module)
+    title = worded(
+        "{kind} gear of {teeth} teeth, module {module:6}, x = {shift}",
+        kind="Internal" if internal else "Helical" if made.hand is not None else "Spur",
+        teeth=teeth,
+        module=(module, Module),
+        shift=(float(made.profile_shift), Ratio),
+    )
+    return Picture(
+        (
+            _whole_gear(made, teeth, internal, given),
+            Panel(X, Y, (Rows(_sizes(made)),)),
+            _enlarged(made, teeth, internal, given),
+        ),
+        title,
+        columns=2,
+        subtitle="Transverse section; reference circle dash-dotted, base circle dotted",
+    )
+
+
+def _whole_gear(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+    """The gear with its centre lines."""
+    outer = 0.5 * float(made.root_diameter) + RIM * float(made.normal_module) if internal else 0.5 * made.tip_diameter
+    centre = (0.0, 0.0)
+    items: list[Any] = [*centre_lines(centre, 1.1 * float(outer))]
+    line = _outline(made, teeth, internal, teeth, given) if teeth <= MOST_DRAWN else None
+    if line is None:
+        items.append(circle(centre, 0.5 * float(made.tip_diameter), "", "outline", 0))
+    elif internal:
+        rim = circle(centre, float(outer), "", "solid", 0)
+        around = (*rim.x, *reversed(line[0]), rim.x[0]), (*rim.y, *reversed(line[1]), rim.y[0])
+        items += [Curve(*around, "", "fill", 0), Curve(*line, "", "outline", 0)]
+    else:
+        items.append(Curve(*line, "", "filled", 0))
+    items += [
+        circle(centre, 0.5 * float(made.reference_diameter), "", "centre", 0),
+        circle(centre, 0.5 * float(made.base_diameter), "", "dots", 0),
+    ]
+    return Panel(X, Y, tuple(items), equal=True, bare=True)
+
+
+def _sizes(made: "Any") -> "tuple[tuple[str, str, str], ...]":
+    """The main sizes with their symbols; what the gear does not have is left out."""
+    listed = (
+        ("reference diameter", "d", made.reference_diameter, Size),
+        ("base diameter", "d_b", made.base_diameter, Size),
+        ("tip diameter", "d_a", made.tip_diameter, Size),
+        ("root diameter", "d_f", made.root_diameter, Size),
+        ("root form diameter", "d_Ff", made.root_form_diameter, Size),
+        ("lead", "p_z", made.lead, Size),
+        ("transverse pressure angle", "α_t", made.transverse_pressure_angle, Angle),
+        ("tooth depth", "h", made.tooth_depth, Size),
+        ("normal tooth thickness", "s_n", made.normal_thickness, Size),
+        ("tip thickness", "s_a", made.tip_thickness, Size),
+    )
+    rows: list[tuple[str, str, str]] = [
+        (name, symbol, worded("{value:6}", value=(float(value), kind)))
+        for name, symbol, value, kind in listed
+        if value is not None
+    ]
+    if made.undercut is not None:
+        rows.append(("undercut", "", "yes" if made.undercut else "no"))
+    return tuple(rows)
+
+
+def _enlarged(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+    """Three teeth with their circles, each named at its end."""
+    items: list[Any] = []
+    line = _outline(made, teeth, internal, SHOWN, given)
+    if line is not None:
+        items.append(Curve(*line, "", "outline", role=BLACK))
+    reach = min(1.15 * pi * SHOWN / teeth, 0.5 * pi)
+    circles = (
+        ("tip circle d_a", made.tip_diameter, "thin"),
+        ("reference circle d", made.reference_diameter, "centre"),
+        ("base circle d_b", made.base_diameter, "dots"),
+        ("root circle d_f", made.root_diameter, "thin"),
+    )
+    radii = [0.5 * float(diameter) for _, diameter, _ in circles]
+    side = sin(reach) * max(radii)
+    ends = sorted(zip((radius * cos(reach) for radius in radii), circles, strict=True), key=lambda end: -end[0])
+    height = None
+    for level, (name, diameter, style) in ends:
+        # words keep their distance where circles lie close together
+        height = level if height is None else min(level, height - 0.075 * side)
+        radius = 0.5 * float(diameter)
+        role = [name for name, _, _ in circles].index(name)
+        items.append(_arc(radius, reach, "", style, ROLES[role]))
+        items.append(Curve((sin(reach) * radius, 1.05 * side), (level, height), "", "thin", ROLES[role]))
+        text = worded(name + " = {diameter:6}", diameter=(float(diameter), Size))
+        items.append(Label(1.07 * side, height, text, ROLES[role], left=True))
+    low = min(height or 0.0, min(level for level, _ in ends), *(line[1] if line is not None else ())) - 0.05 * side
+    across, up = (-1.03 * side, 1.85 * side), (low, max(radii) + 0.05 * side)
+    x, y = Axis("x", Coordinate, ends=across), Axis("y", Coordinate, ends=up)
+    return Panel(x, y, tuple(items), "Three teeth enlarged" if teeth > SHOWN else "", equal=True, bare=True, wide=True)
+
+
+def profile_picture(result: "Any", **_: "Any") -> Picture:
+    """The profile with its circles."""
+    outline = result.drawing.outlines[0]
+    x, y = outline_points(outline)
+    items: list[Any] = []
+    if outline.closed:
+        x, y = (*x, x[0]), (*y, y[0])
+        items = [*centre_lines((0.0, 0.0), 1.08 * max(x))]
+        items += [
+            circle((0.0, 0.0), 0.5 * float(result.base_diameter), "base circle", "dots", 2),
+            circle((0.0, 0.0), 0.5 * float(result.form_diameter), "form circle", "thin", 3),
+        ]
+    style: Style = "filled" if result.drawing.title == "gear" else "outline"
+    items.insert(0, Curve(x, y, "", style, role=0))
+    return Picture((Panel(X, Y, tuple(items), equal=True),), f"Profile: {result.drawing.title}")
+
+
+def measure_picture(
+    made: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **given: "Any"
+) -> Picture:
+    """The gear with its span and the two pins or balls in their spaces, in the transverse plane."""
+    items: list[Any] = []
+    drawn = _profile(teeth, internal, None, {**given, "profile_shift": profile_shift})
+    if drawn is None:
+        limits = [float(made.pins.centre_diameter)] if made.pins is not None else []
+    else:
+        items.append(Curve(*outline_points(drawn.drawing.outlines[0]), role=6))
+        limits = [float(drawn.base_diameter)]
+    if made.span is not None and drawn is not None:
+        items += _jaws(float(drawn.base_diameter), made.span, teeth)
+    if made.pins is not None:
+        items += _pins(made.pins, teeth)
+    if not limits:
+        items.append(Mark(0.0, 0.0, "no size of this gear can be drawn"))
+    return Picture((Panel(X, Y, tuple(items), equal=True),), f"{teeth} teeth and how they are measured")
+
+
+def _jaws(base: float, span: "Any", teeth: int) -> "list[Any]":
+    """The measured line, tangent to the base circle, with the jaws of the instrument at its ends."""
+    half = 0.5 * (float(span.contact_diameter) ** 2 - base * base) ** 0.5
+    # Over an odd number of teeth the middle is a tooth, over an even one a space.
+    turn = 0.0 if int(span.over) % 2 else pi / teeth
+    along, out = (cos(turn), -sin(turn)), (sin(turn), cos(turn))
+
+    def at(u: float, v: float) -> "tuple[float, float]":
+        return u * along[0] + v * out[0], u * along[1] + v * out[1]
+
+    low, high = 0.5 * base - 0.15 * half, 0.5 * base + 0.6 * half
+    line = [at(-half, 0.5 * base), at(half, 0.5 * base)]
+    ends = [at(-half, low), at(-half, high), (nan, nan), at(half, low), at(half, high)]
+    return [
+        Curve([x for x, _ in line], [y for _, y in line], f"span over {int(span.over)} teeth", "dashed", 1),
+        Curve([x for x, _ in ends], [y for _, y in ends], role=1),
+    ]
+
+
+def _pins(pins: "Any", teeth: int) -> "list[Any]":
+    """Both pins as circles, in spaces that are opposite or next to it."""
+    items: list[Any] = []
+    # A quarter turn from where the span is drawn.
+    for nth, space in enumerate((teeth // 4, teeth // 4 + teeth // 2)):
+        angle = (2 * space + 1) * pi / teeth
+        radius = 0.5 * float(pins.centre_diameter)
+        x, y = _round(0.5 * float(pins.pin))
+        at = radius * sin(angle), radius * cos(angle)
+        items.append(
+            Curve([at[0] + own for own in x], [at[1] + own for own in y], "" if nth else "pins or balls", role=0)
+        )
+    return items
+
+
+def rack_picture(made: "Any", *, teeth: int, helix_angle: float = 0.0, **given: "Any") -> Picture:
+    """The gear on its rack in the transverse plane, the rack below."""
+    items: list[Any] = []
+    outline = _outline(made, teeth, False, SHOWN, {**given, "helix_angle": helix_angle})
+    if outline is not None:
+        items.append(Curve([-x for x in outline[0]], [-y for y in outline[1]], "gear", role=0))
+    pitch, datum = float(made.pitch), -float(made.datum_distance)
+    lean = tan(acos(min(1.0, float(made.base_diameter) / float(made.reference_diameter))))
+    add, dedendum = float(made.addendum), float(made.dedendum)
+    x: list[float] = []
+    y: list[float] = []
+    for nth in range(-2, 2):
+        # The gear's middle tooth stands in the rack's space at x = 0.
+        middle = (nth + 0.5) * pitch
+        foot, top = 0.25 * pitch + dedendum * lean, 0.25 * pitch - add * lean
+        x += [middle - foot, middle - top, middle + top, middle + foot]
+        y += [datum - dedendum, datum + add, datum + add, datum - dedendum]
+    wide = [-2.0 * pitch, 2.0 * pitch]
+    radius = 0.5 * float(made.reference_diameter)
+    reach = min(1.15 * pi * SHOWN / teeth, pi)
+    circle = _arc(radius, reach, "pitch circle", "dotted", 2)
+    items += [
+        Curve(x, y, "rack", role=1),
+        Curve(wide, [datum, datum], "datum line", "dashed", 3),
+        Curve(circle.x, [-own for own in circle.y], "pitch circle", "dotted", 2),
+        Curve(wide, [-radius, -radius], "pitch line", "thin", 2),
+    ]
+    return Picture((Panel(X, Y, tuple(items), equal=True),), "gear and rack, transverse section")
+
+
+def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
+    """The exact outline of some teeth about +y; None where there are none, for example pointed teeth."""
+    shift = given.get("profile_shift", 0.0)
+    own = getattr(made, "profile_shift", None)
+    drawn = _profile(teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, made)
+    if drawn is None:
+        return None
+    # Tooth after tooth anticlockwise from +y: turned back by half of them, they stand about it.
+    turn = -pi * (min(shown, teeth) - 1) / teeth
+    x, y = outline_points(drawn.drawing.outlines[0])
+    return (
+        [cos(turn) * a - sin(turn) * b for a, b in zip(x, y, strict=True)],
+        [sin(turn) * a + cos(turn) * b for a, b in zip(x, y, strict=True)],
+    )
+
+
+def _profile(teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", made: "Any" = None) -> "Any":
+    from dynamics_cli.gear.pitch import module_of
+    from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
+    from dynamics_cli.gear.single.profile import profile
+
+    helix = given.get("helix_angle", 0.0)
+    names = ("profile", "addendum_factor", "dedendum_factor", "root_radius_factor")
+    taken = {name: given[name] for name in names if given.get(name) is not None}
+    transverse = given.get("transverse_pressure_angle")
+    if transverse is not None or given.get("pressure_angle") is not None:
+        taken["pressure_angle"] = normal_pressure_angle(given.get("pressure_angle"), transverse, helix)
+    if made is not None:
+        taken["tip_diameter"] = float(made.tip_diameter)
+    elif given.get("tip_diameter") is not None:
+        taken["tip_diameter"] = given["tip_diameter"]
+    if made is None and "shift_sign" in given:
+        taken["shift_sign"] = given["shift_sign"]
+    try:
+        return profile(
+            teeth=teeth,
+            pitch=given["pitch"],
+            helix_angle=helix,
+            profile_shift=given["profile_shift"],
+            internal=internal,
+            only_teeth=None if shown is None else min(shown, teeth),
+            tolerance=FINE * module_of(given["pitch"], helix),
+            **taken,
+        )
+    except InadmissibleError:
+        return None
+
+
+def _arc(radius: float, reach: float, label: str, style: "Any", role: int) -> Curve:
+    """An arc about the centre, symmetrical about +y."""
+    turns = [reach * (2.0 * k / STEPS - 1.0) for k in range(STEPS + 1)]
+    return Curve([radius * sin(t) for t in turns], [radius * cos(t) for t in turns], label, style, role)
+
+
+def _round(radius: float) -> "Points":
+    turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
+    return [radius * cos(t) for t in turns], [radius * sin(t) for t in turns]
+
+
+def candidates(made: "Any", **_: "Any") -> Picture:
+    """How well each candidate agrees with what was read."""
+    names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in made.candidates)
+    worst = [float(one.disagreement) for one in made.candidates]
+    bars = Bars(names, [0.0] * len(worst), worst)
+    return Picture((Panel(Axis("disagreement, in readings' accuracy"), Axis(""), (bars,)),), "which gear it may be")
+
+
+def trains(made: "Any", **_: "Any") -> Picture:
+    """The best trains by how far they miss the ratio, and by how many teeth they take."""
+    names = tuple(one.stages for one in made.best)
+    misses = [1e6 * abs(float(one.error_value)) for one in made.best]
+    teeth = [float(one.teeth) for one in made.best]
+    zeros = [0.0] * len(names)
+    panels = (
+        Panel(Axis("error of the ratio, parts per million"), Axis(""), (Bars(names, zeros, misses),)),
+        Panel(Axis("teeth of all wheels together"), Axis(""), (Bars(names, zeros, teeth),)),
+    )
+    return Picture(panels, "trains for the ratio")

@@ -1,0 +1,249 @@
+"""The profile of a gear, an internal gear or a rack, as a drawing of ordered pieces."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.gear.pitch import Pitch
+from dynamics_cli.gear.rounding import bare, carried, error_of, in_digits, in_many_digits, share, tighten
+from dynamics_cli.gear.single.flanks import ToothForm, external_form, internal_form
+from dynamics_cli.gear.single.gear import Sign
+from dynamics_cli.gear.single.outline import bore_outline, construction_lines, gear_outline, rack_outline
+from dynamics_cli.gear.single.rack import FULL_DEPTH
+from dynamics_cli.gear.single.rack import Profile as BasicProfile
+from dynamics_cli.gear.single.toothing_given import fillet_of, gear_of, toothing
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
+from dynamics_cli.outlines import Drawing
+from dynamics_cli.quantities import Angle, Annotated, Count, Ratio, Size
+from dynamics_cli.records import Advice, Check, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.gear.single.gear import Gear
+    from dynamics_cli.outlines import Outline
+
+ONE_MICROMETRE = 1e-6
+# Finer than this the rounding of coordinates would be a part of the deviation.
+# A rack is that of every gear: its teeth are drawn one by one.
+ANY_TEETH = 1000
+FINEST = 1e-12
+# A form circle's bound of more half last bits than this is measured.
+LOOSE = 20.0
+CIRCLES = ("tip", "root", "base", "form")
+
+FULL = BasicProfile("a")
+ISO = Sign("iso")
+
+
+@record
+class GearProfile:
+    """A profile and what it was made of."""
+
+    deviation: Annotated[Size, "Proved bound on the distance of the drawing from the exact profile [m]."]
+    points: Annotated[Count, "How many points its curves have."]
+    pieces: Annotated[Count, "How many pieces it has: arcs, lines and curves."]
+    tip_diameter: Annotated[Size | None, "Tip diameter [m]."]
+    root_diameter: Annotated[Size | None, "Root diameter [m]."]
+    base_diameter: Annotated[Size | None, "Base diameter [m]."]
+    form_diameter: Annotated[Size | None, "Where the involute begins above the root [m]."]
+    undercut: Annotated[bool | None, "Whether the rack cuts into the involute."]
+    drawing: Annotated[Drawing | None, "The profile."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def tooth_form(gear: "Gear", tip_diameter: float | None, root_radius_factor: float | None) -> ToothForm:
+    """The form of a gear: cut by its rack, or with a fillet when it is internal."""
+    fillet = fillet_of(gear, root_radius_factor)
+    teeth = toothing(gear, tip_diameter=tip_diameter, fillet=fillet)
+    if not gear.internal:
+        return external_form(gear.cutter, gear.module, teeth.tip)
+    return internal_form(
+        teeth.teeth,
+        teeth.module,
+        base_radius=teeth.base_radius,
+        half_base=teeth.solid_half,
+        tip_radius=teeth.tip,
+        root_radius=teeth.root,
+        fillet=fillet * teeth.module,
+    )
+
+
+def profile(
+    *,
+    teeth: Annotated[Count, "Number of teeth (of a rack: how many are drawn), e.g. 24."],
+    pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
+    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
+    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
+    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
+    internal: Annotated[bool, "Whether the teeth point inwards."] = False,
+    shift_sign: Annotated[
+        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
+    ] = ISO,
+    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
+    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
+    root_radius_factor: Annotated[
+        Ratio | None,
+        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
+    ] = None,
+    tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
+    rack: Annotated[bool, "Draw the rack that meshes with the gear, in its normal plane."] = False,
+    only_teeth: Annotated[
+        Count | None, "Draw only so many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
+    ] = None,
+    tolerance: Annotated[Size, "How far the drawing may be from the exact profile [m]."] = ONE_MICROMETRE,
+    bore: Annotated[Size | None, "Diameter of the bore, drawn as a circle, e.g. 12 mm [m]."] = None,
+) -> GearProfile:
+    """Draw the exact transverse profile of a gear: root arcs, trochoids, involutes and tip arcs that share their ends.
+
+    Equation
+    --------
+    Involute: R = r_b √(1 + t²), half angle ψ = ψ_b − (t − atan t). Trochoid: the rack's corner cuts where its normal
+    passes through the pitch point. A chord of the involute is off by at most (t₁² − t₀²)² r_b/(32 t₀); a chord of the
+    trochoid lies with its arc in the triangle of its end tangents.
+
+    Returns
+    -------
+    GearProfile
+        The drawing, its proved deviation, and the diameters.
+
+    Raises
+    ------
+    InadmissibleError
+        When the teeth are pointed below their tips, no flank is left, or the corner does not fit.
+
+    Notes
+    -----
+    Arcs are exact; curves are polylines spread so that every chord is off alike. An internal gear's root is a fillet
+    tangent to root circle and involute, not the trochoid of a particular pinion cutter.
+
+    References
+    ----------
+    ISO 21771; Litvin & Fuentes, Gear Geometry and Applied Theory (generation by a rack).
+
+    Examples
+    --------
+    >>> from dynamics_cli.gear.pitch import NormalModule
+    >>> drawn = profile(teeth=20, pitch=NormalModule(0.002))
+    >>> (drawn.pieces, drawn.deviation <= 1e-6)
+    (120, True)
+    """
+    require(
+        tolerance >= FINEST,
+        "the tolerance {tolerance:3} is smaller than the rounding of the coordinates",
+        tolerance=(tolerance, Size),
+        code="tolerance",
+    )
+    require(teeth > 0, "read {teeth} teeth, wanted at least 1", teeth=teeth, code="teeth")
+    require(
+        not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
+    )
+    given = {
+        "teeth": ANY_TEETH if rack else teeth,
+        "pitch": pitch,
+        "profile": profile,
+        "pressure_angle": pressure_angle,
+        "addendum_factor": addendum_factor,
+        "dedendum_factor": dedendum_factor,
+        "root_radius_factor": root_radius_factor,
+        "helix_angle": helix_angle,
+        "profile_shift": 0.0 if rack else profile_shift,
+        "internal": internal,
+        "sign": shift_sign,
+    }
+    if rack:
+        made = gear_of(**given)  # type: ignore[arg-type]
+        cutter = made.cutter
+        require(
+            cutter.corner_offset >= 0.0,
+            "a root radius of {tip_radius:6} modules does not fit the rack",
+            tip_radius=(made.rack.tip_radius, Ratio),
+            code="tip-radius",
+        )
+        outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
+        return _result(outline, 4 * teeth, None, None, Drawing((outline,), title="rack"))
+    gear = gear_of(**carried(given))
+    form = tooth_form(gear, carried(tip_diameter), carried(root_radius_factor))
+    if error_of(form.form) > LOOSE * UNIT_ROUNDOFF * bare(form.form):
+        more = [in_many_digits(part) for part in (given, tip_diameter, root_radius_factor)]
+        exact = in_digits(lambda: tooth_form(gear_of(**more[0]), *more[1:]))
+        if exact is not None:
+            tighten((form.form,), (exact.form,))
+    outline, points = gear_outline(bare(form), tolerance, teeth=only_teeth)
+    title = "tooth" if only_teeth is not None else "internal gear" if internal else "gear"
+    drawing = Drawing((outline,), title=title)
+    if only_teeth is None:
+        outer = 2.0 * bare(max(form.root, form.tip))
+        lines = construction_lines(abs(bare(gear.reference_diameter)), outer)
+        drawing = Drawing((outline, *_bore(bore, bare(form))), title, lines)
+    return _result(outline, points, form, tolerance, drawing)
+
+
+def _bore(bore: float | None, form: ToothForm) -> "tuple[Outline, ...]":
+    """The outline of a bore; refuses one that leaves no rim under the teeth."""
+    if bore is None:
+        return ()
+    require(not form.internal, "an internal gear has no bore", code="bore", hint="leave out --bore")
+    require(
+        0.0 < bore < 2.0 * form.root,
+        "the bore of {bore:6} must be above zero and below the root diameter {root:6}",
+        bore=(bore, Size),
+        root=(2.0 * form.root, Size),
+        code="bore",
+    )
+    return (bore_outline(bore),)
+
+
+def _result(
+    outline: "Outline", points: int, form: ToothForm | None, tolerance: float | None, drawing: Drawing
+) -> GearProfile:
+    """The answer; the form's numbers carry rounding bounds."""
+    undercut = form.junction.undercut if form is not None and form.junction is not None else None
+    advice: tuple[Advice, ...] = ()
+    if undercut and form is not None and form.junction is not None:
+        advice = (_undercut_advice(bare(form)),)
+    diameters = {} if form is None else {f"{name}_diameter": 2.0 * getattr(form, name) for name in CIRCLES}
+    checks: tuple[Check, ...] = ()
+    if tolerance is not None:
+        checks = (
+            Check(
+                "the proved deviation keeps the tolerance",
+                outline.deviation <= 1.01 * tolerance,
+                outline.deviation,
+                tolerance,
+            ),
+        )
+    return GearProfile(
+        deviation=outline.deviation,
+        points=points,
+        pieces=len(outline.pieces),
+        tip_diameter=bare(diameters.get("tip_diameter")),
+        root_diameter=bare(diameters.get("root_diameter")),
+        base_diameter=bare(diameters.get("base_diameter")),
+        form_diameter=bare(diameters.get("form_diameter")),
+        undercut=undercut,
+        drawing=drawing,
+        checks=checks,
+        advice=advice,
+        numerics=None
+        if form is None
+        else Numerics(
+            "closed forms; the junction of trochoid and involute bracketed",
+            tuple(share(name, value) for name, value in diameters.items()),
+        ),
+    )
+
+
+def _undercut_advice(form: ToothForm) -> Advice:
+    junction, cutter = form.junction, form.cutter
+    assert junction is not None
+    assert cutter is not None
+    from math import sin
+
+    more = -junction.margin * sin(cutter.transverse_angle)
+    return Advice(
+        "undercut",
+        worded("the rack undercuts the involute below {form:6} diameter", form=(2.0 * form.form, Size)),
+        remedy=worded(
+            "raise the profile shift by {more} to {shift}", more=(more, Ratio), shift=(cutter.shift + more, Ratio)
+        ),
+    )

@@ -1,0 +1,139 @@
+"""Searches over every train within limits: by products of teeth, or by pairs where their tooth sums are bound."""
+
+from bisect import bisect_left, bisect_right
+from math import prod
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.trains.ratio_limits import (
+    HIDDEN,
+    MOST_LISTED,
+    WANTED_AT_FIRST,
+    WIDER,
+    Limits,
+    beyond,
+    by_distance,
+    require_between,
+    require_found,
+)
+from dynamics_cli.numerics.exact.rational import lowest, nearest
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import TypeAlias
+
+    from dynamics_cli.numerics.exact.rational import Pair
+
+    Stage: TypeAlias = tuple[int, int]
+    Train: TypeAlias = tuple[Stage, ...]
+
+
+class Pairs:
+    """All pairs of gears whose tooth sums are bound, taken together stage by stage and met in the middle."""
+
+    def __init__(self, target: "Pair", drivers: range, driven: range, stages: int, limits: Limits) -> None:
+        self.target = target
+        self.stages = stages
+        self._groups = []
+        for sums in _sum_groups(drivers, driven, limits):
+            pairs = [
+                (own, total - own)
+                for total in sums
+                for own in drivers
+                if total - own in driven and limits.pair(own, total - own)
+            ]
+            if pairs:
+                self._groups.append(pairs)
+        require(self._groups, "no pair of gears keeps the constraints", code="constraints")
+        half = stages // 2
+        listed = sum(_count(len(pairs), stages - half) for pairs in self._groups)
+        require(listed <= MOST_LISTED, "{listed} part trains are too many to list", listed=listed, code="too-many")
+        self._halves = [(_part_trains(pairs, half), _part_trains(pairs, stages - half)) for pairs in self._groups]
+
+    @property
+    def considered(self) -> int:
+        """How many trains there are."""
+        return sum(_count(len(pairs), self.stages) for pairs in self._groups)
+
+    @property
+    def account(self) -> str:
+        """How that number comes about."""
+        pairs = sum(map(len, self._groups))
+        return f"every train of {self.stages} among {pairs} pairs with {len(self._groups)} tooth sums or ranges of them"
+
+    def require_reach(self) -> None:
+        """The target lies between the least and the greatest ratio."""
+        least, most = None, None
+        for pairs in self._groups:
+            for driver, driven in pairs:
+                if least is None or driven * least[1] < least[0] * driver:
+                    least = (driven, driver)
+                if most is None or driven * most[1] > most[0] * driver:
+                    most = (driven, driver)
+        assert least is not None
+        assert most is not None
+        power = self.stages
+        require_between(
+            self.target, (least[0] ** power, least[1] ** power), (most[0] ** power, most[1] ** power), power
+        )
+
+    def near(self, reach: float) -> "dict[Pair, Train]":
+        """Every ratio whose relative error is at most `reach`, with its train of fewest teeth."""
+        aim = nearest(self.target)
+        low, high = aim * (1.0 - reach - HIDDEN), aim * (1.0 + reach + HIDDEN)
+        found: dict[Pair, Train] = {}
+        for short, long in self._halves:
+            sizes = [size for size, _ in long]
+            for size, train in short:
+                for place in range(bisect_left(sizes, low / size), bisect_right(sizes, high / size)):
+                    whole = tuple(sorted(train + long[place][1]))
+                    value = lowest(prod(b for _, b in whole), prod(a for a, _ in whole))
+                    known = found.get(value)
+                    if known is None or (_teeth(whole), whole) < (_teeth(known), known):
+                        found[value] = whole
+        return found
+
+    def best(self, count: int) -> "tuple[list[Train], int]":
+        """The trains of the `count` best ratios; pairs that break a limit are not listed in the first place."""
+        reach = (WANTED_AT_FIRST + 4.0 * count) / self.considered
+        while True:
+            reach = min(reach, 1.0)
+            trains = self.near(reach)
+            ranked = [value for value in by_distance(trains, self.target) if not beyond(value, self.target, reach)]
+            if len(ranked) >= count or reach == 1.0:
+                require_found(ranked, 0)
+                return [trains[value] for value in ranked[:count]], 0
+            reach *= WIDER
+
+
+def _sum_groups(drivers: range, driven: range, limits: Limits) -> "Iterator[range]":
+    """Tooth sums that pairs of one train may have together."""
+    least, most = drivers[0] + driven[0], drivers[-1] + driven[-1]
+    allowed = limits.sums if limits.sums is not None else range(least, most + 1)
+    if not limits.coaxial:
+        yield allowed
+        return
+    for total in allowed:
+        yield range(total, total + 1)
+
+
+def _count(pairs: int, stages: int) -> int:
+    """How many multisets of `stages` there are."""
+    count = 1
+    for index in range(stages):
+        count = count * (pairs + index) // (index + 1)
+    return count
+
+
+def _part_trains(pairs: "list[Stage]", stages: int) -> "list[tuple[float, Train]]":
+    """Every choice of that many pairs, order apart, by its ratio as a double."""
+    trains: list[tuple[Train, int]] = [((), 0)]
+    for _ in range(stages):
+        trains = [((*train, pairs[place]), place) for train, start in trains for place in range(start, len(pairs))]
+    sized = [(prod(b for _, b in train) / prod(a for a, _ in train), train) for train, _ in trains]
+    sized.sort()
+    return sized
+
+
+def _teeth(train: "Train") -> int:
+    return sum(map(sum, train))

@@ -1,0 +1,204 @@
+"""Gear trains of any kind, solved exactly: speeds, torques, powers and what keeps a train from moving."""
+
+from math import isfinite, pi
+
+from dynamics_cli.errors import require
+from dynamics_cli.gear.trains.equations import Known, Motion, rolling_speed
+from dynamics_cli.gear.trains.planets import Assembly, assembly_advice, basic_ratio, planetary_assembly
+from dynamics_cli.gear.trains.scene import GROUND, Mesh, Network, Planetary, Shaft, Stages
+from dynamics_cli.gear.trains.torques import Forces
+from dynamics_cli.numerics.exact.rational import nearest, product, total, written
+from dynamics_cli.quantities import Annotated, Frequency, Power, Ratio, ShaftSpeed, Text, Torque
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.numerics.exact.rational import Pair
+
+ONE_ROUNDING = 2.0**-53
+
+
+@record
+class ShaftMotion:
+    """What one shaft does."""
+
+    name: Annotated[Text, "The shaft."]
+    per_driver: Annotated[Text | None, "Its turns for each turn of the driver, exact."] = None
+    turns: Annotated[Ratio | None, "The same as a number."] = None
+    speed: Annotated[ShaftSpeed | None, "Its speed [rad/s]."] = None
+    torque: Annotated[Torque | None, "The torque put on it from outside; on a fixed shaft, what holds it [N*m]."] = None
+    power: Annotated[Power | None, "The power put in at it from outside; negative where it is taken out [W]."] = None
+
+
+@record
+class MeshMotion:
+    """What goes on in one mesh."""
+
+    gears: Annotated[Text, "The shafts and tooth numbers that meet."]
+    rolling: Annotated[
+        Text | None, "Turns of the first gear against the carrier for each turn of the driver, exact."
+    ] = None
+    frequency: Annotated[Frequency | None, "Teeth that meet in a second [Hz]."] = None
+    rolling_power: Annotated[
+        Power | None,
+        "Power through the teeth as seen from the carrier: what the losses of the mesh are a share of [W].",
+    ] = None
+
+
+@record
+class TrainMotion:
+    """Speeds, torques and powers of a train."""
+
+    ratio: Annotated[
+        Text | None,
+        "Speed of the driver over speed of the driven shaft, exact; negative when they turn against each other.",
+    ]
+    ratio_value: Annotated[Ratio | None, "The same as a number."]
+    freedom: Annotated[int, "How many speeds may be chosen freely."]
+    basic_ratio: Annotated[
+        Text | None, "Planetary: speed of the sun over speed of the ring with the carrier held, exact (Willis)."
+    ]
+    input_power: Annotated[Power | None, "All power put in [W]."]
+    circulating_power: Annotated[
+        Power | None, "Power that runs in a loop between the parts of the train, beyond all that is put in [W]."
+    ]
+    shafts: Annotated[tuple[ShaftMotion, ...], "Every shaft."]
+    meshes: Annotated[tuple[MeshMotion, ...], "Every mesh."]
+    assembly: Annotated[Assembly | None, "Planetary: whether the planets can be put in, and where."] = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+    numerics: Numerics | None = None
+
+
+def train(
+    *,
+    arrangement: Annotated[Stages | Planetary | Network, "Stages held by the frame, a planetary set, or any meshes."],
+    driver: Annotated[Text, "The shaft that drives. First of the stages, or the sun, unless given."] = "",
+    driven: Annotated[Text, "The shaft that is driven. Last of the stages, or the carrier, unless given."] = "",
+    fixed: Annotated[
+        Text, "Shafts held still, commas between them. The ring of a planetary set unless given; `none` holds nothing."
+    ] = "",
+    speed: Annotated[ShaftSpeed | None, "Speed of the driver [rad/s]."] = None,
+    torque: Annotated[Torque | None, "Torque put in at the driver, e.g. 12 N*m [N*m]."] = None,
+    power: Annotated[Power | None, "Power put in at the driver, instead of its torque, e.g. 5 kW [W]."] = None,
+    shafts: Annotated[
+        tuple[Shaft, ...], "Speeds and torques known of other shafts: a differential needs a second speed."
+    ] = (),
+) -> TrainMotion:
+    """Speeds, torques and powers of any gear train, from Willis' equation of every mesh solved in whole numbers.
+
+    Equation
+    --------
+    z₁ (ω₁ − ω_c) + z₂ (ω₂ − ω_c) = 0 for every mesh, z₂ < 0 for an internal gear, ω_c = 0 when the frame holds the
+    axes; the forces of the meshes do no work, so the torques solve the transposed equations.
+
+    Returns
+    -------
+    TrainMotion
+        The exact ratio, every shaft and mesh, circulating power, and the assembly of a planetary set.
+
+    Raises
+    ------
+    InadmissibleError
+        When the train is locked, its motion is not settled by what is given, planets touch or cannot be put in, or a
+        shaft is not of the train.
+
+    Notes
+    -----
+    Exact for any tooth numbers; each printed number is rounded once. Without losses. A worm counts by its threads;
+    for crossed or bevel axes the sign of a ratio is that of a spur mesh.
+
+    References
+    ----------
+    Willis, Principles of Mechanism, 1841; Josephs & Huston, Dynamics of Mechanical Systems, section 17.10.
+
+    Examples
+    --------
+    >>> train(arrangement=Planetary(sun=24, ring=72)).ratio
+    '4'
+    """
+    known = Known(arrangement, driver, driven, fixed, shafts)
+    speeds = known.speeds(speed)
+    motion = Motion(known, speeds)
+    forces = Forces(known, motion, torque, power)
+    assembly = planetary_assembly(arrangement) if isinstance(arrangement, Planetary) else None
+    ratio = motion.ratio()
+    shown = tuple(_shaft(name, motion, forces) for name in known.names)
+    return TrainMotion(
+        ratio=None if ratio is None else written(ratio),
+        ratio_value=None if ratio is None else _finite(nearest(ratio)),
+        freedom=motion.freedom,
+        basic_ratio=basic_ratio(arrangement) if isinstance(arrangement, Planetary) else None,
+        input_power=_number(forces.input_power()),
+        circulating_power=_number(forces.circulating()),
+        shafts=shown,
+        meshes=tuple(_mesh(mesh, index, motion, forces) for index, mesh in enumerate(known.meshes)),
+        assembly=assembly,
+        checks=_checks(known, shown),
+        advice=motion.advice()
+        + forces.advice()
+        + (assembly_advice(arrangement) if isinstance(arrangement, Planetary) else ()),
+        numerics=_numerics(ratio is not None),
+    )
+
+
+def _shaft(name: str, motion: Motion, forces: Forces) -> ShaftMotion:
+    relative = motion.relative(name)
+    return ShaftMotion(
+        name=name,
+        per_driver=None if relative is None else written(relative),
+        turns=_number(relative),
+        speed=_number(motion.speed(name)),
+        torque=_number(forces.torque(name)),
+        power=_number(forces.power(name)),
+    )
+
+
+def _mesh(mesh: Mesh, index: int, motion: Motion, forces: Forces) -> MeshMotion:
+    first, second = mesh.teeth
+    own, carrier = motion.relative(mesh.first), motion.relative(mesh.carrier)
+    relative = None if own is None or carrier is None else total((own, (-carrier[0], carrier[1])))
+    rolling = rolling_speed(mesh, motion)
+    held = "" if mesh.carrier == GROUND else f" on {mesh.carrier}"
+    return MeshMotion(
+        gears=f"{mesh.first} {first} : {mesh.second} {second}{held}",
+        rolling=None if relative is None else written(relative),
+        frequency=None if rolling is None else _finite(abs(nearest(product(rolling, (first, 1)))) / (2.0 * pi)),
+        rolling_power=_number(forces.rolling_power(index)),
+    )
+
+
+def _number(value: "Pair | None") -> float | None:
+    return None if value is None else _finite(nearest(value))
+
+
+def _finite(value: float) -> float:
+    require(isfinite(value), "a result is beyond the largest double", code="overflow")
+    return value
+
+
+def _checks(known: Known, shafts: tuple[ShaftMotion, ...]) -> tuple[Check, ...]:
+    """Willis' equation of every mesh, and the balance of power, from the numbers that were returned."""
+    speeds = {one.name: one.speed if one.speed is not None else one.turns for one in shafts}
+    speeds[GROUND] = 0.0
+    worst = 0.0
+    for mesh in known.meshes:
+        own = [speeds[name] for name in (mesh.first, mesh.second, mesh.carrier)]
+        if None in own:
+            continue
+        first, second = mesh.teeth
+        parts = [first * own[0], second * own[1], -first * own[2], -second * own[2]]  # type: ignore[operator]
+        scale = max(map(abs, parts))
+        worst = max(worst, abs(sum(parts)) / scale if scale else 0.0)
+    found = [Check("Willis' equation of every mesh", worst <= 8.0 * ONE_ROUNDING, worst, 8.0 * ONE_ROUNDING)]
+    powers = [one.power for one in shafts if one.power is not None]
+    scale = sum(map(abs, powers))
+    if scale:
+        left = abs(sum(powers)) / scale
+        found.append(Check("power in and power out", left <= 8.0 * ONE_ROUNDING, left, 8.0 * ONE_ROUNDING))
+    return tuple(found)
+
+
+def _numerics(has_ratio: bool) -> Numerics:
+    bounds = (ErrorBound("ratio_value", ONE_ROUNDING),) if has_ratio else ()
+    return Numerics("Willis' equations solved in whole numbers; each number rounded once", bounds)

@@ -1,0 +1,1 @@
+"""Bodies suddenly held or stopped: a seized point or axis, a wheel at a step."""

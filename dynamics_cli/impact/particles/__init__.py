@@ -1,0 +1,1 @@
+"""Impacts of particles: central, oblique, dropped, pendulums, chains."""

@@ -1,0 +1,237 @@
+"""The laws of a chain in decimal arithmetic of many digits: which pair closes is then decided as exact numbers would.
+
+A last bit decides whether balls that meet at equal speeds still close, and the answer jumps with it. Every law is run
+twice, with twice the digits the second time: what the two runs differ by bounds what is left of rounding.
+"""
+
+from decimal import Context, Decimal, localcontext
+from itertools import pairwise
+
+from dynamics_cli.errors import worded
+from dynamics_cli.quantities import Energy
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+MOST_COLLISIONS = 20000
+MOST_ROUNDS = 2000
+# Pairs that go on colliding ever more slowly are stopped at this share of the fastest speed of closing at the start,
+# in the first run and in the second; where collisions run out before, what is this slow has stopped all the same.
+STILL = Decimal("1e-25"), Decimal("1e-32")
+STOPPED = Decimal("1e-14")
+# Digits beside those that the range of masses and speeds takes.
+DIGITS = 60
+ZERO = Decimal(0)
+
+
+class Motion:
+    """What a law makes of a chain: changes of velocity, impulses between neighbours, energy lost, collisions.
+
+    `why` says why there is no answer; `left` bounds the change of each velocity by collisions left out, in the measure
+    √(Σ m v²).
+    """
+
+    __slots__ = ("changes", "collisions", "impulses", "left", "lost", "why")
+
+    def __init__(self, count: int) -> None:
+        self.changes = [ZERO] * count
+        self.impulses = [ZERO] * (count - 1)
+        self.lost = ZERO
+        self.collisions = 0
+        self.left = ZERO
+        self.why = ""
+
+
+class Chain:
+    """A chain as it is before the impact, in exact numbers, and the digits to follow it with."""
+
+    def __init__(self, masses: "Sequence[float]", velocities: "Sequence[float]", ratios: "Sequence[float]") -> None:
+        self.masses = [Decimal(mass) for mass in masses]
+        self.velocities = [Decimal(velocity) for velocity in velocities]
+        self.ratios = [Decimal(ratio) for ratio in ratios]
+        closing = [a - b for a, b in pairwise(velocities)]
+        self.fastest = Decimal(max(closing))
+        self.heavy = max(self.masses).adjusted() - min(self.masses).adjusted()
+        moving = [velocity.adjusted() for velocity in self.velocities if velocity]
+        # a light body's share in a heavy one's motion, and the slowest closing beside the fastest body, keep digits
+        self.digits = DIGITS + 2 * self.heavy + max(moving) - min(self.fastest.adjusted(), *moving)
+
+    def closing(self) -> list[Decimal]:
+        """Speeds at which neighbours close."""
+        return [a - b for a, b in pairwise(self.velocities)]
+
+    def least(self, run: int) -> Decimal:
+        """Slower closing than this has stopped."""
+        rounding = max(map(abs, self.velocities)).scaleb(20 - self.digits)
+        return max((STILL[run] * self.fastest).scaleb(-self.heavy // 2), rounding)
+
+    def drift(self, closing: Decimal) -> Decimal:
+        """How far, in √(Σ m v²), velocities may still change when no pair closes faster than this.
+
+        A collision takes the velocities no farther from any that are in order, so they end within twice the distance
+        from the nearest of those: here each body is moved beside the heaviest.
+        """
+        heaviest = self.masses.index(max(self.masses))
+        spread = sum((mass * (index - heaviest) ** 2 for index, mass in enumerate(self.masses)), ZERO)
+        return 2 * max(closing, ZERO) * spread.sqrt()
+
+
+def moved(chain: Chain, law: str, run: int) -> Motion:
+    """One run of a law; the second has twice the digits of the first."""
+    with localcontext(Context(prec=(run + 1) * chain.digits)):
+        return (_sequential if law == "sequential" else _simultaneous)(chain, run)
+
+
+def _sequential(chain: Chain, run: int) -> Motion:
+    """One pair at a time, the fastest first; of pairs as fast the first in line."""
+    motion = Motion(len(chain.masses))
+    closing, least = chain.closing(), chain.least(run)
+    reduced = [one * other / (one + other) for one, other in pairwise(chain.masses)]
+    alike = 1 - Decimal(1).scaleb(20 - chain.digits)
+    while (fastest := max(closing)) > least:
+        if motion.collisions == MOST_COLLISIONS:
+            if fastest > STOPPED * chain.fastest:
+                motion.why = worded("the pairs go on colliding after {count} collisions", count=MOST_COLLISIONS)
+            break
+        lowest = alike * fastest
+        at = next(index for index, speed in enumerate(closing) if speed >= lowest)
+        speed, e = closing[at], chain.ratios[at]
+        push = (1 + e) * reduced[at] * speed
+        motion.lost += (1 - e) * push * speed / 2
+        motion.impulses[at] += push
+        back, ahead = push / chain.masses[at], push / chain.masses[at + 1]
+        motion.changes[at] -= back
+        motion.changes[at + 1] += ahead
+        closing[at] = -e * speed
+        if at:
+            closing[at - 1] += back
+        if at + 1 < len(closing):
+            closing[at + 1] += ahead
+        motion.collisions += 1
+    motion.left = chain.drift(fastest)
+    return motion
+
+
+def _simultaneous(chain: Chain, run: int) -> Motion:
+    """All contacts at one moment, in rounds until no pair closes."""
+    motion = Motion(len(chain.masses))
+    weights = [1 / mass for mass in chain.masses]
+    closing, least = chain.closing(), chain.least(run)
+    size = ZERO
+    while (fastest := max(closing)) > least:
+        if motion.collisions == MOST_ROUNDS:
+            if fastest > STOPPED * chain.fastest:
+                motion.why = worded("the pairs still close after {count} rounds", count=MOST_ROUNDS)
+            break
+        pushes = [(1 + e) * p for e, p in zip(chain.ratios, _plastic(weights, closing), strict=True)]
+        opened = _opened(weights, pushes)
+        works = [p * (u + u - o) / 2 for p, u, o in zip(pushes, closing, opened, strict=True)]
+        motion.lost += sum(works)
+        size += sum(map(abs, works))
+        motion.impulses = [one + more for one, more in zip(motion.impulses, pushes, strict=True)]
+        closing = [u - o for u, o in zip(closing, opened, strict=True)]
+        motion.collisions += 1
+    # digits that are left of a sum that is nothing
+    if abs(motion.lost) <= size.scaleb(20 - chain.digits):
+        motion.lost = ZERO
+    if motion.lost < 0 and not motion.why:
+        motion.why = worded("unlike restitutions would give {energy} to the bodies", energy=(-motion.lost, Energy))
+    ends = zip([ZERO, *motion.impulses], [*motion.impulses, ZERO], weights, strict=True)
+    motion.changes = [(behind - ahead) * weight for behind, ahead, weight in ends]
+    motion.left = chain.drift(fastest)
+    return motion
+
+
+def _plastic(weights: list[Decimal], closing: list[Decimal]) -> list[Decimal]:
+    """Least impulses after which no pair closes: an M-matrix, so the set of acting contacts only grows."""
+    acting = [u > 0 for u in closing]
+    while True:
+        impulses = _tridiagonal(weights, closing, acting)
+        opened = _opened(weights, impulses)
+        short = [not a and o < u for a, o, u in zip(acting, opened, closing, strict=True)]
+        if not any(short):
+            return impulses
+        acting = [a or s for a, s in zip(acting, short, strict=True)]
+
+
+def _opened(weights: list[Decimal], impulses: list[Decimal]) -> list[Decimal]:
+    """K p: by how much the impulses open every contact."""
+    opened = [(weights[i] + weights[i + 1]) * p for i, p in enumerate(impulses)]
+    for i in range(len(impulses) - 1):
+        opened[i] -= weights[i + 1] * impulses[i + 1]
+        opened[i + 1] -= weights[i + 1] * impulses[i]
+    return opened
+
+
+def _tridiagonal(weights: list[Decimal], wanted: list[Decimal], acting: list[bool]) -> list[Decimal]:
+    """K p = wanted on runs of acting contacts, p = 0 elsewhere."""
+    impulses = [ZERO] * len(wanted)
+    start = 0
+    while start < len(wanted):
+        if not acting[start]:
+            start += 1
+            continue
+        end = start
+        while end < len(wanted) and acting[end]:
+            end += 1
+        # elimination without a subtraction: the diagonal keeps what it owes to the bodies before apart
+        right = wanted[start:end]
+        owed = weights[start]
+        diagonal = [owed + weights[start + 1]]
+        for i in range(1, end - start):
+            factor = weights[start + i] / diagonal[i - 1]
+            owed = factor * owed
+            diagonal.append(owed + weights[start + i + 1])
+            right[i] += factor * right[i - 1]
+        for i in reversed(range(end - start)):
+            following = weights[start + i + 1] * impulses[start + i + 1] if start + i + 1 < end else ZERO
+            impulses[start + i] = (right[i] + following) / diagonal[i]
+        start = end
+    return impulses
+
+
+UNIT_ROUNDOFF = 2.0**-53
+SMALLEST = 5e-324
+
+
+class Bounded:
+    """A number as a double with a bound on its error: rounding here and in another unit, and the runs' difference."""
+
+    __slots__ = ("error", "value")
+
+    def __init__(self, first: Decimal, second: Decimal, left: Decimal, size: Decimal) -> None:
+        apart = abs(first - second) + left + size.scaleb(-DIGITS)
+        # what cannot be told from zero is zero
+        zero = abs(second) <= apart
+        self.value = 0.0 if zero else float(second)
+        self.error = 2.0 * UNIT_ROUNDOFF * abs(self.value) + float(2 * apart) + SMALLEST
+
+
+class Answer:
+    """Answer of one law: velocities after and before, impulses, energy lost, collisions; or why there is no answer."""
+
+    __slots__ = ("changes", "collisions", "impulses", "lost", "velocities", "why")
+
+    def __init__(self, chain: Chain, law: str) -> None:
+        runs = moved(chain, law, 0), moved(chain, law, 1)
+        self.why = runs[1].why
+        self.collisions = runs[1].collisions
+        with localcontext(Context(prec=2 * chain.digits)):
+            left = runs[1].left
+            speeds = [left / mass.sqrt() for mass in chain.masses]
+            self.changes = list(map(Bounded, runs[0].changes, runs[1].changes, speeds, map(abs, runs[1].changes)))
+            ends = [[v + change for v, change in zip(chain.velocities, run.changes, strict=True)] for run in runs]
+            self.velocities = list(map(Bounded, *ends, speeds, [abs(v) for v in chain.velocities]))
+            push = left * sum(chain.masses, ZERO).sqrt()
+            impulses = zip(*(run.impulses for run in runs), strict=True)
+            self.impulses = [Bounded(one, two, push, two) for one, two in impulses]
+            energies = (m * v * v for m, v in zip(chain.masses, chain.velocities, strict=True))
+            size = sum(energies, ZERO)
+            self.lost = Bounded(runs[0].lost, runs[1].lost, left * size.sqrt(), size.scaleb(-chain.digits))
+
+
+def momentum(masses: "Sequence[float]", velocities: "Sequence[float]") -> float:
+    """Σ m v, rounded once."""
+    with localcontext(Context(prec=1000)):
+        return float(sum((Decimal(m) * Decimal(v) for m, v in zip(masses, velocities, strict=True)), ZERO))

@@ -1,0 +1,156 @@
+"""Pictures of impacts of particles, as data: scenes before and after, bounces, crush profiles."""
+
+import math
+
+from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
+from dynamics_cli.impact.scene_pictures import collision, velocities
+from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Count, Energy, Impulse, Inertia, Length, Size, Speed, Time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+POINTS = 61
+
+
+def oblique(made: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
+    """Velocities before and after on one scale, and the line of impact."""
+    before, after = [], []
+    for one in (made.first, made.second):
+        gone = (0.0, 0.0) if one.delta_v is None else one.delta_v.vector
+        after.append(one.velocity)
+        before.append((one.velocity[0] - gone[0], one.velocity[1] - gone[1]))
+    turn = made.normal_direction
+    compass = str(made.conventions.axes).startswith("compass")
+    way = (math.sin(turn), math.cos(turn)) if compass else (math.cos(turn), math.sin(turn))
+    reach = 0.7 * max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
+    names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
+    panel = velocities(names, before, after)
+    line = Curve([-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]], "line of impact", "dotted", 2)
+    return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
+
+
+def momentum(made: "Any", *, first: "Any", second: "Any", gravity: float, **_: "Any") -> Picture:
+    """The vehicles at the impact with their velocities, and the polygon of momenta."""
+    axes = made.conventions.axes.partition(":")[0]
+    both = (made.first, made.second)
+    names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
+    before = [_seen(one.approach_speed, one.approach_heading, axes) for one in both]
+    after = [_seen(one.exit_speed, one.exit_heading, axes) for one in both]
+    noses = [
+        _seen(1.0, found.approach_heading if given.nose is None else given.nose, axes)
+        for found, given in zip(both, (first, second), strict=True)
+    ]
+    north = (0.0, 1.0) if axes == "compass" else None
+    masses = [mass_of(one.bulk, gravity) for one in (first, second)]
+    panels = (collision(names, noses, before, after, north), _polygon(names, masses, before, after))
+    return Picture(panels, "velocities at the impact, before and after", columns=2, scene=True)
+
+
+def _seen(length: float, heading: float, axes: str) -> "tuple[float, float]":
+    """A vector of a heading as seen from above on the page: north or y up; the y axis of sae points down."""
+    x, y = direction_of(heading, Axes(axes))
+    return length * x, -length * y if axes == "sae" else length * y
+
+
+def _polygon(
+    names: "tuple[str, ...]",
+    masses: "list[float]",
+    before: "list[tuple[float, float]]",
+    after: "list[tuple[float, float]]",
+) -> Panel:
+    """Momenta head to tail, before dashed and after, which end at the same point: their sum."""
+    items: list[Any] = []
+    total = (0.0, 0.0)
+    for word, motions in (("before", before), ("after", after)):
+        x = y = 0.0
+        for role, (name, mass, (u, v)) in enumerate(zip(names, masses, motions, strict=True)):
+            items.append(Arrow(x, y, mass * u, mass * v, "", role, dashed=word == "before"))
+            above = (mass * v >= 0.0) == (word == "before")
+            if u or v:
+                middle = x + 0.5 * mass * u, y + 0.5 * mass * v
+                aside = (4.0 if abs(v) > abs(u) and not above else -4.0, 0.0) if abs(v) > 0.3 * abs(u) else (0.0, -4.0)
+                items.append(Mark(*middle, f"{name} {word}", aside, dot=False, role=role))
+            x, y = x + mass * u, y + mass * v
+        total = (x, y)
+    items.append(Arrow(0.0, 0.0, *total, "", 6))
+    items.append(Mark(0.4 * total[0], 0.4 * total[1], "sum", (5.0, -2.0), dot=False))
+    return Panel(
+        Axis("momentum along x", Impulse), Axis("momentum along y", Impulse), tuple(items), "momentum", equal=True
+    )
+
+
+def central(result: "Any", **_: "Any") -> Picture:
+    """Velocities of both bodies: before, in common at the greatest compression, and after."""
+    items: list[Any] = []
+    for role, (name, one) in enumerate((("first", result.first), ("second", result.second))):
+        items.append(
+            Curve([1.0, 2.0, 3.0], [one.velocity - one.delta_v, result.common_velocity, one.velocity], name, role=role)
+        )
+    stage = Axis("", names=("before", "greatest compression", "after"))
+    return Picture((Panel(stage, Axis("velocity", Speed), tuple(items)),), "central impact")
+
+
+def drop(result: "Any", **_: "Any") -> Picture:
+    """Height over time."""
+    times = [result.fall_time * i / (POINTS - 1) for i in range(POINTS)]
+    heights = [result.drop_height * (1.0 - (i / (POINTS - 1)) ** 2) for i in range(POINTS)]
+    for one in result.bounces:
+        shares = [i / (POINTS - 1) for i in range(POINTS)]
+        times += [one.time + share * one.flight_time for share in shares]
+        heights += [4.0 * one.height * share * (1.0 - share) for share in shares]
+    items: list[Any] = [Curve(times, heights, role=0), Mark(0.0, result.drop_height, "let go")]
+    if result.time_to_rest is not None and result.time_to_rest < 2.0 * times[-1]:
+        items.append(Band(result.time_to_rest, result.time_to_rest, "rest"))
+    return Picture((Panel(Axis("time", Time), Axis("height", Length), tuple(items)),), "bounces")
+
+
+def crush(result: "Any", *, first: "Any", second: "Any" = None, **_: "Any") -> Picture:
+    """The crush profiles of both vehicles."""
+    panels = []
+    for name, vehicle, damage in (("first", first, result.first), ("second", second, result.second)):
+        profile = None if vehicle is None else vehicle.profile
+        if profile is None or damage is None:
+            if damage is not None:
+                panels.append(Panel(Axis("energy of deformation", Energy), Axis(""), (_energy(damage),), name))
+            continue
+        depths = getattr(profile, "stations", None) or (damage.mean_crush, damage.mean_crush)
+        width = profile.width
+        x = [width * i / (len(depths) - 1) for i in range(len(depths))]
+        items: list[Any] = [
+            Curve([0.0, *x, width, 0.0], [0.0, *depths, 0.0, 0.0], "crush", "filled", 0),
+            Curve(x, list(depths), "stations", "points", 1),
+            Curve([0.0, width], [damage.mean_crush, damage.mean_crush], "mean", "dotted", 2),
+        ]
+        if damage.crush_centre is not None:
+            items.append(Band(damage.crush_centre, damage.crush_centre, "centroid"))
+        panels.append(Panel(Axis("along the face", Length), Axis("depth of crush", Size), tuple(items), name))
+    return Picture(tuple(panels), "crush profiles")
+
+
+def _energy(damage: "Any") -> Bars:
+    """Energy of a vehicle whose damage is given without a profile."""
+    return Bars(("energy",), [0.0], [float(damage.energy)])
+
+
+def chain(result: "Any", *, bodies: "Any", **_: "Any") -> Picture:
+    """Velocities of the bodies before and after, law by law."""
+    numbers = [float(nth) for nth in range(1, len(bodies) + 1)]
+    items: list[Any] = [Curve(numbers, [body.velocity for body in bodies], "before", "points", 0)]
+    for role, law in enumerate(result.laws, 1):
+        speeds = [row.velocity for row in result.bodies if row.law == law.law]
+        items.append(Curve(numbers, speeds, str(law.law), "points", role))
+    return Picture((Panel(Axis("body", Count), Axis("velocity", Speed), tuple(items)),), "a chain of bodies")
+
+
+def yaw_inertia(result: "Any", **_: "Any") -> Picture:
+    """What every rule gives, and the range of all."""
+    names = tuple(str(one.rule) for one in result.rules)
+    rules = Bars(names, [0.0] * len(names), [float(one.yaw_inertia) for one in result.rules])
+    items = (
+        rules,
+        Band(float(result.yaw_inertia), float(result.yaw_inertia), "estimate"),
+        Band(float(result.lowest), float(result.highest), "range"),
+    )
+    return Picture((Panel(Axis("yaw inertia", Inertia), Axis(""), items),), "yaw inertia by rules")

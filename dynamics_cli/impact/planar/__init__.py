@@ -1,0 +1,1 @@
+"""Planar impact of rigid bodies with friction."""

@@ -1,0 +1,241 @@
+"""Rigid bodies in the plane as a user states them, and as the mechanics of the contact needs them."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.conventions import (
+    Axes,
+    BodyName,
+    ByMass,
+    BySpeed,
+    ByVelocity,
+    ByWeight,
+    Fixed,
+    direction_of,
+    mass_of,
+    velocity_of,
+)
+from dynamics_cli.impact.planar.path import Mobility
+from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, where
+from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
+from dynamics_cli.records import record
+
+Pair = tuple[float, float]
+
+
+@record
+class ByInertia:
+    """Inertia about the mass centre by its moment."""
+
+    inertia: Annotated[
+        Inertia, "Moment of inertia about the axis through the mass centre, out of the plane (yaw inertia) [kg·m²]."
+    ]
+
+
+@record
+class ByGyration:
+    """Inertia about the mass centre by the radius of gyration."""
+
+    radius_of_gyration: Annotated[
+        Distance, "Radius of gyration about the axis through the mass centre, out of the plane, e.g. 1.3 m [m]."
+    ]
+
+
+@record
+class Lever:
+    """The contact by its place relative to the mass centre."""
+
+    lever: Annotated[PlanarPosition, "From the mass centre to the contact, along the axes of the scene [m]."]
+
+
+@record
+class Placed:
+    """The contact by where the mass centre is; the contact point is then given for the scene."""
+
+    centre: Annotated[PlanarPosition, "Place of the mass centre in the scene [m]."]
+
+
+@record
+class OnBody:
+    """The contact as measured on the body."""
+
+    contact_on_body: Annotated[
+        PlanarPosition,
+        "From the mass centre to the contact: x ahead along the nose, y across as the axes say (left; right in "
+        "SAE) [m].",
+    ]
+
+
+@record
+class RigidBody:
+    """A rigid body that moves in the plane."""
+
+    bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
+    turning: Annotated[ByInertia | ByGyration, "Its inertia about the mass centre."]
+    arm: Annotated[Lever | Placed | OnBody, "Where it is struck."]
+    motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
+        (0.0, 0.0)
+    )
+    spin: Annotated[AngularSpeed, "Angular velocity before, counted like headings from x towards y [rad/s]."] = 0.0
+    nose: Annotated[
+        Angle | None,
+        "Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].",
+    ] = None
+    name: BodyName = None
+
+
+@record
+class RigidTarget:
+    """The other rigid body, or a fixed barrier, which needs neither inertia nor lever."""
+
+    bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
+    turning: Annotated[ByInertia | ByGyration | None, "Its inertia about the mass centre."] = None
+    arm: Annotated[Lever | Placed | OnBody | None, "Where it is struck."] = None
+    motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
+        (0.0, 0.0)
+    )
+    spin: Annotated[AngularSpeed, "Angular velocity before, counted like headings from x towards y [rad/s]."] = 0.0
+    nose: Annotated[
+        Angle | None,
+        "Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].",
+    ] = None
+    name: BodyName = None
+
+
+@record
+class Solid:
+    """A body as the contact sees it; mass and inertia are None when it is fixed."""
+
+    mass: Annotated[float | None, "Mass [kg]."]
+    inertia: Annotated[float | None, "Moment of inertia [kg·m²]."]
+    lever: Annotated[Pair, "From the mass centre to the contact [m]."]
+    velocity: Annotated[Pair, "Velocity of the mass centre [m/s]."]
+    spin: Annotated[float, "Angular velocity [rad/s]."]
+    nose: Annotated[Pair, "Unit vector of the nose."]
+
+
+def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravity: float, name: str) -> Solid:
+    """Read a body; refuses one without mass, inertia or lever that needs them."""
+    velocity = velocity_of(body.motion, axes)
+    nose = nose_of(body.nose, velocity, axes)
+    if isinstance(body.bulk, Fixed):
+        require(body.bulk.fixed, "{name} has neither mass nor weight and is not fixed", name=name, code="no-mass")
+        lever = (0.0, 0.0) if body.arm is None else _lever(body.arm, contact, nose, name)
+        return Solid(None, None, lever, velocity, body.spin, nose)
+    mass = mass_of(body.bulk, gravity, name)
+    require(
+        body.turning is not None,
+        "{name} has no inertia",
+        name=name,
+        code="no-inertia",
+        hint="give its inertia or radius of gyration, or use impact oblique for bodies that cannot turn",
+    )
+    require(
+        body.arm is not None,
+        "{name} has no lever to the contact",
+        name=name,
+        code="no-lever",
+        hint="give its lever, its centre and the contact point, or the contact on the body",
+    )
+    if isinstance(body.turning, ByGyration):
+        radius = body.turning.radius_of_gyration
+        inertia = mass * radius * radius
+    else:
+        inertia = body.turning.inertia  # type: ignore[union-attr]
+    require(
+        inertia > 0.0,
+        "the moment of inertia of {name} must be above zero: a rigid body with a lever needs one",
+        name=name,
+        code="no-inertia",
+        hint="impact oblique answers for particles",
+    )
+    return Solid(mass, inertia, _lever(body.arm, contact, nose, name), velocity, body.spin, nose)  # type: ignore[arg-type]
+
+
+def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
+    """Direction of the nose: given, else that of travel, of a body at rest that of heading zero."""
+    return travel_of(velocity, axes) if nose is None else direction_of(nose, axes)
+
+
+def travel_of(velocity: Pair, axes: Axes) -> Pair:
+    """Unit vector of travel, of a body at rest the direction of heading zero."""
+    speed = hypot(velocity[0], velocity[1])
+    moves = speed > 0.0
+    safe = where(moves, speed, 1.0)
+    zero = direction_of(0.0, axes)
+    return where(moves, velocity[0] / safe, zero[0]), where(moves, velocity[1] / safe, zero[1])
+
+
+def _lever(arm: Lever | Placed | OnBody, contact: Pair | None, nose: Pair, name: str) -> Pair:
+    if isinstance(arm, Lever):
+        return arm.lever
+    if isinstance(arm, OnBody):
+        ahead, across = arm.contact_on_body
+        return (
+            multiply_add(ahead, nose[0], -(across * nose[1])),
+            multiply_add(ahead, nose[1], across * nose[0]),
+        )
+    require(
+        contact is not None,
+        "{name} is placed by its centre, but the scene has no contact point",
+        name=name,
+        code="no-contact-point",
+        hint='give --contact-point "x, y m" in the same axes, or the lever',
+    )
+    return contact[0] - arm.centre[0], contact[1] - arm.centre[1]  # type: ignore[index]
+
+
+def dot(a: Pair, b: Pair) -> float:
+    """Scalar product."""
+    return multiply_add(a[0], b[0], a[1] * b[1])
+
+
+def cross(a: Pair, b: Pair) -> float:
+    """The part of a × b out of the plane."""
+    return multiply_add(a[0], b[1], -(a[1] * b[0]))
+
+
+def contact_velocity(one: Solid, two: Solid) -> Pair:
+    """Velocity of body 1 relative to body 2 at the contact."""
+    x = multiply_add(two.spin, two.lever[1], multiply_add(-one.spin, one.lever[1], one.velocity[0] - two.velocity[0]))
+    y = multiply_add(-two.spin, two.lever[0], multiply_add(one.spin, one.lever[0], one.velocity[1] - two.velocity[1]))
+    return x, y
+
+
+def mobility(one: Solid, two: Solid, normal: Pair) -> tuple[Mobility, Pair]:
+    """K in the frame of the contact, and the relative spin per tangential and normal impulse.
+
+    det K = s² + s·Σ r²/J + (r₁ × r₂)²/(J₁J₂), s = Σ 1/m: a sum of positive terms.
+    """
+    across = -normal[1], normal[0]
+    bodies = [body for body in (one, two) if body.mass is not None and body.inertia is not None]
+    freedom: float = 0.0
+    kt = kx = kn = bt = bn = 0.0
+    reach: float = 0.0
+    for body in bodies:
+        rn, rt = dot(body.lever, normal), dot(body.lever, across)
+        turn = 1.0 / body.inertia  # type: ignore[operator]
+        freedom = freedom + 1.0 / body.mass  # type: ignore[operator]
+        kt = kt + turn * rn * rn
+        kn = kn + turn * rt * rt
+        kx = kx - turn * rn * rt
+        bt = bt + turn * rn
+        bn = bn - turn * rt
+        reach = reach + turn * (rn * rn + rt * rt)
+    det = freedom * (freedom + reach)
+    if len(bodies) == 2:
+        area = cross(one.lever, two.lever)
+        det = det + area * area / (one.inertia * two.inertia)  # type: ignore[operator]
+    return Mobility(kt + freedom, kx, kn + freedom, det), (bt, bn)
+
+
+def far_levers(one: Solid, two: Solid) -> list[tuple[str, float]]:
+    """Bodies whose contact is farther away than four radii of gyration, with the number of them."""
+    far = []
+    for body, name in ((one, "first"), (two, "second")):
+        if body.mass is None or body.inertia is None:
+            continue
+        reach = absolute(hypot(body.lever[0], body.lever[1]))
+        square = reach * reach * body.mass / body.inertia
+        plain = getattr(square, "value", square)
+        if not getattr(plain, "ndim", 0) and plain > 16.0:
+            far.append((name, plain**0.5))
+    return far

@@ -1,0 +1,171 @@
+"""Checks of a planar impact, and advice about its inputs."""
+
+from dynamics_cli.errors import worded
+from dynamics_cli.impact.diagnostics import balance, not_above
+from dynamics_cli.impact.planar.bodies import Pair, Solid, cross, dot, far_levers
+from dynamics_cli.impact.planar.laws import ON_THE_PATH, Meeting, Outcome
+from dynamics_cli.impact.planar.path import travel
+from dynamics_cli.numerics.elementary import absolute, hypot
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Ratio
+from dynamics_cli.records import Advice, Check
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.impact.planar.results import AfterPlanar, PlanarImpact
+
+
+def certificate(
+    answer: "PlanarImpact", solved: Outcome, law: str, m: Meeting, one: Solid, two: Solid, inward: Pair
+) -> tuple[Check, ...]:
+    """Momentum, angular momentum, energy, friction, no tension, and the law by its own definition."""
+    if not single(solved.normal, m.slip, one.spin, two.spin):
+        return ()
+    size = answer.impulse_magnitude
+    states = (one, answer.first), (two, answer.second)
+    checks = _momentum(states, size)
+    checks += _turning(states, answer.moment_impulse, size)
+    # what the impulse moves at the contact in the direction that gives way most: all its parts are rounded beside it
+    moved = (m.mobility.tangential + m.mobility.normal) * size
+    checks += _kinematics(states, solved, inward, moved)
+    work = solved.scale + moved * size + absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
+    gained = answer.first.energy_change + answer.second.energy_change
+    checks += balance("energy", gained, -solved.lost, work)
+    if not plain(m.restitution) > 1.0:
+        checks += not_above("energy never gained", -solved.lost, 0.0, work)
+    checks += not_above("no tension", -solved.normal, 0.0, size)
+    return checks + _friction(m, solved, law) + _restitution(m, solved, law)
+
+
+def _momentum(states: "tuple[tuple[Solid, AfterPlanar], ...]", size: float) -> tuple[Check, ...]:
+    """Linear momentum of both bodies, or none where one is fixed."""
+    if any(body.mass is None for body, _ in states):
+        return ()
+    checks: tuple[Check, ...] = ()
+    for axis, name in enumerate(("momentum along x", "momentum along y")):
+        before, after, scale = 0.0, 0.0, size
+        for body, end in states:
+            before = before + body.mass * body.velocity[axis]  # type: ignore[operator]
+            after = after + body.mass * end.velocity[axis]  # type: ignore[operator]
+            scale = scale + absolute(body.mass * body.velocity[axis])  # type: ignore[operator]
+        checks += balance(name, before, after, scale)
+    return checks
+
+
+def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | None, size: float) -> tuple[Check, ...]:
+    """Angular momentum of each body about the contact, where the impulse has no moment but a moment impulse."""
+    checks: tuple[Check, ...] = ()
+    for (body, end), name, way in zip(states, ("first", "second"), (-1.0, 1.0), strict=True):
+        if body.mass is None or body.inertia is None:
+            continue
+        before = body.inertia * body.spin - body.mass * cross(body.lever, body.velocity)
+        after = body.inertia * end.spin - body.mass * cross(body.lever, end.velocity)
+        reach = hypot(body.lever[0], body.lever[1])
+        scale = absolute(body.inertia * body.spin) + reach * size
+        scale = scale + reach * body.mass * hypot(body.velocity[0], body.velocity[1])
+        given = 0.0 if moment is None else way * moment
+        checks += balance(f"angular momentum of the {name} about the contact", before + given, after, scale)
+    return checks
+
+
+def _kinematics(
+    states: "tuple[tuple[Solid, AfterPlanar], ...]", solved: Outcome, inward: Pair, least: float
+) -> tuple[Check, ...]:
+    """Velocities after, taken to the contact, give the relative velocity the law ended with."""
+    speeds, relative = least, [0.0, 0.0]
+    for (body, end), way in zip(states, (1.0, -1.0), strict=True):
+        x = end.velocity[0] - end.spin * body.lever[1]
+        y = end.velocity[1] + end.spin * body.lever[0]
+        relative = [relative[0] + way * x, relative[1] + way * y]
+        reach = hypot(body.lever[0], body.lever[1])
+        speeds = speeds + hypot(body.velocity[0], body.velocity[1]) + end.speed
+        speeds = speeds + reach * (absolute(body.spin) + absolute(end.spin))
+    left = relative[0], relative[1]
+    across = -inward[1], inward[0]
+    return balance("separation at the contact", dot(left, inward), solved.normal_after, speeds) + balance(
+        "slip at the contact", dot(left, across), solved.tangential_after, speeds
+    )
+
+
+def _friction(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
+    """|p_t| ≤ μ p_n in all, and on the path in both phases."""
+    limit = m.friction * solved.normal
+    if law == "brach" or law not in ON_THE_PATH:
+        return not_above(
+            "friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal
+        )
+    path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
+    steepest = max(abs(plain(path.slopes[0])), 0.0 if plain(path.ended_first) else abs(plain(path.slopes[1])))
+    whole = not_above("friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal)
+    return whole + not_above("friction at most μ at every stage", steepest, m.friction, 1.0 + plain(m.friction))
+
+
+def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
+    """Restitution by its own definition, from what the law did not compute with."""
+    name = f"restitution as {law} defines it"
+    if law in ("newton", "brach"):
+        return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
+    if law == "poisson":
+        back = solved.normal - solved.compression  # type: ignore[operator]
+        return balance(name, back, m.restitution * solved.compression, solved.normal)  # type: ignore[operator]
+    if law == "kudlich-slibar":
+        return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
+    # the work given back, by the trapezoids of the path
+    path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
+    k, rest = m.mobility, solved.normal - path.compression
+    turned = m.approach + (k.normal + k.coupling * path.slopes[0]) * path.first_slip
+    if plain(path.ended_first) or not plain(turned) > 0.0:
+        back = 0.5 * solved.normal_after * rest
+    else:
+        back = 0.5 * turned * (path.first_slip - path.compression)
+        back = back + 0.5 * (turned + solved.normal_after) * (solved.normal - path.first_slip)
+    return balance(name, back, m.restitution * m.restitution * path.compression_work, path.compression_work)
+
+
+def lever_advice(one: Solid, two: Solid) -> tuple[Advice, ...]:
+    """Say so when a contact lies far outside a body of that inertia."""
+    return tuple(
+        Advice(
+            code="far-contact",
+            message=worded(
+                "the contact lies {times:3} radii of gyration from the mass centre of the {name} body",
+                times=(times, Ratio),
+                name=name,
+            ),
+            remedy="check its lever and its inertia: within a solid body it is at most about 2.5",
+        )
+        for name, times in far_levers(one, two)
+    )
+
+
+def side_advice(one: Solid, two: Solid, towards: Pair) -> tuple[Advice, ...]:
+    """Say so when a mass centre lies on the other body's side of the contact."""
+    advice: tuple[Advice, ...] = ()
+    for body, name, way in ((one, "first", 1.0), (two, "second", -1.0)):
+        if body.mass is None:
+            continue
+        ahead = way * dot(body.lever, towards)
+        if single(ahead) and plain(ahead) < 0.0:
+            advice += (
+                Advice(
+                    code="contact-behind",
+                    message=worded(
+                        "the mass centre of the {name} body lies on the other body's side of the contact", name=name
+                    ),
+                    remedy="the normal points from the first body to the second: reverse it, or check the lever",
+                ),
+            )
+    return advice
+
+
+def restituted_advice(law: str, moment_restitution: float) -> tuple[Advice, ...]:
+    """Say so when a moment coefficient goes with a law that has none."""
+    if law == "brach" or not single(moment_restitution) or plain(moment_restitution) == 1.0:
+        return ()
+    return (
+        Advice(
+            code="moment-ignored",
+            message=worded("only Brach's law has a moment restitution; {law} answers without it", law=law),
+            remedy="--law brach",
+        ),
+    )

@@ -1,0 +1,344 @@
+"""Planar impact of two rigid bodies with friction: the path of the contact, its end by a named law, its certificate."""
+
+from dynamics_cli.errors import (
+    require,
+    worded,
+)
+from dynamics_cli.impact.conventions import (
+    AXES,
+    PDOF_ZERO,
+    Axes,
+    Energetic,
+    PdofZero,
+    Restituted,
+    conventions,
+    direction_of,
+    heading_of,
+)
+from dynamics_cli.impact.diagnostics import require_finite
+from dynamics_cli.impact.particles.central import contact_advice, require_approach
+from dynamics_cli.impact.particles.springs import Hertz, Spring, contact_history, force_advice
+from dynamics_cli.impact.planar.bodies import (
+    Pair,
+    RigidBody,
+    RigidTarget,
+    Solid,
+    contact_velocity,
+    dot,
+    mobility,
+    solid,
+)
+from dynamics_cli.impact.planar.certificate import (
+    certificate,
+    lever_advice,
+    restituted_advice,
+    side_advice,
+)
+from dynamics_cli.impact.planar.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
+from dynamics_cli.impact.planar.results import Alternative, Critical, PlanarImpact, after_impact
+from dynamics_cli.numerics.elementary import absolute, hypot, where
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Energy,
+    Friction,
+    Gravity,
+    PlanarPosition,
+    Ratio,
+    RoadSpeed,
+)
+from dynamics_cli.records import Advice
+
+
+def planar(
+    *,
+    first: Annotated[RigidBody, "The first body."],
+    second: Annotated[RigidTarget, "The second body, or a fixed barrier."],
+    normal: Annotated[
+        Angle, "Direction of the contact normal from the first body to the second, counted like a heading [rad]."
+    ],
+    friction: Annotated[
+        Friction, "Coefficient of friction at the contact; for Brach's law the limit of the impulse ratio [-]."
+    ],
+    contact: Annotated[
+        Restituted | Energetic,
+        "Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.",
+    ],
+    law: Annotated[
+        Law, "What ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side."
+    ] = LAW,
+    contact_point: Annotated[
+        PlanarPosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
+    ] = None,
+    moment_restitution: Annotated[
+        Ratio, "Brach's moment coefficient: 1 without a moment at the contact, 0 with one that makes the spins one [-]."
+    ] = 1.0,
+    closing_speed: Annotated[
+        RoadSpeed | None,
+        "Normal speed of approach at the contact, where it is known better than the velocities tell [m/s].",
+    ] = None,
+    force: Annotated[Spring | Hertz | None, "Stiffness of the contact, for duration and peak force."] = None,
+    axes: Annotated[Axes, "Axes of vectors, headings and spins: mathematical, compass, sae or iso."] = AXES,
+    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> PlanarImpact:
+    """Two rigid bodies in the plane, or one and a fixed barrier, meet at a point with friction and restitution.
+
+    Equation
+    --------
+    u' = u + K p, K = [[k_t, k_x], [k_x, k_n]], k_t = Σ(1/m + r_n²/J), k_n = Σ(1/m + r_t²/J), k_x = −Σ r_t r_n/J;
+    slip: dp_t = −μ sgn(u_t) dp_n, stick: dp_t = −(k_x/k_t) dp_n where |k_x| ≤ μ k_t; end by the law.
+
+    Returns
+    -------
+    PlanarImpact
+        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws where asked for.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law has
+        no push or gains energy.
+
+    Notes
+    -----
+    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; the
+    impulse decides ΔV and the work of the forces decides the energy. Newton's and Brach's laws can gain energy: such an
+    answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
+
+    References
+    ----------
+    E. J. Routh, Dynamics of a System of Rigid Bodies (1877); J. B. Keller, Impact with friction, J. Appl. Mech. 53
+    (1986); W. J. Stronge, Impact Mechanics (2000); R. M. Brach, R. M. Brach, Vehicle Accident Analysis and
+    Reconstruction Methods (2011).
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.planar.bodies import ByGyration, Lever
+    >>> from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
+    >>> ball = RigidBody(ByMass(1.0), ByGyration(0.5), Lever((0.0, -1.0)), ByVelocity((1.0, -2.0)))
+    >>> floor = RigidTarget(Fixed(True))
+    >>> from dynamics_cli.impact.conventions import Restituted
+    >>> hit = planar(first=ball, second=floor, normal=-1.5707963267948966, friction=0.05, contact=Restituted(0.5))
+    >>> round(hit.normal_impulse, 12), round(hit.tangential_impulse, 12), hit.slip_history
+    (3.0, 0.15, 'slip')
+    """
+    one = solid(first, contact_point, axes, gravity, "the first body")
+    two = solid(second, contact_point, axes, gravity, "the second body")
+    towards = direction_of(normal, axes)
+    inward = -towards[0], -towards[1]
+    require(
+        absolute(moment_restitution) <= 1.0,
+        "a moment restitution lies from -1 (spins exchanged) by 0 (one spin) to 1 (no moment), not at {value:6}",
+        value=(moment_restitution, Ratio),
+        code="moment-restitution",
+    )
+    meeting = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
+    asked = LAWS[0] if law == "all" else law
+    solved = outcome(meeting, asked)
+    energetic = _adds_energy(contact.restitution)
+    require_finite(solved.normal * meeting.approach, "the energy of the impact")
+    refuse(solved, asked, energetic)
+    answer = _answer(solved, asked, meeting, one, two, inward, axes, pdof_zero)
+    alternatives, missing = _all_laws(meeting, one, two, inward, energetic) if law == "all" else ({}, ())
+    duration, peak = contact_history(force, meeting, solved, asked)
+    advice = contact_advice(contact) + force_advice(force, duration, asked) + missing
+    advice += side_advice(one, two, towards) + lever_advice(one, two) + restituted_advice(asked, moment_restitution)
+    checks = certificate(answer, solved, asked, meeting, one, two, inward)
+    return PlanarImpact(
+        **{
+            **answer.__dict__,
+            **alternatives,
+            "conventions": conventions(axes, pdof_zero),
+            "duration": duration,
+            "peak_force": peak,
+            "checks": checks,
+            "advice": advice,
+        }
+    )
+
+
+def meeting_of(
+    one: Solid,
+    two: Solid,
+    inward: Pair,
+    closing: float | None,
+    friction: float,
+    restitution: float,
+    moment_restitution: float,
+) -> Meeting:
+    """Velocities and mobility in the frame of the contact; refuses bodies that do not approach there."""
+    relative = contact_velocity(one, two)
+    across = -inward[1], inward[0]
+    approach = dot(relative, inward)
+    if closing is not None:
+        speeds = absolute(relative[0]) + absolute(relative[1]) + absolute(one.velocity[0]) + absolute(one.velocity[1])
+        require(
+            absolute(closing + approach) <= 1e-6 * closing + 4e-15 * speeds,
+            "the velocities close at {approach:9} at the contact, but the closing speed is {closing:9}",
+            approach=(-approach, RoadSpeed),
+            closing=(closing, RoadSpeed),
+            code="contradiction",
+            hint="leave out the closing speed, or correct the velocities",
+        )
+        approach = -closing
+    else:
+        # below this the direction of the normal, rounded, is all there is of an approach
+        slide = absolute(relative[0]) + absolute(relative[1])
+        require(
+            (approach >= 0.0) | (-approach > 2.0**-52 * slide),
+            "no impact: the bodies slide along each other, closing at {approach:3} of {slide:6}, which is rounding",
+            approach=(-approach, RoadSpeed),
+            slide=(slide, RoadSpeed),
+            code="no-impact",
+            hint="give --closing-speed if they do meet",
+        )
+    require_approach(-approach)
+    k, arms = mobility(one, two, inward)
+    compliance: float = 0.0
+    for body in (one, two):
+        if body.inertia is not None:
+            compliance = compliance + 1.0 / body.inertia
+    return Meeting(
+        mobility=k,
+        slip=dot(relative, across),
+        approach=approach,
+        friction=friction,
+        restitution=restitution,
+        turning=one.spin - two.spin,
+        moment_restitution=moment_restitution,
+        compliance=compliance,
+        arms=arms,
+    )
+
+
+def _adds_energy(restitution: float) -> bool:
+    """Whether a single contact is meant to add energy."""
+    return single(restitution) and bool(plain(restitution) > 1.0)
+
+
+def refuse(solved: Outcome, law: str, energetic: bool) -> None:
+    """Refuse a law that has no push or gains energy."""
+    require(
+        solved.feasible,
+        "{law}: {why}",
+        law=str(law),
+        why=solved.why,
+        code="no-push",
+        hint="--law stronge always answers",
+    )
+    if energetic:
+        return
+    require(
+        solved.lost >= -1e-12 * solved.scale,
+        "{law}: the law gains {gain:6} of energy here, which no passive contact does",
+        law=str(law),
+        gain=(-solved.lost, Energy),
+        code="energy-gained",
+        hint="--law stronge never gains energy",
+    )
+
+
+def _scene_impulse(solved: Outcome, inward: Pair) -> Pair:
+    """The impulse on body 1 along the axes of the scene."""
+    x = solved.normal * inward[0] - solved.tangential * inward[1]
+    y = solved.normal * inward[1] + solved.tangential * inward[0]
+    return x, y
+
+
+def _answer(
+    solved: Outcome, law: str, m: Meeting, one: Solid, two: Solid, inward: Pair, axes: Axes, zero: PdofZero
+) -> PlanarImpact:
+    impulse = _scene_impulse(solved, inward)
+    back = -impulse[0], -impulse[1]
+    moment = solved.moment
+    lost = solved.lost
+    return PlanarImpact(
+        first=after_impact(one, impulse, moment, axes, zero),
+        second=after_impact(two, back, None if moment is None else -moment, axes, zero),
+        law=str(law),
+        slip_history=solved.history,
+        impulse=back,
+        impulse_magnitude=hypot(solved.normal, solved.tangential),
+        normal_impulse=solved.normal,
+        tangential_impulse=solved.tangential,
+        moment_impulse=None if moment is None else -moment,
+        impulse_direction=heading_of(back[0], back[1], axes),
+        impulse_ratio=solved.tangential / solved.normal,
+        critical=_critical(m),
+        compression_impulse=solved.compression,
+        slip_impulse=solved.first_slip,
+        closing_speed=-m.approach,
+        separation_speed=solved.normal_after,
+        sliding_before=0.0 - m.slip,
+        sliding_after=0.0 - solved.tangential_after,
+        energy_lost=lost,
+        energy_lost_normal=solved.normal_lost,
+        energy_lost_tangential=solved.tangential_lost,
+        energy_lost_moment=solved.moment_lost,
+        conventions=conventions(axes, zero),
+    )
+
+
+def _critical(m: Meeting) -> Critical:
+    """Critical impulse ratio; with no normal impulse it would be infinite and is left out."""
+    along, across = critical_ratio(m)
+    exists = across != 0.0
+    if single(exists) and not exists:
+        return Critical(None, None, absolute(m.mobility.coupling) / m.mobility.tangential)
+    ratio = along / across
+    share = absolute(ratio)
+    if single(share) and not share > 0.0:
+        return Critical(ratio, None, absolute(m.mobility.coupling) / m.mobility.tangential)
+    return Critical(ratio, m.friction / share, absolute(m.mobility.coupling) / m.mobility.tangential)
+
+
+def _all_laws(
+    m: Meeting, one: Solid, two: Solid, inward: Pair, energetic: bool
+) -> tuple[dict[str, Alternative | None], tuple[Advice, ...]]:
+    """Every law's answer by name; of one case, a law without an answer is None and says why."""
+    answers: dict[str, Alternative | None] = {}
+    missing: tuple[Advice, ...] = ()
+    for law in LAWS:
+        name = law.replace("-", "_")
+        solved = outcome(m, law)
+        if single(solved.feasible) and not solved.feasible:
+            text = worded("{law}: {why}", law=str(law), why=solved.why)
+        elif single(solved.lost) and not energetic and solved.gains:
+            text = worded(
+                "{law}: it gains {gain:6} of energy here, which no passive contact does",
+                law=str(law),
+                gain=(-solved.lost, Energy),
+            )
+        else:
+            # of many rows, those where a law has no answer are taken out and asked one by one
+            refuse(solved, law, energetic)
+            answers[name] = _alternative(solved, one, two, inward)
+            continue
+        answers[name] = None
+        missing += (Advice("law-inadmissible", text, "note", result=name),)
+    return answers, missing
+
+
+def _alternative(solved: Outcome, one: Solid, two: Solid, inward: Pair) -> Alternative:
+    impulse = _scene_impulse(solved, inward)
+    size = hypot(solved.normal, solved.tangential)
+    first = after_impact(one, impulse, solved.moment, AXES, PDOF_ZERO)
+    second = after_impact(
+        two, (-impulse[0], -impulse[1]), None if solved.moment is None else -solved.moment, AXES, PDOF_ZERO
+    )
+    return Alternative(
+        normal_impulse=solved.normal,
+        tangential_impulse=solved.tangential,
+        impulse_ratio=solved.tangential / where(solved.normal != 0.0, solved.normal, 1.0),
+        first_delta_v=None if one.mass is None else size / one.mass,
+        second_delta_v=None if two.mass is None else size / two.mass,
+        first_spin=first.spin,
+        second_spin=second.spin,
+        separation_speed=solved.normal_after,
+        sliding_after=0.0 - solved.tangential_after,
+        energy_lost=solved.lost,
+        slip_history=solved.history,
+    )

@@ -1,0 +1,1 @@
+"""Reconstruction of crashes: momentum, crush, and yaw inertia of vehicles."""

@@ -1,0 +1,96 @@
+"""Verdicts, physical refusals, checks and advice of a momentum reconstruction."""
+
+from dynamics_cli.errors import (
+    require,
+    worded,
+)
+from dynamics_cli.impact.diagnostics import balance, not_above
+from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult, Reconstructed
+from dynamics_cli.impact.reconstruction.momentum_terms import Term
+from dynamics_cli.impact.reconstruction.momentum_verdict import SpeedVerdict, worse
+from dynamics_cli.numerics.elementary import absolute, cos, sin
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Energy, Fraction, Ratio, RoadSpeed
+from dynamics_cli.records import Advice, Check
+
+
+def with_verdicts(
+    answer: MomentumResult, terms: list[Term], verdicts: list[tuple[Term, SpeedVerdict]], condition: float | None
+) -> MomentumResult:
+    """The answer with the verdict of every vehicle's reconstructed speed, and the worse of both."""
+    sides: dict[str, object] = {}
+    for side, own in (("first", terms[::2]), ("second", terms[1::2])):
+        cautions = [one for term, one in verdicts if term in own]
+        if cautions:
+            body = getattr(answer, side)
+            sides[side] = Reconstructed(**{**body.__dict__, "determined": worse(*cautions)})
+    whole = worse(*(one for _, one in verdicts)).verdict if verdicts else None
+    return MomentumResult(**{**answer.__dict__, **sides, "angle_condition": condition, "verdict": whole})
+
+
+def certified(answer: MomentumResult, terms: list[Term], *, check: bool, along: float | None = None) -> MomentumResult:
+    """The answer with its checks and advice; refused when the impulse pulls or energy would be gained."""
+    size = sum((absolute(t.amount) for t in terms[1:]), absolute(terms[0].amount))
+    work = answer.impulse * answer.closing_speed + absolute(answer.energy_lost)
+    if check or along is not None:
+        require(
+            answer.closing_along_impulse >= -1e-9 * answer.closing_speed,
+            "the vehicles would part along the impulse, at {speed}, before they meet: the impulse would pull",
+            speed=(0.0 - answer.closing_along_impulse, RoadSpeed),
+            code="pull",
+            hint="check that headings are directions of travel",
+        )
+        require(
+            answer.energy_lost >= -1e-9 * work,
+            "the impact would have given {energy} to the vehicles",
+            energy=(0.0 - answer.energy_lost, Energy),
+            code="energy-gained",
+            hint="check the speeds after and the headings",
+        )
+    checks: tuple[Check, ...] = ()
+    if check and single(size):
+        for name, turn in (("momentum along heading zero", cos), ("momentum across heading zero", sin)):
+            sides = [t.mass * t.speed * turn(t.heading) for t in terms]  # type: ignore[operator,arg-type]
+            checks += balance(name, sides[0] + sides[1], sides[2] + sides[3], size)
+    # the second path may bend from the line by a few degrees, which is neglected
+    straight = check if along is None else _straight(terms)
+    if along is not None and straight:
+        sides = [t.mass * t.speed * cos(t.heading - along) for t in terms]  # type: ignore[operator]
+        checks += balance("momentum along the line", sides[0] + sides[1], sides[2] + sides[3], size)
+    if straight:
+        changes = answer.first.energy_change + answer.second.energy_change
+        # what is lost is a difference of these
+        kinetic = [0.5 * absolute(t.amount) * t.speed for t in terms]  # type: ignore[operator]
+        checks += balance(
+            "energy", changes, -answer.energy_lost, work + kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3]
+        )
+    checks += not_above("energy never gained", -answer.energy_lost, 0.0, work) if check else ()
+    return MomentumResult(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
+
+
+def _straight(terms: list[Term]) -> bool:
+    """Whether all four vectors lie on one line; False for arrays."""
+    bends = [absolute(sin(t.heading - terms[0].heading)) for t in terms[1:]]  # type: ignore[operator]
+    return single(*bends) and all(plain(bend) <= 1e-9 for bend in bends)
+
+
+def _advice(answer: MomentumResult, size: float) -> tuple[Advice, ...]:
+    if not single(size, answer.impulse):
+        return ()
+    cautions: list[Advice] = []
+    if answer.closure is not None and plain(answer.closure) > 0.01 * plain(size):
+        share = plain(answer.closure) / plain(size)
+        cautions.append(
+            Advice(
+                code="momentum-not-closed",
+                message=worded("momentum does not close: {share:3} of all momenta remain", share=(share, Fraction)),
+                severity="serious" if share > 0.05 else "caution",
+                remedy="leave out the least certain quantity and let momentum give it",
+            )
+        )
+    bounce = plain(answer.restitution)
+    if bounce > 0.6 or bounce < -0.05:
+        word = "high for vehicles" if bounce > 0.6 else "negative: their mass centres pass each other (a sideswipe?)"
+        text = worded("restitution along the impulse is {bounce:3}, {word}", bounce=(bounce, Ratio), word=word)
+        cautions.append(Advice(code="odd-restitution", message=text))
+    return tuple(cautions)

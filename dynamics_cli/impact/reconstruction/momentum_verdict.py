@@ -1,0 +1,146 @@
+"""How far momentum decides a reconstructed speed: the error of a heading that would change it by a tenth."""
+
+from dynamics_cli.errors import (
+    judge,
+    worded,
+)
+from dynamics_cli.impact.reconstruction.momentum_terms import Term
+from dynamics_cli.numerics.elementary import absolute, cos, minimum, sin, where
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Ratio,
+    RoadSpeed,
+    Text,
+)
+from dynamics_cli.records import Advice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+DEGREE = 0.017453292519943295
+HALF_TURN = 180.0 * DEGREE
+# Headings are read from marks and rest positions to some degrees.
+GOOD, CAUTION = 3.0 * DEGREE, 1.0 * DEGREE
+# Angle conditions: paths close to one line are the cause, and paths so close that they are refused.
+NEAR_ONE_LINE, ON_ONE_LINE = 4.0, 12.0
+CROSSING = "give the crush energies or equivalent speeds of both vehicles: the energy decides"
+LIGHT = "its momentum is small beside the other's: use the damage, the other vehicle's spin or an event data recorder"
+LEVELS = ("undetermined", "caution", "good")
+
+
+@record
+class SpeedVerdict:
+    """How far the headings decide a reconstructed speed."""
+
+    verdict: Annotated[Text, "good from 3 degrees of tolerance, caution from 1 degree, undetermined below."]
+    heading_tolerance: Annotated[
+        Angle, "Error of one heading that changes the speed by a tenth of itself, at most half a turn [rad]."
+    ]
+    worst_heading: Annotated[Text, "The heading that this is of, as the parameter is called."]
+
+
+class Unknowns:
+    """What was not given, seen before the equation fills it in."""
+
+    def __init__(self, terms: "Sequence[Term]") -> None:
+        self.terms = list(terms)
+        self.sizes = [term for term in terms if term.speed is None]
+        self.turns = [term for term in terms if term.heading is None]
+
+    def verdicts(self) -> "list[tuple[Term, SpeedVerdict]]":
+        """The verdict of every speed that was not given, from derivatives of the solved equation."""
+        return [(term, _verdict(term, *self._slopes(term))) for term in self.sizes]
+
+    def _slopes(self, term: Term) -> "tuple[float, list[tuple[str, float]]]":
+        """Derivatives of a speed by every heading given, times a common factor; the factor."""
+        other = next((one for one in self.sizes if one is not term), None)
+        given = [one for one in self.terms if one not in self.turns]
+        if other is not None:
+            factor = term.mass * sin(other.heading - term.heading)  # type: ignore[operator]
+            return factor, [(one.heading_name, one.amount * cos(other.heading - one.heading)) for one in given]  # type: ignore[operator]
+        turned = self.turns[0] if self.turns else term
+        factor = term.mass * cos(turned.heading - term.heading)  # type: ignore[operator]
+        # across its own heading a speed that has no other unknown beside it leaves what does not close
+        rest = given if self.turns else [one for one in given if one is not term]
+        slopes = [(one.heading_name, one.amount * sin(turned.heading - one.heading)) for one in rest]  # type: ignore[operator]
+        if not self.turns:
+            slopes.append((term.heading_name, sum((slope for _, slope in slopes[1:]), slopes[0][1])))
+        return factor, slopes
+
+
+def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> SpeedVerdict:
+    worst, steepest = slopes[0][0], absolute(slopes[0][1])
+    for name, slope in slopes[1:]:
+        steeper = absolute(slope) > steepest
+        worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
+        steepest = where(steeper, absolute(slope), steepest)
+    tenth = 0.1 * absolute(term.speed * factor)  # type: ignore[operator]
+    moves = steepest > 0.0
+    tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), HALF_TURN), HALF_TURN)
+    plainly = plain(tolerance)
+    level = where(plainly >= GOOD, LEVELS[2], where(plainly >= CAUTION, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
+    return SpeedVerdict(level, tolerance, worst)  # type: ignore[arg-type]
+
+
+def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
+    """The verdict of the speed that is decided least."""
+    for other in others:
+        lower = one.heading_tolerance <= other.heading_tolerance
+        one = SpeedVerdict(
+            where(lower, one.verdict, other.verdict),  # type: ignore[arg-type]
+            where(lower, one.heading_tolerance, other.heading_tolerance),
+            where(lower, one.worst_heading, other.worst_heading),  # type: ignore[arg-type]
+        )
+    return one
+
+
+def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float) -> None:
+    """Refuse two speeds along paths next to one line, unless momentum determines one of them all the same."""
+    (one, first), (other, second) = verdicts
+    judge(
+        (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),
+        "the directions of {one} and {other} are too close to one line: their angle condition is {kappa}, above "
+        "12, and heading errors of {first:3} and {second:3} change the speeds by a tenth",
+        one=one.name,
+        other=other.name,
+        kappa=(condition, Ratio),
+        first=(first.heading_tolerance, Angle),
+        second=(second.heading_tolerance, Angle),
+        hint=CROSSING,
+        results=(one.speed_name, other.speed_name),
+    )
+
+
+def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float | None) -> tuple[Advice, ...]:
+    """A caution for every speed that a few degrees change by a tenth, with what makes it so."""
+    cautions: list[Advice] = []
+    for term, one in verdicts:
+        tolerance = plain(one.heading_tolerance)
+        if not single(tolerance) or tolerance >= GOOD:
+            continue
+        speed = plain(term.speed)
+        bounded = tolerance > 0.0
+        change = 0.1 * speed * DEGREE / tolerance if bounded else 0.0
+        undetermined = one.verdict == LEVELS[0]
+        near = condition is not None and plain(condition) > NEAR_ONE_LINE
+        cautions.append(
+            Advice(
+                code="undetermined-speed" if undetermined else "sensitive-speed",
+                message=worded(
+                    ("momentum does not determine the speed of" if undetermined else "headings decide the speed of")
+                    + " {name}: one degree of {heading} changes it "
+                    + ("by {change:3}" if bounded else "without bound")
+                    + ("; the paths are close to one line (angle condition {condition:3})" if near else ""),
+                    name=term.name,
+                    heading=one.worst_heading,
+                    change=(change, RoadSpeed),
+                    condition=(condition, Ratio),
+                ),
+                severity="serious" if undetermined else "caution",
+                remedy=CROSSING if near else LIGHT,
+            )
+        )
+    return tuple(cautions)

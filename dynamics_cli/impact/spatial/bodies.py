@@ -1,0 +1,201 @@
+"""Rigid bodies in space as a contact sees them: vectors, tensors, and what an impulse does to the velocity there.
+
+All of it takes doubles and decimals.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.planar.bodies import Pair
+from dynamics_cli.impact.spatial.arithmetic import fused, length, root, total
+from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
+
+Vector = tuple[float, float, float]
+Matrix = tuple[Vector, Vector, Vector]
+ZERO = 0.0, 0.0, 0.0
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+
+class SolidInSpace:
+    """A body as the contact sees it; `mass` is None when it is fixed, `inertia` when it is a particle."""
+
+    __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
+    given = "mass", "inertia", "lever", "velocity", "spin", "nose"
+
+    def __init__(
+        self, mass: float | None, inertia: Matrix | None, lever: Vector, velocity: Vector, spin: Vector, nose: Pair
+    ) -> None:
+        self.mass = mass
+        self.inertia = inertia
+        self.inverse = None if inertia is None else inverse(inertia)
+        self.lever = lever
+        self.velocity = velocity
+        self.spin = spin
+        self.nose = nose
+
+    def contact_velocity(self) -> Vector:
+        """Velocity of the body's point at the contact."""
+        return add(self.velocity, cross(self.spin, self.lever))
+
+    def answer(self, impulse: Vector) -> Vector:
+        """Change of velocity at the contact from an impulse there."""
+        if self.mass is None:
+            return nothing(impulse[0])
+        moved = impulse[0] / self.mass, impulse[1] / self.mass, impulse[2] / self.mass
+        return add(cross(self.turned(cross(self.lever, impulse)), self.lever), moved)
+
+    def turned(self, moment: Vector) -> Vector:
+        """Change of spin from an impulsive moment.
+
+        What the first answer leaves of the moment is summed exactly and answered too: a slender body's spin is then
+        right to its last digits although its inverse tensor is not.
+        """
+        if self.inertia is None or self.inverse is None:
+            return nothing(moment[0])
+        change = times(self.inverse, moment)
+        if hasattr(change[0], "sqrt"):
+            # decimals have digits to spare
+            return change
+        left = tuple(-residual(row, change, part) for row, part in zip(self.inertia, moment, strict=True))
+        return add(change, times(self.inverse, left))  # type: ignore[arg-type]
+
+
+def residual(row: Vector, vector: Vector, given: float) -> float:
+    """row·vector − given, rounded once."""
+    return total([*exact_products(zip(row, vector, strict=True)), -given])
+
+
+def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
+    """Products and what their rounding took from them: the sum of all is that of the exact products."""
+    found = []
+    for a, b in pairs:
+        product = a * b
+        found += [product, fused(a, b, -product)]
+    return found
+
+
+def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:
+    """Velocity of body 1 relative to body 2 at the contact, each part rounded once: what is left may be a last bit."""
+    parts = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        turning = [
+            (one.spin[j], one.lever[k]),
+            (-one.spin[k], one.lever[j]),
+            (-two.spin[j], two.lever[k]),
+            (two.spin[k], two.lever[j]),
+        ]
+        parts.append(total([one.velocity[i], -two.velocity[i], *exact_products(turning)]))
+    return parts[0], parts[1], parts[2]
+
+
+def nose_in_plane(nose: Vector | None, velocity: Vector) -> Pair:
+    """Unit vector of the nose in the plane x, y: given, else that of travel, else x."""
+    for x, y in [] if nose is None else [nose[:2]]:
+        size = length(x, y)
+        require(size > 0, "the nose points along z: it has no direction in the plane", code="no-nose")
+        return x / size, y / size
+    size = length(velocity[0], velocity[1])
+    return (velocity[0] / size, velocity[1] / size) if size > 0 else (type(size)(1), type(size)(0))
+
+
+def nothing(like: float) -> Vector:
+    """The zero vector of such numbers."""
+    zero = type(like)(0)
+    return zero, zero, zero
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Scalar product."""
+    return fused(a[0], b[0], fused(a[1], b[1], a[2] * b[2]))
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product."""
+    return (
+        fused(a[1], b[2], -(a[2] * b[1])),
+        fused(a[2], b[0], -(a[0] * b[2])),
+        fused(a[0], b[1], -(a[1] * b[0])),
+    )
+
+
+def times(matrix: Matrix, vector: Vector) -> Vector:
+    """Matrix times vector."""
+    return dot(matrix[0], vector), dot(matrix[1], vector), dot(matrix[2], vector)
+
+
+def combine(frame: Matrix, parts: Vector) -> Vector:
+    """Sum of the frame's vectors times `parts`."""
+    return tuple(sum(part * axis[i] for part, axis in zip(parts, frame, strict=True)) for i in range(3))  # type: ignore[return-value]
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    """Sum."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    """Difference."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def determinant(matrix: Matrix) -> float:
+    """Determinant, by the triple product."""
+    return dot(matrix[0], cross(matrix[1], matrix[2]))
+
+
+def inverse(matrix: Matrix) -> Matrix:
+    """Inverse of a symmetric matrix, by cofactors."""
+    det = determinant(matrix)
+    rows = cross(matrix[1], matrix[2]), cross(matrix[2], matrix[0]), cross(matrix[0], matrix[1])
+    return tuple(tuple(entry / det for entry in row) for row in rows)  # type: ignore[return-value]
+
+
+def scaled(a: Vector, factor: float) -> Vector:
+    """Multiple."""
+    return a[0] * factor, a[1] * factor, a[2] * factor
+
+
+def frame_about(normal: Vector, along: Vector = ZERO) -> Matrix:
+    """Two tangents and the normal, right-handed; the first tangent as near `along` as it may be, else any."""
+    number = type(normal[0])
+    tangent = cross(cross(normal, along), normal) if any(along) else along
+    size = root(dot(tangent, tangent)) if any(along) else 0
+    if not size > 0:
+        index = min(range(3), key=lambda i: abs(normal[i]))
+        tangent = cross(normal, (number(index == 0), number(index == 1), number(index == 2)))
+        size = root(dot(tangent, tangent))
+    first = tangent[0] / size, tangent[1] / size, tangent[2] / size
+    return first, cross(normal, first), normal
+
+
+def unit(vector: Vector) -> Vector:
+    """The contact normal at length one; refuses the zero vector."""
+    largest = max(map(abs, vector))
+    require(largest > 0, "the normal is the zero vector: it has no direction", code="no-normal")
+    x, y, z = vector[0] / largest, vector[1] / largest, vector[2] / largest
+    size = length(x, y, z)
+    return x / size, y / size, z / size
+
+
+def require_inertia(inertia: Matrix, name: str) -> None:
+    """Refuse a tensor that no body has."""
+    (a, b, _), (_, d, _), _ = inertia
+    require(
+        a > 0 and fused(a, d, -(b * b)) > 0 and determinant(inertia) > 0,
+        "the inertia of {name} is not that of a body: its principal moments are not all above zero",
+        name=name,
+        code="no-inertia",
+    )
+    require_inertia_of_body(inertia, name)
+
+
+def mobility(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Matrix:
+    """K in the frame of the contact."""
+    rows = []
+    for axis in frame:
+        moved = add(bodies[0].answer(axis), bodies[1].answer(axis))
+        rows.append((dot(moved, frame[0]), dot(moved, frame[1]), dot(moved, frame[2])))
+    # symmetric but for rounding
+    a, b, c = rows
+    return a, (a[1], b[1], b[2]), (a[2], b[2], c[2])

@@ -1,0 +1,234 @@
+"""A scene of two bodies and one contact, answered by the smallest model that it calls for.
+
+All models see the scene through one matrix K in the frame of its contact; each leaves out what a scene does not have:
+`spatial` nothing, `planar` the turning of the slip, `oblique` friction and spin, `central` all motion across the line.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.spatial.bodies import (
+    SolidInSpace,
+    mobility,
+)
+from dynamics_cli.impact.spatial.impact import approach, solved_in_space
+from dynamics_cli.impact.spatial.results import Solved, SpatialImpact
+from dynamics_cli.impact.spatial.scene_contact import SeenScene, viewed
+from dynamics_cli.impact.spatial.scene_records import Scene
+from dynamics_cli.impact.spatial.straight_slip import End, Slip, end_of, from_rest, glide
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Annotated,
+    Gravity,
+)
+from dynamics_cli.records import Advice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why the line of impact is enough, or nothing."""
+    seen = viewed(scene, gravity)
+    if seen.rubs or seen.eccentric or seen.across:
+        return None
+    return "both bodies move along the normal, which passes through their mass centres: nothing acts across it"
+
+
+def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why an oblique impact without friction or spin is enough, or nothing."""
+    seen = viewed(scene, gravity)
+    if seen.rubs or seen.eccentric:
+        return None
+    why = "without friction" if seen.friction == 0 else "without slip at the contact"
+    return f"{why} and with the normal through the mass centres nothing acts across it and no spin changes"
+
+
+def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
+    """Say why the plane of normal and slip is enough, or nothing."""
+    seen = viewed(scene, gravity)
+    if seen.friction == 0:
+        return "without friction the direction of slip does not matter"
+    if seen.turns:
+        return None
+    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip keeps its line"
+
+
+def solve_central(
+    scene: Annotated[Scene, "Two bodies and a contact."],
+    /,
+    *,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> SpatialImpact:
+    """Central impact of a scene: what happens on the line of impact.
+
+    Equation
+    --------
+    p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+    """
+    seen = viewed(scene, gravity)
+    neglects = _neglects(
+        ("friction", seen.rubs), ("the levers", seen.eccentric), ("motion across the line", seen.across)
+    )
+    return _answered(_smooth, scene, gravity, "central impact", advice=neglects)
+
+
+def solve_oblique(
+    scene: Annotated[Scene, "Two bodies and a contact."],
+    /,
+    *,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> SpatialImpact:
+    """Oblique impact of a scene without friction and spin: velocities across the normal stay.
+
+    Equation
+    --------
+    p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+    """
+    seen = viewed(scene, gravity)
+    neglects = _neglects(("friction", seen.rubs), ("the levers", seen.eccentric))
+    return _answered(_smooth, scene, gravity, "oblique impact", advice=neglects)
+
+
+def _answered(
+    solver: "Callable[..., Solved]", scene: Scene, gravity: float, *more: str, advice: tuple[Advice, ...] = ()
+) -> SpatialImpact:
+    """The answer of a smaller model; where it leaves out what is absent but for rounding, its bounds hold that."""
+    from dynamics_cli.impact.spatial.bounds import answered, beside
+
+    found = answered(solver, scene, gravity, *more, advice=advice)
+    if advice or found.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
+        return found
+    return beside(found, answered(_in_space, scene, gravity))
+
+
+def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
+    """Whether a smaller model leaves out anything at all."""
+    from decimal import Context, localcontext
+
+    from dynamics_cli.impact.spatial.arithmetic import widened
+
+    with localcontext(Context(prec=80)):
+        seen = SeenScene(widened(scene), widened(gravity))
+        k = seen.k
+        least = max(k[0][0], k[1][1], k[2][2]) / 10**60
+        coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
+        if any(abs(entry) > least for entry in coupled):
+            return seen.friction > 0 or not plane
+        if not plane and seen.turning > least / 10**60:
+            return True
+        return seen.slips and seen.friction > 0 and not seen.before[0]
+
+
+def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
+    """An impulse along the normal through both mass centres."""
+    seen = viewed(scene, gravity)
+    # with inertia left out nothing turns; with its lever a spin still moves the contact
+    one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
+    k = mobility((one, two), seen.frame)
+    before = approach((one, two), seen.frame)
+    e = seen.restitution
+    compression = -before[2] / k[2][2]
+    impulse = (1 + e) * compression
+    work = compression * -before[2] / 2
+    zero = before[2] * 0
+    end = End(
+        velocity=(before[0], before[1], -e * before[2]),
+        impulse=(zero, zero, impulse),
+        compression=compression,
+        work=work,
+        work_back=e * e * work,
+        heat=zero,
+        history="slip without friction" if before[0] or before[1] else "no slip",
+        slip_impulse=impulse if seen.friction == 0 else zero,
+    )
+    return Solved((one, two), seen.frame, k, before, end, zero, e, seen.law, f"closed form of a {name}, in decimals")
+
+
+def solve_planar(
+    scene: Annotated[Scene, "Two bodies and a contact."],
+    /,
+    *,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> SpatialImpact:
+    """Planar impact of a scene: the closed-form path in the plane of the normal and the first slip.
+
+    Equation
+    --------
+    u' = u + K p in that plane; slip, then stick or reversed slip, as `impact planar`.
+    """
+    seen = viewed(scene, gravity)
+    turns = seen.turns and seen.friction > 0
+    return _answered(_in_plane, scene, gravity, advice=_neglects(("the turning of the slip out of its plane", turns)))
+
+
+def _in_plane(scene: Scene, gravity: float, **_: int) -> Solved:
+    """Slip along its line, and then stick or reversed slip."""
+    seen = viewed(scene, gravity)
+    k, before, zero = seen.k, seen.before, seen.before[2] * 0
+    plane = (k[0][0], zero, k[0][2]), (zero, k[1][1], zero), (k[0][2], zero, k[2][2])
+    slip = Slip([*before, zero, zero, zero, zero, zero])
+    given = before[2], seen.friction, seen.restitution, seen.law
+    slides = before[0] != 0 and seen.friction > 0
+    if slides and glide(plane, slip, (before[0] / abs(before[0]), zero), given[1], before[2], *given[2:]):
+        end = end_of(slip, "slip")
+    else:
+        end = from_rest(plane, slip, *given, at_rest=not slides)
+    if end.history == "slip, slip anew":
+        end.history = "slip, reversed slip"
+    aside = k[0][1] * end.impulse[0] + k[1][2] * end.impulse[2]
+    end.velocity = end.velocity[0], aside, end.velocity[2]
+    how = "closed-form Routh–Keller path in the plane of normal and slip, in decimals"
+    return Solved(seen.bodies, seen.frame, k, before, end, seen.friction, seen.restitution, seen.law, how)
+
+
+def solve(
+    scene: Annotated[Scene, "Two bodies and a contact."],
+    /,
+    *,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> SpatialImpact:
+    """Two bodies and one contact in space, with friction, spin and slip that turns.
+
+    Equation
+    --------
+    As `impact spatial`.
+
+    Returns
+    -------
+    SpatialImpact
+        Velocities and spins after, impulses, ΔV, slip history, energies.
+
+    Raises
+    ------
+    InadmissibleError
+        When the bodies do not approach, lack what their motion needs, or are described in frames that do not fit.
+
+    Notes
+    -----
+    Which smaller model suffices is decided by K in the frame of the contact, not by how the scene was written down.
+    """
+    seen = viewed(scene, gravity)
+    require(
+        not seen.single,
+        "the impact leaves the plane, but the {names} body has one moment of inertia only",
+        names=" and the ".join(seen.single),
+        code="one-moment",
+        hint="give the inertia tensor, or choose --model planar and say why",
+    )
+    from dynamics_cli.impact.spatial.bounds import answered
+
+    return answered(_in_space, scene, gravity)
+
+
+def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
+    seen = viewed(scene, gravity)
+    return solved_in_space(seen.bodies, seen.inward, seen.friction, seen.restitution, seen.law, **effort)
+
+
+def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:
+    """Say what a model that was asked for leaves out of this scene."""
+    names = [name for name, present in what if present]
+    if not names:
+        return ()
+    text = "this scene has more than the model: it leaves out " + ", ".join(names)
+    return (Advice("model-too-small", text, "serious", remedy="leave out --model"),)

@@ -1,0 +1,155 @@
+"""A scene in the frame of its contact: bodies, matrix K, velocities, and what smaller models would leave out."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of
+from dynamics_cli.impact.spatial.arithmetic import cosine_and_sine
+from dynamics_cli.impact.spatial.bodies import (
+    Matrix,
+    SolidInSpace,
+    Vector,
+    cross,
+    dot,
+    frame_about,
+    mobility,
+    nose_in_plane,
+    nothing,
+    relative_velocity,
+    require_inertia,
+    subtract,
+    unit,
+)
+from dynamics_cli.impact.spatial.impact import approach, lever_of
+from dynamics_cli.impact.spatial.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
+
+# A value smaller than this part of what it is compared with is rounding of the inputs: it counts as absent.
+ABSENT = 10**13
+
+
+class SeenScene:
+    """A scene as its contact sees it, and what it has of what the smaller models leave out."""
+
+    def __init__(self, scene: Scene, gravity: float) -> None:
+        contact = scene.contact
+        x, y, z = unit(contact.normal)
+        self.inward = -x, -y, -z
+        self.friction = contact.friction
+        self.restitution = contact.restitution
+        self.law = str(contact.law)
+        self.bodies = (
+            _solid(scene.first, contact.point, gravity, "the first body"),
+            _solid(scene.second, contact.point, gravity, "the second body"),
+        )
+        one, two = self.bodies
+        require(
+            one.mass is not None or two.mass is not None,
+            "both bodies are fixed: one of them must be able to move",
+            code="no-mass",
+        )
+        slip = relative_velocity(one, two)
+        self.frame = frame_about(self.inward, slip)
+        self.before = approach(self.bodies, self.frame)
+        # the first tangent is the direction of slip
+        self.before = self.before[0], self.before[0] * 0, self.before[2]
+        self.k = mobility(self.bodies, self.frame)
+        self.slips = self.before[0] != 0
+        scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
+        coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
+        # without friction nothing depends on a slip: it is kept, however little it is
+        if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
+            self.before = *nothing(self.before[2])[:2], self.before[2]
+            if coupled:
+                # without slip the coupling says which way friction will act
+                push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
+                self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
+                self.k = mobility(self.bodies, self.frame)
+        self.rubs = contact.friction > 0 and (self.before[0] != 0 or coupled)
+        # an impulse along the normal turns a body that it passes by, though it moves the contact along the normal only
+        self.eccentric = coupled or ABSENT * ABSENT * self.turning > self.k[2][2]
+        self.turns = ABSENT * max(abs(self.k[0][1]), abs(self.k[1][2])) > scale
+        self.single = [
+            name for name, body in (("first", scene.first), ("second", scene.second)) if _has_one_moment(body)
+        ]
+
+    @property
+    def turning(self) -> float:
+        """What k_n has of turning: it vanishes where the normal passes through the mass centres."""
+        moments = [cross(body.lever, self.inward) for body in self.bodies]
+        return sum(dot(moment, body.turned(moment)) for body, moment in zip(self.bodies, moments, strict=True))
+
+    @property
+    def across(self) -> bool:
+        """Whether anything moves across the line of impact, or spins."""
+        for body in self.bodies:
+            along = dot(body.velocity, self.inward)
+            off = subtract(body.velocity, tuple(along * part for part in self.inward))  # type: ignore[arg-type]
+            if ABSENT * ABSENT * dot(off, off) > dot(body.velocity, body.velocity) or any(body.spin):
+                return True
+        return False
+
+
+_last: "tuple[Scene, float, SeenScene] | None" = None
+
+
+def viewed(scene: Scene, gravity: float) -> SeenScene:
+    """The scene as its contact sees it: in doubles one is asked for again and again, by one model after the other."""
+    global _last
+    if not isinstance(gravity, float):
+        return SeenScene(scene, gravity)
+    last = _last
+    if last is None or last[0] is not scene or last[1] != gravity:
+        _last = last = scene, gravity, SeenScene(scene, gravity)
+    return last[2]
+
+
+def _has_one_moment(body: SceneBody) -> bool:
+    """Whether a body's inertia is known about one axis only."""
+    return isinstance(body.turning, ByMoment | ByRadius) and not isinstance(body.bulk, Fixed)
+
+
+def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -> SolidInSpace:
+    motion = body.motion
+    if isinstance(motion, BySpeed):
+        along, across = cosine_and_sine(motion.heading)
+        velocity: Vector = (motion.speed * along, motion.speed * across, motion.speed * 0)
+    else:
+        velocity = motion.velocity
+    if isinstance(body.rotation, YawRate):
+        spin: Vector = *nothing(body.rotation.yaw_rate)[:2], body.rotation.yaw_rate
+    else:
+        spin = body.rotation.spin
+    nose = nose_in_plane(body.nose, velocity)
+    lever = nothing(velocity[0]) if body.arm is None else lever_of(body.arm, contact, name)
+    if isinstance(body.bulk, Fixed):
+        require(body.bulk.fixed, "{name} has neither mass nor weight and is not fixed", name=name, code="no-mass")
+        return SolidInSpace(None, None, lever, velocity, spin, nose)
+    mass = mass_of(body.bulk, gravity, name)
+    if body.turning is None:
+        require(
+            not any(lever) and not any(spin),
+            "{name} has a lever or a spin, but no inertia",
+            name=name,
+            code="no-inertia",
+            hint="give its inertia, its moment or its radius of gyration",
+        )
+        return SolidInSpace(mass, None, lever, velocity, spin, nose)
+    require(
+        body.arm is not None,
+        "{name} has inertia, but no lever to the contact",
+        name=name,
+        code="no-lever",
+        hint="give its lever, or its centre and the point of the contact; leave the inertia out for a particle",
+    )
+    inertia = _tensor(body.turning, mass)
+    require_inertia(inertia, name)
+    return SolidInSpace(mass, inertia, lever, velocity, spin, nose)
+
+
+def _tensor(turning: ByTensor | ByMoment | ByRadius, mass: float) -> Matrix:
+    if isinstance(turning, ByTensor):
+        return turning.inertia
+    if isinstance(turning, ByRadius):
+        moment = mass * turning.radius_of_gyration * turning.radius_of_gyration
+    else:
+        moment = turning.moment
+    zero = type(moment)(0)
+    return (moment, zero, zero), (zero, moment, zero), (zero, zero, moment)

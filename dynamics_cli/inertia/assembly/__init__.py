@@ -1,0 +1,1 @@
+"""Assemblies of parts and holes: composed, compared, reported and written."""

@@ -1,0 +1,90 @@
+"""Whether what is cut out of an assembly was there: holes within their bodies, and of a density that a body has."""
+
+from dynamics_cli.inertia.bodies.mass_moments import less, plus, times, transposed
+from dynamics_cli.inertia.shapes.wires import wires
+from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.records import Advice, over_parts
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.inertia.assembly.parts import Leaf
+    from dynamics_cli.inertia.bodies.mass_moments import Vector
+
+# Densities that differ by more than this are not those of one material.
+ALIKE = 1e-6
+# Round shapes are drawn by lines that fall short of them by up to this share of their size.
+DRAWN = 2e-3
+# Of more parts than this nothing is looked at: it would take longer than the answer.
+MOST = 500
+
+
+def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
+    """Serious warnings of holes that take away what no body has."""
+    holes = [leaf for leaf in leaves if leaf.sign < 0.0]
+    bodies = [leaf for leaf in leaves if leaf.sign > 0.0]
+    if not holes or len(leaves) > MOST:
+        return ()
+    boxes = [_Box(body) for body in bodies] if all(body.part.shape is not None for body in bodies) else []
+    found = []
+    for hole in holes:
+        if boxes and hole.part.shape is not None and _leaves(hole, boxes):
+            found.append(
+                Advice(
+                    "hole-outside",
+                    f"{hole.name} reaches out of every body: what it takes away there has no mass",
+                    "serious",
+                    "end the hole where its body ends",
+                )
+            )
+        own = _density(hole)
+        known = [density for density in map(_density, bodies) if density is not None]
+        alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
+        if own and len(known) == len(bodies) and not alike:
+            found.append(
+                Advice(
+                    "hole-density",
+                    f"{hole.name} takes away material of a density that no body has",
+                    "serious",
+                    "give the hole the density of the body that it is cut out of",
+                )
+            )
+    return tuple(found)
+
+
+def _density(leaf: "Leaf") -> "tuple[int, float] | None":
+    """Dimension and mass per measure of a body; none of a measured one."""
+    if not leaf.measures:
+        return None
+    dimension, measure = leaf.measures
+    return dimension, plain(leaf.lump.mass) / plain(measure)
+
+
+class _Box:
+    """The least box around a body along its own axes."""
+
+    def __init__(self, leaf: "Leaf") -> None:
+        self.origin = _plain(leaf.origin)
+        self.back = transposed(_plain(leaf.rotation))
+        columns = list(zip(*(point for wire in wires(_plain(leaf.part.shape)) for point in wire), strict=True))
+        room = DRAWN * max(max(column) - min(column) for column in columns)
+        self.low = [min(column) - room for column in columns]
+        self.high = [max(column) + room for column in columns]
+
+    def holds(self, point: "Vector") -> bool:
+        """Whether a point is within it."""
+        own = times(self.back, less(point, self.origin))
+        return all(low <= x <= high for low, x, high in zip(self.low, own, self.high, strict=True))
+
+
+def _leaves(hole: "Leaf", boxes: "list[_Box]") -> bool:
+    """Whether a point of a hole is outside the boxes of all bodies."""
+    origin, rotation = _plain(hole.origin), _plain(hole.rotation)
+    points = [point for wire in wires(_plain(hole.part.shape)) for point in wire]
+    return any(not any(box.holds(plus(origin, times(rotation, point))) for box in boxes) for point in points)
+
+
+def _plain(tree: "Any") -> "Any":
+    """The same with bare numbers."""
+    return tree.value if is_tracked(tree) else over_parts(tree, _plain)

@@ -1,0 +1,258 @@
+"""The parts of an assembly as a scene writes them, and the leaves they come to in the assembly's own frame."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.bodies.amount import Amount, OfMass, mass_of
+from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, NOTHING, Lump, plus, product, second_of, times
+from dynamics_cli.inertia.bodies.rotation import Turn, matrix_of
+from dynamics_cli.inertia.mesh.surface import LengthUnit
+from dynamics_cli.inertia.shapes import Shape
+from dynamics_cli.inertia.tensors.tensor import require_tensor
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Annotated, InertiaTensor, InputFile, Mass, PartPosition, Text
+from dynamics_cli.records import over_parts, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
+
+# A measured tensor is written with few digits; one further off than this is wrong.
+MEASURED_TOLERANCE = 1e-3
+
+
+@record
+class Part:
+    """A part: a shape, a mesh, a measured body, a point mass, or an assembly of parts."""
+
+    name: Annotated[Text, "Its name, in tables and for --about, e.g. rim."] = ""
+    shape: Annotated[
+        Shape | None, "Its shape; `dynamics inertia shapes` lists all with their sizes, e.g. cylinder."
+    ] = None
+    amount: Annotated[Amount | None, "Its mass, or the density of its shape or mesh, e.g. material."] = None
+    mesh: Annotated[InputFile, "A closed mesh instead of a shape."] = ""
+    length_unit: Annotated[LengthUnit | None, "Unit of the mesh file's numbers; a 3MF file states its own."] = None
+    tensor: Annotated[
+        InertiaTensor | None,
+        "Inertia tensor of a measured part about its mass centre, in the part's own axes [kg*m^2].",
+    ] = None
+    centroid: Annotated[
+        PartPosition | None, "Mass centre of a measured part or a point mass, in the part's own axes [m]."
+    ] = None
+    mass_std: Annotated[Mass | None, "Standard uncertainty of the mass, e.g. 0.05 kg."] = None
+    centroid_std: Annotated[
+        PartPosition | None,
+        "Standard uncertainties of the mass centre's coordinates, in the part's own axes, e.g. 1, 1, 2 mm.",
+    ] = None
+    tensor_std: Annotated[
+        InertiaTensor | None,
+        "Standard uncertainties of the tensor's elements, e.g. [[0.02, 0, 0], [0, 0.02, 0], [0, 0, 0.02]] kg*m^2.",
+    ] = None
+    position: Annotated[PartPosition, "Place of the part's origin in the frame that it belongs to [m]."] = (
+        0.0,
+        0.0,
+        0.0,
+    )
+    turn: Annotated[Turn | None, "How the part's own axes are turned in that frame."] = None
+    subtract: Annotated[bool, "Subtract it: a hole."] = False
+    parts: Annotated["tuple[Part, ...]", "Parts in its own frame."] = ()
+
+
+class Leaf:
+    """One body in the assembly's frame: its lump in its own axes, where these lie, and whether it is taken away."""
+
+    __slots__ = ("lump", "measures", "name", "origin", "part", "rotation", "sign")
+
+    def __init__(
+        self, name: str, part: Part, lump: Lump, origin: "Vector", rotation: "Matrix", sign: float, measures: "Any"
+    ) -> None:
+        self.name = name
+        self.part = part
+        self.lump = lump
+        self.origin = origin
+        self.rotation = rotation
+        self.sign = sign
+        self.measures = measures
+
+
+class Group:
+    """What belongs to one assembly, in its own frame; where that lies in the next one, and whether it is taken away."""
+
+    __slots__ = ("members", "origin", "rotation", "sign")
+
+    def __init__(self, origin: "Vector", rotation: "Matrix", sign: float) -> None:
+        self.members: list[Leaf | Group] = []
+        self.origin = origin
+        self.rotation = rotation
+        self.sign = sign
+
+
+class Walk:
+    """Gathers the leaves of an assembly, in its frame and by the groups they belong to, and the origins of named parts.
+
+    `width` is how many slopes its numbers have, None when they are bare.
+    """
+
+    def __init__(self, width: int | None = None) -> None:
+        self.width = width
+        self.leaves: list[Leaf] = []
+        self.group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
+        self.origins: dict[str, Vector] = {}
+
+    def into(
+        self,
+        parts: "tuple[Part, ...]",
+        prefix: str,
+        origin: "Vector",
+        rotation: "Matrix",
+        sign: float,
+        group: Group | None = None,
+    ) -> None:
+        """Every part of a list, in the frame at `origin` turned by `rotation`."""
+        group = group or self.group
+        for index, part in enumerate(parts):
+            own = prefix + (part.name or f"part {index + 1}")
+            place = plus(origin, part.position if rotation is IDENTITY else times(rotation, part.position))
+            own_turn, turn = IDENTITY, rotation
+            if part.turn is not None:
+                own_turn = matrix_of(part.turn)
+                turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
+            self._name(part, own, place)
+            own_sign = -1.0 if part.subtract else 1.0
+            kept = own_sign * sign
+            lump, measure = lump_of(part, own, self.width)
+            if lump is not None:
+                self.leaves.append(Leaf(own, part, lump, place, turn, kept, measure))
+                group.members.append(Leaf(own, part, lump, part.position, own_turn, own_sign, measure))
+            else:
+                require(
+                    part.parts,
+                    "{part} has neither shape, mesh, tensor, mass nor parts",
+                    code="empty-part",
+                    hint="give a shape with a density, a mass, or parts of its own",
+                    part=own,
+                )
+            if part.parts:
+                inner = Group(part.position, own_turn, own_sign)
+                group.members.append(inner)
+                self.into(part.parts, own + "/", place, turn, kept, inner)
+
+    def _name(self, part: Part, own: str, place: "Vector") -> None:
+        if not part.name:
+            return
+        require(
+            own not in self.origins,
+            "two parts are named {part}",
+            code="name",
+            hint="give each part of an assembly a name of its own",
+            part=repr(own),
+        )
+        self.origins[own] = place
+
+
+def lump_of(part: Part, own: str, width: int | None) -> "tuple[Lump | None, Any]":
+    """What a part itself weighs, in its own axes, and its measure by dimension; None when it is only an assembly."""
+    given = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
+    require(
+        len(given) < 2,
+        "{part} has {given} together",
+        code="exclusive",
+        hint="a part is one body; give further bodies as parts within it",
+        part=own,
+        given=" and ".join(given),
+    )
+    _require_measured(part, own, given)
+    if part.shape is not None:
+        return _shaped(part, own)
+    if part.mesh:
+        return _meshed(part, own, width)
+    if part.amount is None:
+        return None, None
+    return _weighed(part, own)
+
+
+def _require_measured(part: Part, own: str, given: list[str]) -> None:
+    body = bool(given) or part.amount is not None
+    for word in ("mass_std", "centroid_std", "tensor_std", "centroid"):
+        require(
+            getattr(part, word) is None or body,
+            "{part} gives {field} without a body",
+            code="contradiction",
+            part=own,
+            field=word,
+        )
+    require(
+        part.centroid is None or not (part.shape or part.mesh),
+        "{part} gives a centroid, which its shape already determines",
+        code="contradiction",
+        hint="move the part by its position",
+        part=own,
+    )
+    require(
+        part.tensor_std is None or part.tensor is not None,
+        "{part} gives tensor_std without a tensor",
+        code="contradiction",
+        part=own,
+    )
+
+
+def _amount(part: Part, own: str) -> Amount:
+    require(
+        part.amount is not None,
+        "{part} has neither mass nor density",
+        code="missing",
+        hint="give mass, density, material, areal-density or linear-density",
+        part=own,
+    )
+    assert part.amount is not None
+    return part.amount
+
+
+def _shaped(part: Part, own: str) -> "tuple[Lump, Any]":
+    unit = part.shape.unit()  # type: ignore[union-attr]
+    dimension = part.shape.dimension  # type: ignore[union-attr]
+    mass = mass_of(_amount(part, own), unit.measure, dimension, own)
+    return unit.lump(mass), (dimension, unit.measure)
+
+
+def _weighed(part: Part, own: str) -> "tuple[Lump, Any]":
+    amount = _amount(part, own)
+    require(
+        isinstance(amount, OfMass),
+        "{part} has a density and no shape",
+        code="contradiction",
+        hint="give its mass, or a shape",
+        part=own,
+    )
+    mass = mass_of(amount, 0.0, 0, own)
+    middle = part.centroid or (0.0, 0.0, 0.0)
+    if part.tensor is None:
+        return Lump(mass, middle, NOTHING), None
+    require_tensor(part.tensor, MEASURED_TOLERANCE, hint=f"check the tensor of {own}, which is about its mass centre")
+    return Lump(mass, middle, second_of(part.tensor)), None
+
+
+def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
+    from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
+    from dynamics_cli.inertia.mesh.tracked_integrals import Lift
+
+    found = measured(part.mesh, shell=False)
+    require_closed(found, allowed=False, part=own)
+    require_extent(found, shell=False, part=own)
+    lift = Lift(found, unit_of(found, part.length_unit, own), width or 0)
+    volume = lift.measure()
+    amount = _amount(part, own)
+    mass = mass_of(amount, volume, 3, own)
+    density = mass / volume if isinstance(amount, OfMass) else mass_of(amount, 1.0, 3, own)
+    lump = Lump(mass, lift.centroid(), lift.second(density))
+    if width is not None:
+        return lump, (3, volume)
+    return each_number(lump, plain, type(volume)), (3, plain(volume))
+
+
+def each_number(tree: "Any", change: "Callable[[Any], Any]", kind: type = float) -> "Any":
+    """A tree of records and tuples with every number of a kind changed."""
+    if type(tree) is kind:
+        return change(tree)
+    return over_parts(tree, lambda part: each_number(part, change, kind))

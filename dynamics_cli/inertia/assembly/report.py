@@ -1,0 +1,163 @@
+"""An assembly reported: a row for each part, what cancels, standard uncertainties, and the bounds of it all."""
+
+from dynamics_cli.errors import worded
+from dynamics_cli.inertia.assembly.holes import hole_advice
+from dynamics_cli.inertia.assembly.uncertainty_rollup import deviation
+from dynamics_cli.inertia.bodies.mass_moments import Lump, about, tensor_of, turned
+from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
+from dynamics_cli.inertia.bodies.properties import MassProperties, View, properties
+from dynamics_cli.inertia.bodies.records import Cancellation, PartShare
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import Inertia
+from dynamics_cli.records import Advice, ErrorBound, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.inertia.bodies.compose import Composed
+    from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
+    from dynamics_cli.inertia.bodies.records import Deviation
+
+# Above this a sum of material and holes has lost more digits than a reader expects.
+MUCH_CANCELS = 1e6
+
+
+def reported(whole: "Composed", view: View) -> MassProperties:
+    """The report of a composed assembly, its numbers bare and their bounds stated apart."""
+    measures, spread = measures_of(whole), deviation(whole)
+    answer = properties(whole.lump, view, spread=whole.spread, **measures)
+    rows, cancels = _shares(whole, view, answer)
+    bounds: list[ErrorBound] = []
+    values = dict(answer.__dict__)
+    if not whole.sloped and not whole.bare:
+        values = {name: stated(name, value, bounds) for name, value in values.items()}
+    values |= {
+        "parts": rows,
+        "cancellation": cancels,
+        "standard_uncertainty": spread,
+        "advice": _advice(cancels, whole)
+        + hole_advice(whole.leaves)
+        + _mesh_advice(whole)
+        + _close_moments(whole, spread),
+        "numerics": Numerics(
+            "composition about the mass centre; Jacobi rotations in two passes",
+            (*bounds, *whole.spread.axes_bound()),
+        ),
+    }
+    return MassProperties(**values)
+
+
+def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
+    """A scalar bare, its relative bound stated; a vector as it is, each component with its own bound."""
+    if hasattr(value, "fields"):
+        return type(value)(**{part: stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
+    error = getattr(value, "error", None)
+    if error is None:
+        return value
+    size = abs(value.value)
+    if size == 0.0 and error > 0.0:
+        return value
+    own = (error / (size - error) if size > 2.0 * error else error / size) if error else 0.0
+    bounds.append(ErrorBound(name, own + SHOWN if size else 0.0))
+    return value.value
+
+
+def bare(value: "Any") -> "Any":
+    """A result without its bounds."""
+    if isinstance(value, tuple):
+        return tuple(bare(item) for item in value)
+    if hasattr(value, "fields"):
+        return type(value)(**{name: bare(getattr(value, name)) for name in value.fields})
+    return plain(value)
+
+
+def measures_of(whole: "Composed") -> "dict[str, Any]":
+    """Volume, area or length of an assembly whose bodies are all solids, all laminae or all rods; else nothing."""
+    kinds = {leaf.measures[0] if leaf.measures else 0 for leaf in whole.leaves}
+    if len(kinds) != 1 or kinds == {0}:
+        return {}
+    total = 0.0
+    for leaf in whole.leaves:
+        total = total + leaf.sign * leaf.measures[1]
+    return {("length", "area", "volume")[kinds.pop() - 1]: total} if plain(total) > 0.0 else {}
+
+
+def _shares(
+    whole: "Composed", view: View, answer: MassProperties
+) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
+    off: Callable[[Any], Any] = (lambda value: value) if whole.bare else bare
+    rotation: Matrix = off(_rotation(view, whole))
+    point: Vector = off(answer.reference_point)
+    rows = []
+    for leaf, tracked in zip(whole.leaves, whole.pieces, strict=True):
+        piece: Lump = off(tracked)
+        tensor = tensor_of(turned(about(piece, point), rotation))
+        rows.append(PartShare(leaf.name, piece.mass, piece.centroid, (tensor[0][0], tensor[1][1], tensor[2][2])))
+    if all(leaf.sign > 0.0 for leaf in whole.leaves):
+        return tuple(rows), None
+    sums = [sum(row.moments[k] for row in rows) for k in range(3)]
+    sizes = [sum(abs(row.moments[k]) for row in rows) for k in range(3)]
+    mass = sum(abs(row.mass) for row in rows) / plain(whole.lump.mass)
+    shares = [size / abs(total) if total else 0.0 for size, total in zip(sizes, sums, strict=True)]
+    return tuple(rows), Cancellation(mass, (shares[0], shares[1], shares[2]))
+
+
+def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advice, ...]:
+    """A warning where principal moments differ by less than their uncertainty, so that their axes are undetermined."""
+    if spread is None:
+        return ()
+    moments, own = bare(whole.spread.moments), spread.principal_moments
+    return tuple(
+        Advice(
+            "axes-uncertain",
+            worded(
+                f"principal moments {i + 1} and {j + 1} differ by {{difference:3}}, less than their uncertainty "
+                "{uncertainty:3}: the axes in that plane are not determined",
+                difference=(moments[j] - moments[i], Inertia),
+                uncertainty=((own[i] * own[i] + own[j] * own[j]) ** 0.5, Inertia),
+            ),
+            remedy="measure the moments better, or take any two axes in the plane",
+        )
+        for i, j in ((0, 1), (1, 2))
+        if moments[j] - moments[i] < (own[i] * own[i] + own[j] * own[j]) ** 0.5
+    )
+
+
+def _mesh_advice(whole: "Composed") -> tuple[Advice, ...]:
+    """What the diagnosis of mesh parts found, each with the name of its part."""
+    found: list[Advice] = []
+    for leaf in whole.leaves:
+        if leaf.part.mesh:
+            from dynamics_cli.inertia.mesh.measurement import measured
+            from dynamics_cli.inertia.mesh.report import fault_advice
+
+            faults = fault_advice(measured(leaf.part.mesh, shell=False), shell=False)
+            found += [Advice(one.code, f"{leaf.name}: {one.message}", one.severity, one.remedy) for one in faults]
+    return tuple(found)
+
+
+def _rotation(view: View, whole: "Composed") -> "Matrix":
+    from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
+
+    if view.axes == "principal":
+        return whole.spread.axes
+    return view.rotation if view.rotation is not None else IDENTITY
+
+
+def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ...]:
+    found = []
+    if cancels is not None and max(cancels.mass, *cancels.moments) > MUCH_CANCELS:
+        largest = max(cancels.mass, *cancels.moments)
+        found.append(
+            Advice(
+                "cancellation",
+                f"material and holes cancel to 1/{largest:.3g} of their size: the result loses as many digits",
+                severity="caution",
+                remedy="use a hollow shape with its wall thickness instead of a solid less a solid",
+            )
+        )
+    if whole.unbounded:
+        found.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
+    return tuple(found)

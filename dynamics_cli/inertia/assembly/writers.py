@@ -1,0 +1,122 @@
+"""Mass properties as the files that simulators and reports read: URDF, SDF, MJCF and Markdown.
+
+All of them take SI units, the mass centre, and the tensor about it with products that are its own elements (−∫ x y dm).
+"""
+
+from dynamics_cli.inertia.assembly.report import bare
+from dynamics_cli.inertia.bodies.mass_moments import tensor_of
+from dynamics_cli.markup import markdown as escaped
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.inertia.bodies.mass_moments import Matrix
+    from dynamics_cli.inertia.bodies.properties import MassProperties
+
+
+def urdf(answer: "MassProperties") -> str:
+    """The `<inertial>` element of a URDF link."""
+    body = bare(answer)
+    return (
+        "<inertial>\n"
+        f'  <origin xyz="{_words(body.centroid)}" rpy="0 0 0"/>\n'
+        f'  <mass value="{body.mass!r}"/>\n'
+        f"  <inertia {_six(_tensor(body), ' ')}/>\n"
+        "</inertial>\n"
+    )
+
+
+def sdf(answer: "MassProperties") -> str:
+    """The `<inertial>` element of an SDF link."""
+    body = bare(answer)
+    inner = "".join(
+        f"    <{name}>{value!r}</{name}>\n" for name, value in zip(NAMES, _elements(_tensor(body)), strict=True)
+    )
+    return (
+        "<inertial>\n"
+        f"  <pose>{_words(body.centroid)} 0 0 0</pose>\n"
+        f"  <mass>{body.mass!r}</mass>\n"
+        f"  <inertia>\n{inner}  </inertia>\n"
+        "</inertial>\n"
+    )
+
+
+def mjcf(answer: "MassProperties") -> str:
+    """The `<inertial>` element of an MJCF body; its six numbers are xx yy zz xy xz yz."""
+    body = bare(answer)
+    xx, xy, xz, yy, yz, zz = _elements(_tensor(body))
+    return (
+        f'<inertial pos="{_words(body.centroid)}" mass="{body.mass!r}" '
+        f'fullinertia="{_words((xx, yy, zz, xy, xz, yz))}"/>\n'
+    )
+
+
+def markdown(answer: "MassProperties") -> str:
+    """A mass property report."""
+    body = bare(answer)
+    lines = ["# Mass properties", "", "| property | value | unit |", "|---|---|---|"]
+    lines.append(f"| mass | {body.mass!r} | kg |")
+    for name, unit in (("volume", "m³"), ("area", "m²"), ("length", "m")):
+        if getattr(body, name) is not None:
+            lines.append(f"| {name} | {getattr(body, name)!r} | {unit} |")
+    lines.append(f"| mass centre | {_listed(body.centroid)} | m |")
+    lines.append(f"| moments and products about | {escaped(body.about)}, {_listed(body.reference_point)} | m |")
+    lines.append(f"| axes | {body.axes} | |")
+    lines.append(f"| product sign | {body.product_sign} | |")
+    lines += [f"| I{name} | {getattr(body.moments, name)!r} | kg·m² |" for name in ("xx", "yy", "zz")]
+    lines += [f"| I{name} | {getattr(body.products, name)!r} | kg·m² |" for name in ("xy", "yz", "zx")]
+    lines += [
+        "",
+        "## Principal axes about the mass centre",
+        "",
+        "| moment kg·m² | axis | radius of gyration m |",
+        "|---|---|---|",
+    ]
+    for name, axis, radius in zip(("first", "second", "third"), body.principal_axes, body.principal_radii, strict=True):
+        lines.append(f"| {getattr(body.principal_moments, name)!r} | {_listed(axis)} | {radius!r} |")
+    lines += ["", f"Undetermined: {escaped(body.degeneracy)}."]
+    lines += _parts(body)
+    return "\n".join(lines) + "\n"
+
+
+def _parts(body: "MassProperties") -> list[str]:
+    if not body.parts:
+        return []
+    rows = [
+        "",
+        "## Parts",
+        "",
+        "| part | mass kg | mass centre m | share of Ixx, Iyy, Izz kg·m² |",
+        "|---|---|---|---|",
+    ]
+    return rows + [
+        f"| {escaped(part.part)} | {part.mass!r} | {_listed(part.centroid)} | {_listed(part.moments)} |"
+        for part in body.parts
+    ]
+
+
+NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+def _tensor(body: "MassProperties") -> "Matrix":
+    """The tensor about the mass centre in the given axes, whatever axes the answer is shown in."""
+    if body.axes == "given":
+        return tensor_of(body.second_moments)
+    moments = (body.principal_moments.first, body.principal_moments.second, body.principal_moments.third)
+    axes = body.principal_axes
+    return tuple(tuple(sum(moments[k] * axes[k][i] * axes[k][j] for k in range(3)) for j in range(3)) for i in range(3))  # type: ignore[return-value]
+
+
+def _elements(tensor: "Matrix") -> tuple[float, ...]:
+    return tensor[0][0], tensor[0][1], tensor[0][2], tensor[1][1], tensor[1][2], tensor[2][2]
+
+
+def _six(tensor: "Matrix", between: str) -> str:
+    return between.join(f'{name}="{value!r}"' for name, value in zip(NAMES, _elements(tensor), strict=True))
+
+
+def _words(values: "tuple[float, ...]") -> str:
+    return " ".join(repr(value) for value in values)
+
+
+def _listed(values: "tuple[float, ...]") -> str:
+    return "(" + ", ".join(repr(value) for value in values) + ")"

@@ -1,0 +1,1 @@
+"""Mass properties of one body: amount, moments, principal axes, rotations."""

@@ -1,0 +1,238 @@
+"""Parts put together about their common mass centre, then once more in the principal frame."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.assembly.parts import Group
+from dynamics_cli.inertia.bodies.mass_moments import (
+    IDENTITY,
+    NOTHING,
+    Lump,
+    added,
+    each,
+    less,
+    outer,
+    plus,
+    product,
+    scaled,
+    times,
+    turned,
+)
+from dynamics_cli.inertia.bodies.principal import principal
+from dynamics_cli.inertia.bodies.principal_tracked import (
+    Spread,
+    bounded,
+    determined,
+    error_of,
+    in_many_digits,
+    spread_of,
+    tilts_of,
+)
+from dynamics_cli.inertia.bodies.rotation import departure
+from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.quantities import Inertia, Mass
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dynamics_cli.inertia.assembly.parts import Leaf, Walk
+    from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
+
+
+class Composed:
+    """An assembly as one lump in its own frame, its principal second moments, and the lumps of its leaves."""
+
+    def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, asked: bool) -> None:
+        self.sloped = bool(walk.width)
+        # whether its numbers are floats, of which nothing has to be taken off
+        self.bare = walk.width is None and type(lump.mass) is float
+        self.unbounded = asked and walk.width is None
+        self.leaves = walk.leaves
+        self.origins = walk.origins
+        self.lump = lump
+        self.spread = spread
+        self.pieces = pieces
+
+
+def composed(walk: "Walk", *, asked: bool) -> Composed:
+    """Put the leaves of a walk together.
+
+    Raises
+    ------
+    InadmissibleError
+        When holes leave no mass, or second moments that no body has.
+    """
+    leaves = walk.leaves
+    base = tuple(plain(x) for x in leaves[0].origin)
+    pieces = [_piece(leaf.lump, leaf, base, IDENTITY, leaf.rotation) for leaf in leaves]  # type: ignore[arg-type]
+    group = walk.group
+    if len(group.members) == len(leaves):
+        group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
+        group.members.extend(leaves)
+    whole = _sum(pieces if group is not walk.group else _pieces(group, base, IDENTITY))  # type: ignore[arg-type]
+    centroid = plus(base, whole.centroid)  # type: ignore[arg-type]
+    first = spread_of(whole.second)
+    if any(not piece.mass > 0.0 for piece in pieces):
+        _require_body(whole, first)
+    spread = _second_pass(group, base, first)  # type: ignore[arg-type]
+    lump = Lump(whole.mass, centroid, whole.second)
+    placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
+    return Composed(walk, lump, spread, placed, asked=asked)
+
+
+class _Sums:
+    """An assembly by its mass, and its first and second moments about a point that is near its mass centre.
+
+    Nothing is divided by the mass, which may be little or negative where most is cut out.
+    """
+
+    __slots__ = ("centroid", "first", "mass", "second")
+
+    def __init__(self, mass: float, point: "Vector", second: "Matrix", first: "Vector") -> None:
+        self.mass = mass
+        self.centroid = point
+        self.second = second
+        self.first = first
+
+
+def _cuts(member: "Leaf | Group") -> bool:
+    """Whether something is cut out within an assembly."""
+    return any(part.sign < 0.0 or _cuts(part) for part in getattr(member, "members", ()))
+
+
+def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Sums]":
+    """The members of an assembly from `base` in axes that are the rows of `frame`."""
+    pieces = []
+    for member in group.members:
+        rotation = member.rotation
+        if frame is not IDENTITY:
+            rotation = frame if rotation is IDENTITY else product(frame, rotation)
+        if not isinstance(member, Group):
+            pieces.append(_piece(member.lump, member, base, frame, rotation))
+            continue
+        # what is cut out cancels best in the axes of its own assembly; a needle keeps its digits in its principal axes
+        ahead = frame is not IDENTITY and not _cuts(member)
+        own = _gathered(member, rotation if ahead else IDENTITY)
+        pieces.append(_piece(own, member, base, frame, rotation, ahead=ahead))
+    return pieces
+
+
+def _gathered(group: "Group", frame: "Matrix") -> _Sums:
+    """An assembly about a point of its own frame near its mass centre, its moments along the rows of `frame`."""
+    points, masses = [], []
+    for piece in _pieces(group, (0.0, 0.0, 0.0), IDENTITY):
+        points.append(each(plain, piece.centroid))
+        masses.append(plain(piece.mass))
+    total = sum(masses)
+    point = []
+    for column in zip(*points, strict=True):
+        mean = sum(mass * x for mass, x in zip(masses, column, strict=True)) / total if total else column[0]
+        point.append(min(max(mean, min(column)), max(column)))
+    base = point[0], point[1], point[2]
+    mass, first, second = _added(_pieces(group, base, frame), (0.0, 0.0, 0.0))
+    return _Sums(mass, base, second, first)
+
+
+def _piece(
+    own: "Lump | _Sums",
+    member: "Leaf | Group",
+    base: "Vector",
+    frame: "Matrix",
+    rotation: "Matrix",
+    *,
+    ahead: bool = False,
+) -> "Lump | _Sums":
+    """A member of an assembly from `base`; holes are negative. `ahead`: its moments are along `frame` already."""
+    away = less(member.origin, base)
+    if frame is not IDENTITY:
+        away = times(frame, away)
+    centroid = plus(away, own.centroid if rotation is IDENTITY else times(rotation, own.centroid))
+    mass, second = own.mass, own.second if ahead else turned(own.second, rotation)
+    if member.sign < 0.0:
+        mass, second = -mass, scaled(-1.0, second)
+    if isinstance(own, Lump):
+        return Lump(mass, centroid, second)
+    x, y, z = own.first if ahead or rotation is IDENTITY else times(rotation, own.first)
+    return _Sums(mass, centroid, second, (member.sign * x, member.sign * y, member.sign * z))
+
+
+def _added(pieces: "Sequence[Lump | _Sums]", near: "Vector") -> "tuple[float, Vector, Matrix]":
+    """Mass, first and second moments of all pieces about a point."""
+    mass, first, second = 0.0, (0.0, 0.0, 0.0), NOTHING
+    for piece in pieces:
+        d = less(piece.centroid, near)
+        mass = piece.mass + mass
+        first = plus(first, (piece.mass * d[0], piece.mass * d[1], piece.mass * d[2]))
+        second = added(second, added(piece.second, outer(piece.mass, d)))
+        if isinstance(piece, _Sums):
+            f = piece.first
+            first = plus(first, f)
+            cross = [[d[i] * f[j] + f[i] * d[j] for j in range(3)] for i in range(3)]
+            second = added(second, tuple(map(tuple, cross)))  # type: ignore[arg-type]
+    return mass, first, second
+
+
+def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
+    """All pieces as one, about a point near their mass centre: a mere number, so that it brings no rounding with it."""
+    near = _near(pieces)
+    mass, first, second = _added(pieces, near)
+    require(
+        mass > 0.0,
+        "the holes remove all mass: {mass:6} remains",
+        code="no-mass",
+        hint="check sizes and densities of the holes",
+        mass=(mass, Mass),
+    )
+    rest = (first[0] / mass, first[1] / mass, first[2] / mass)
+    return Lump(mass, plus(near, rest), added(second, outer(-mass, rest)))
+
+
+def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
+    """A point within rounding of the mass centre."""
+    masses = [plain(piece.mass) for piece in pieces]
+    require(max(masses) > 0.0, "nothing is there that something could be cut out of", code="no-mass")
+    total = sum(masses)
+    if not total > 0.0:
+        return (0.0, 0.0, 0.0)
+    x, y, z = (
+        sum(mass * plain(piece.centroid[k]) for mass, piece in zip(masses, pieces, strict=True)) / total
+        + sum(plain(piece.first[k]) for piece in pieces if isinstance(piece, _Sums)) / total
+        for k in range(3)
+    )
+    return x, y, z
+
+
+def _require_body(whole: Lump, spread: Spread) -> None:
+    """Refuse second moments below zero by more than rounding: a hole reached beyond its body."""
+    least = spread.seconds[2]
+    room = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))
+    require(
+        plain(least) >= -room,
+        "the holes leave a second moment of {least:6} along an axis: a hole is larger than its body or lies outside it",
+        code="hole",
+        hint="check positions and sizes of what is subtracted",
+        least=(least, Inertia),
+    )
+
+
+def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
+    """Principal second moments composed in the principal frame, where those of a needle keep their digits."""
+    frame = first.axes
+    if in_many_digits(frame):
+        return first
+    if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
+        return first
+    whole = _sum(_pieces(group, base, frame))
+    matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
+    found = principal(matrix)  # type: ignore[arg-type]
+    seconds = found.seconds
+    if not any(is_tracked(x) for row in whole.second for x in row):
+        return Spread(seconds, product(found.axes, frame), first.degeneracy)
+    seconds = bounded(whole.second, seconds, found.vectors)
+    # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
+    stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
+    seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
+    found = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
+    words = found.degeneracy if determined(first.degeneracy) else first.degeneracy
+    # the product with the frame rounds every component
+    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, found.axes, stretch))
+    return Spread(seconds, product(found.axes, frame), words, tilts)

@@ -1,0 +1,167 @@
+"""What is wrong with a surface: faulty edges, flipped, duplicated and degenerate triangles, with counts and places."""
+
+import numpy as np
+
+from dynamics_cli.inertia.mesh.faults.closure import vertex_hashes
+from dynamics_cli.inertia.mesh.faults.crossing import crossings, misplaced
+from dynamics_cli.inertia.mesh.surface import Faults
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.inertia.mesh.stl import Source
+
+    Array = np.ndarray[Any, np.dtype[Any]]
+
+# Places named of each kind of fault.
+NAMED = 3
+
+
+def diagnose(source: "Source", *, closed: bool) -> Faults:
+    """Count and place what keeps a surface from bounding a solid; memory grows with the file, time with its square."""
+    corners, flat = _corners(source)
+    faces, points = _joined(corners)
+    equal = (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
+    degenerate = np.flatnonzero(equal | flat)
+    doubled = _doubled(np.sort(faces, axis=1))
+    edges = _Edges(faces)
+    flipped, piece = _turned(edges, len(faces))
+    sound = faces[~(equal | flat)]
+    crossing = np.flatnonzero(~(equal | flat))[crossings(points, sound)]
+    within, against = misplaced(points, faces, piece) if closed else (crossing[:0], crossing[:0])
+    places = [
+        *(f"open edge {_edge(points, edges, k)} of triangle {edges.owner(k)}" for k in edges.open[:NAMED]),
+        *(f"clashing edge {_edge(points, edges, k)} of triangle {edges.owner(k)}" for k in edges.clashing[:NAMED]),
+        *(f"triangle {k + 1} is flipped" for k in flipped[:NAMED]),
+        *(f"triangle {k + 1} is given twice" for k in doubled[:NAMED]),
+        *(f"triangle {k + 1} has no area" for k in degenerate[:NAMED]),
+        *(f"an edge passes through triangle {k + 1}" for k in crossing[:NAMED]),
+        *(f"triangle {k + 1} lies within the solid" for k in within[:NAMED]),
+        *(f"triangle {k + 1} bounds the solid from inside" for k in against[:NAMED]),
+    ]
+    return Faults(
+        vertices=len(points),
+        edges=len(edges.start),
+        shells=int(piece.max()) + 1,
+        open_edges=len(edges.open),
+        clashing_edges=len(edges.clashing),
+        flipped=len(flipped),
+        duplicated=len(doubled),
+        repeated=len(_doubled(_from_least(faces))),
+        degenerate=len(degenerate),
+        crossing=len(crossing),
+        within=len(within),
+        against=len(against),
+        places=tuple(places),
+    )
+
+
+def _corners(source: "Source") -> "tuple[Array, Array]":
+    """Every corner as a row of three doubles, and which triangles have no area to the last bit."""
+    parts, flat = [], []
+    for block in source.blocks():
+        own = block.astype(np.float64)
+        a, b, c = own.reshape(3, 3, -1)
+        flat.append(~np.cross(b - a, c - a, axis=0).any(axis=0))
+        parts.append(np.ascontiguousarray(own.T))
+    return np.concatenate(parts).reshape(-1, 3), np.concatenate(flat)
+
+
+def _joined(corners: "Array") -> "tuple[Array, Array]":
+    """Triangles by the numbers of their corners, corners of the same coordinates being one."""
+    count = len(corners)
+    columns = np.ascontiguousarray(np.tile(corners.T, (3, 1)))
+    words, h, spare = np.empty((9, count), np.uint64), np.empty((3, count), np.uint64), np.empty((3, count), np.uint64)
+    vertex_hashes(columns, words, h, spare, single=False)
+    _, first, number = np.unique(h[0], return_index=True, return_inverse=True)
+    return number.reshape(-1, 3), corners[first]
+
+
+class _Edges:
+    """Edges between different corners, sorted: the triangles along each, and how they go along it."""
+
+    def __init__(self, faces: "Array") -> None:
+        size = int(faces.max()) + 1
+        u = faces.ravel()
+        v = faces[:, (1, 2, 0)].ravel()
+        proper = np.flatnonzero(u != v)
+        u, v = u[proper], v[proper]
+        key = np.minimum(u, v) * size + np.maximum(u, v)
+        order = np.argsort(key, kind="stable")
+        key = key[order]
+        self.size = size
+        self.face = proper[order] // 3
+        self.way = np.where(u[order] < v[order], 1, -1)
+        self.start = np.flatnonzero(np.concatenate(([True], key[1:] != key[:-1]))) if len(key) else key
+        self.count = np.diff(np.append(self.start, len(key)))
+        self.key = key[self.start]
+        sums = np.add.reduceat(self.way, self.start) if len(key) else self.way
+        self.open = np.flatnonzero(self.count == 1)
+        self.clashing = np.flatnonzero((sums != 0) & (self.count > 1))
+
+    def owner(self, k: int) -> int:
+        """The first triangle along an edge, counted from 1."""
+        return int(self.face[self.start[k]]) + 1
+
+
+def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
+    """Triangles turned against most of their piece, and the piece of each, joined by edges of two triangles.
+
+    Each piece is gone through from one triangle outward, front by front, carrying which way each is turned.
+    """
+    paired = edges.start[edges.count == 2]
+    left, right = edges.face[paired], edges.face[paired + 1]
+    against = edges.way[paired] == edges.way[paired + 1]
+    ends = np.concatenate((left, right))
+    others = np.concatenate((right, left))
+    clash = np.concatenate((against, against))
+    order = np.argsort(ends, kind="stable")
+    others, clash = others[order], clash[order]
+    begin = np.searchsorted(ends[order], np.arange(count + 1))
+    piece = np.full(count, -1)
+    way = np.zeros(count, dtype=bool)
+    pieces = seed = 0
+    while seed < count:
+        piece[seed] = pieces
+        front = np.array([seed])
+        while front.size:
+            sizes = begin[front + 1] - begin[front]
+            links = np.repeat(begin[front] - np.concatenate(([0], np.cumsum(sizes)[:-1])), sizes) + np.arange(
+                sizes.sum()
+            )
+            found, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
+            fresh = piece[found] < 0
+            found, first = np.unique(found[fresh], return_index=True)
+            piece[found], way[found] = pieces, turned[fresh][first]
+            front = found
+        pieces += 1
+        rest = np.flatnonzero(piece[seed:] < 0)
+        seed = seed + int(rest[0]) if rest.size else count
+    turned_count = np.bincount(piece, weights=way, minlength=pieces)
+    total = np.bincount(piece, minlength=pieces)
+    minority = way ^ (2 * turned_count > total)[piece]
+    return np.flatnonzero(minority).tolist(), piece
+
+
+def _from_least(faces: "Array") -> "Array":
+    """Corners in the order they go round, from the one of the least number."""
+    places = (np.argmin(faces, axis=1)[:, None] + np.arange(3)) % 3
+    return np.take_along_axis(faces, places, axis=1)
+
+
+def _doubled(faces: "Array") -> "list[int]":
+    """Triangles with the corners of an earlier one."""
+    _, first = np.unique(faces, axis=0, return_index=True)
+    later = np.ones(len(faces), dtype=bool)
+    later[first] = False
+    return np.flatnonzero(later).tolist()
+
+
+def _edge(points: "Array", edges: _Edges, k: int) -> str:
+    u, v = divmod(int(edges.key[k]), edges.size)
+    return f"{_point(points[u])} to {_point(points[v])}"
+
+
+def _point(point: "Array") -> str:
+    return "(" + ", ".join(f"{part:.6g}" for part in point.tolist()) + ")"

@@ -1,0 +1,180 @@
+"""A mesh read, proved closed and integrated, in the unit of its file."""
+
+import os
+
+from dynamics_cli.errors import UsageError, require
+from dynamics_cli.inertia.bodies.principal import principal
+from dynamics_cli.inertia.mesh.surface import LengthUnit
+from dynamics_cli.quantities import Ratio
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.inertia.mesh.integrals import Moments
+    from dynamics_cli.inertia.mesh.stl import Source
+    from dynamics_cli.inertia.mesh.surface import Faults
+
+# A body this much thinner one way than another is integrated once more in its principal axes; small files always are,
+# as it costs them nothing that can be felt.
+GRADED = 1e-4
+SMALL = 100_000
+# Up to this many triangles whole numbers take at most half as long again as two passes do.
+FEW = 128
+
+
+# Up to this many triangles a diagnosis takes 0.1 to 0.2 s on a laptop core, and is always made.
+DIAGNOSED = 256
+
+
+class Measured:
+    """A mesh read, proved and integrated, in the unit of its file."""
+
+    def __init__(self, source: "Source", *, shell: bool, diagnosed: bool = False) -> None:
+        from dynamics_cli.inertia.mesh.exact_integrals import WholeMoments
+        from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
+
+        self.form = source.form
+        self.unit = source.unit
+        self.single = source.single
+        self.moments: Moments | WholeMoments
+        self.sums, first = first_pass(source, shell=shell, prove=True)
+        self.caution = source.caution
+        self.moments = first
+        self.way = "once"
+        self.faults: Faults | None = None
+        if diagnosed or self.sums.count <= DIAGNOSED:
+            from dynamics_cli.inertia.mesh.faults.diagnosis import diagnose
+
+            self.faults = diagnose(source, closed=self.closed)
+        if self.sums.count <= FEW:
+            self.moments = WholeMoments(source, shell=shell)
+            self.way = "whole"
+        elif first.measure:
+            found = principal(rows(first.second if first.measure > 0.0 else -first.second))
+            if self.sums.count <= SMALL or found.seconds[2] < GRADED * found.seconds[0]:
+                self.moments = second_pass(source, self.sums, first, array(found.axes))
+                self.way = "again"
+
+    @property
+    def known(self) -> bool:
+        """Whether the volume is more than rounding its corners to doubles may have made it."""
+        import numpy as np
+
+        sums = self.sums
+        spacings = np.spacing(np.maximum(abs(sums.low), abs(sums.high)))
+        seen = np.sqrt(sums.count * sums.squares)
+        return bool(abs(self.moments.measure) > 0.5 * float(seen @ spacings))
+
+    @property
+    def closed(self) -> bool:
+        """Whether every edge is met by one the other way."""
+        return self.sums.boundary is not None and self.sums.boundary.empty
+
+
+# The last files integrated: the trials of an uncertain density do not read them again.
+KEPT = 16
+_LAST: "dict[tuple[Any, ...], Measured]" = {}
+
+
+def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
+    """Integrate over a file, unless it was the last one and has not changed."""
+    state = os.stat(name)
+    key = (name, state.st_mtime_ns, state.st_size, shell, diagnosed)
+    if key not in _LAST:
+        from dynamics_cli.inertia.mesh.opening import open_mesh
+
+        made = Measured(open_mesh(name), shell=shell, diagnosed=diagnosed)
+        if len(_LAST) >= KEPT:
+            _LAST.clear()
+        _LAST[key] = made
+    return _LAST[key]
+
+
+def unit_of(found: "Measured | Source", given: "LengthUnit | None", part: str = "") -> "LengthUnit":
+    """The unit of a file's numbers: that which the file says, or which is given where it says none."""
+    of_part = f" of {part}" if part else ""
+    if not found.unit:
+        if given is None:
+            raise UsageError(
+                f"length_unit is missing: the file{of_part} does not say its unit of length",
+                code="missing",
+                parameter=None if part else "length_unit",
+                hint='length_unit = "mm", for example' if part else "for example --length-unit mm",
+            )
+        return given
+    require(
+        given is None or given == found.unit,
+        "the file{of_part} says that its lengths are in {unit}, and {given} was given",
+        code="unit",
+        hint="leave out the length unit",
+        unit=found.unit,
+        given=given,
+        of_part=of_part,
+    )
+    return LengthUnit(found.unit)
+
+
+def require_closed(found: Measured, *, allowed: bool, flip: bool = False, part: str = "") -> None:
+    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` says of which part."""
+    places = ""
+    if found.faults is not None:
+        kept = found.faults
+        places = (
+            f": {kept.open_edges} open edges, {kept.clashing_edges} clashing edges, {kept.flipped} flipped, "
+            f"{kept.duplicated} duplicated and {kept.degenerate} degenerate triangles"
+            + "".join("; " + place for place in kept.places)
+        )
+    require(
+        found.closed or allowed,
+        "the surface {of_part}of {triangles} triangles is not closed: an edge has no neighbour{places}",
+        code="open",
+        hint="repair the surface; dynamics inertia mesh FILE --diagnose names the faulty edges"
+        if part
+        else "repair the surface, or give --allow-open"
+        if found.faults is not None
+        else "--diagnose names the faulty edges; --allow-open answers nevertheless",
+        triangles=found.sums.count,
+        places=places,
+        of_part=f"of {part}, " if part else "",
+    )
+    inverted = found.moments.measure < 0.0 and found.closed
+    require(
+        flip or not inverted,
+        "the surface {of_part}is inside out: it encloses {volume:6} cubed units of length",
+        code="inverted",
+        hint="turn the triangles round in the file" if part else "--flip turns all triangles round",
+        volume=(found.moments.measure, Ratio),
+        of_part=f"of {part} " if part else "",
+    )
+    require(
+        inverted or not flip,
+        "the surface is not inside out: --flip has nothing to turn round",
+        code="inverted",
+        hint="leave out --flip",
+    )
+
+
+def require_extent(found: Measured, *, shell: bool, part: str = "") -> None:
+    """Refuse triangles without area, and surfaces that enclose no more than rounding their corners may have made."""
+    of_part = f" of {part}" if part else ""
+    require(
+        found.moments.measure != 0.0 and (shell or found.known),
+        "the triangles{of_part} {lack}",
+        code="no-volume",
+        hint="check the file; a shell needs --thickness or an areal density",
+        of_part=of_part,
+        lack="have no area" if shell else "enclose no volume beyond the rounding of their corners",
+    )
+
+
+def rows(matrix: "Any") -> "Any":
+    """A matrix as rows of floats."""
+    return tuple(tuple(row) for row in matrix.tolist())
+
+
+def array(rows: "Any") -> "Any":
+    """Rows of floats as a matrix."""
+    import numpy as np
+
+    return np.array(rows)

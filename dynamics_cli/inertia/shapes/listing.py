@@ -1,0 +1,73 @@
+"""The shapes there are, as a table."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.inertia.shapes import HOLLOW, PLATES, RODS, SHELLS, SOLIDS
+from dynamics_cli.quantities import Annotated, Text
+from dynamics_cli.records import docstring, record
+
+GROUPS = (("rod", RODS), ("lamina", PLATES), ("shell", SHELLS), ("solid", SOLIDS), ("hollow", HOLLOW))
+
+
+@record
+class ShapeRow:
+    """One shape."""
+
+    shape: Annotated[Text, "Its name."]
+    kind: Annotated[Text, "Rod, lamina, shell, solid or hollow."]
+    sizes: Annotated[Text, "The options that give its sizes; those in brackets may be left out."]
+    frame: Annotated[Text, "Where its own axes lie."]
+    formula: Annotated[Text, "Its centroid and moments, about the centroid unless a point is named."]
+
+
+@record
+class ShapeTable:
+    """The shapes."""
+
+    shapes: Annotated[tuple[ShapeRow, ...], "One row each."]
+
+
+def shapes(
+    *, kind: Annotated[Text, "Only rods, laminae, shells, solids or hollow ones, or one shape by its name."] = ""
+) -> ShapeTable:
+    """The shapes by name, with their sizes, their own axes and their formulas.
+
+    Returns
+    -------
+    ShapeTable
+        A row for each shape.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is neither a kind nor a shape of that name.
+
+    Examples
+    --------
+    >>> shapes(kind="rod").shapes[0].sizes
+    'length'
+    """
+    rows = tuple(_row(name, cls) for name, members in GROUPS for cls in members.__args__)
+    wanted = kind.strip().lower().replace(" ", "-")
+    kept = tuple(row for row in rows if not wanted or wanted in (row.kind, row.kind + "s", row.shape))
+    require(
+        kept,
+        "no kind or shape is named {read}",
+        code="shape",
+        hint="rod, lamina, shell, solid or hollow",
+        read=repr(kind),
+    )
+    return ShapeTable(kept)
+
+
+def _row(kind: str, cls: type) -> ShapeRow:
+    names = [
+        f"[{name}]" if name in cls.defaults else name  # type: ignore[attr-defined]
+        for name in cls.fields  # type: ignore[attr-defined]
+    ]
+    return ShapeRow(
+        shape=cls.tag[1],  # type: ignore[attr-defined]
+        kind=kind,
+        sizes=", ".join(names).replace("_", "-"),
+        frame=docstring(cls).partition("\n")[0].rstrip("."),
+        formula=cls.formula,  # type: ignore[attr-defined]
+    )

@@ -1,0 +1,69 @@
+"""Mass properties of one shape."""
+
+from dynamics_cli.inertia.bodies.amount import Amount, mass_of
+from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, properties, view_of
+from dynamics_cli.inertia.bodies.records import Shaft
+from dynamics_cli.inertia.bodies.rotation import Turn
+from dynamics_cli.inertia.shapes import Shape
+from dynamics_cli.quantities import Annotated, PartPosition, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def shape(
+    shape: Annotated[Shape, "The shape; `dynamics inertia shapes` lists all with their sizes"],
+    /,
+    *,
+    amount: Annotated[
+        Amount, "Mass; or density or material of a solid, areal density of a lamina or shell, linear density of a rod."
+    ],
+    about: Annotated[
+        Text, "Reference point of moments and products: centroid, or origin of the shape's own axes."
+    ] = "centroid",
+    about_point: Annotated[PartPosition | None, "Another point to refer them to, in the shape's own axes [m]."] = None,
+    axes: Annotated[Axes, "Axes of moments and products: given (the shape's own), or principal."] = Axes("given"),  # noqa: B008
+    turn: Annotated[Turn | None, "How the axes of moments and products are turned from the shape's own."] = None,
+    product_sign: Annotated[
+        ProductSign, "Sign of products: negative (Ixy = −∫ x y dm, the tensor's element) or positive (+∫ x y dm)."
+    ] = ProductSign("negative"),  # noqa: B008
+    shaft: Annotated[Shaft | None, "A line to give the moment about, with WR², GD² and lbf·in·s²."] = None,
+) -> MassProperties:
+    """Mass, centroid, inertia tensor and principal axes of a rod, a lamina, a shell or a solid.
+
+    Equation
+    --------
+    S = ∫ (r − c)(r − c)ᵀ dm; I = tr(S)·1 − S about the mass centre c, plus m (d²·1 − d dᵀ) about a point at d from it.
+
+    Returns
+    -------
+    MassProperties
+        Everything about the shape's mass.
+
+    Raises
+    ------
+    InadmissibleError
+        When sizes contradict one another, a density is of the wrong dimension, or there is no mass.
+
+    Notes
+    -----
+    Second moments are the state and moments their sums, so a lamina has Izz = Ixx + Iyy to the bit and no moment is
+    ever negative. Hollow shapes are factored in the wall thickness, which keeps every digit of a thin wall.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 7, appendices I and II.
+
+    Examples
+    --------
+    >>> from dynamics_cli.inertia.bodies.amount import OfMass
+    >>> from dynamics_cli.inertia.shapes import Rod
+    >>> shape(Rod(length=2.0), amount=OfMass(mass=3.0)).moments
+    AxisMoments(xx=0.0, yy=1.0, zz=1.0)
+    """
+    own = shape.unit()
+    mass = mass_of(amount, own.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[union-attr]
+    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft)
+    measure: dict[str, Any] = {("length", "area", "volume")[shape.dimension - 1]: own.measure}
+    return properties(own.lump(mass), view, **measure)

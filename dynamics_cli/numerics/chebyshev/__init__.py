@@ -1,0 +1,1 @@
+"""Chebyshev proxies of smooth functions, with proved remainders and maxima."""

@@ -1,0 +1,342 @@
+"""Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
+
+Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
+inside the pieces, so that a function that jumps at their ends is never asked there. Proxies whose error is proved are
+made by `numerics.remainders`.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+
+from dynamics_cli.numerics.discs import UP
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+COUNT = 32
+"""Nodes of a piece whose remainder is estimated."""
+RESOLVED = 4e-15
+"""Last coefficients this small beside the whole mean that a piece is resolved."""
+GRID = 72
+LEVELS = 12
+SPLIT = 8
+END = 1e-4
+NOISE = 1.5e-15
+CALM = 1e-15
+# values this close to the best are as good: the first is named
+ALIKE = 1e-14
+ROUNDING = 2.0**-45
+
+
+@record
+class Proxies:
+    """Chebyshev coefficients of `q` functions on `m` pieces."""
+
+    owner: Annotated["Any", "The given piece that each lies in."]
+    starts: Annotated["Any", "The pieces, in order."]
+    ends: Annotated["Any", "The pieces, in order."]
+    coefficients: Annotated["Any", "Coefficients on each piece."]
+    error: Annotated["Any", "What the coefficients left out may come to."]
+    proved: Annotated[bool, "Whether `error` is a proof, with all roundings, or an estimate."] = False
+    steep: Annotated[
+        "Any",
+        "Bound of the derivative of what is left out, over the half width of each piece; none where nothing is proved.",
+    ] = None
+
+
+@record
+class Extremes:
+    """Every candidate for an extreme of one function: ends of pieces and places where it turns, in order of place."""
+
+    owner: Annotated["Any", "The given piece each place lies in."]
+    places: Annotated["Any", "Where."]
+    values: Annotated["Any", "The function there, one-sided at ends of pieces."]
+    inside: Annotated["Any", "Whether the place is inside a piece: a place where the function turns."]
+    error: Annotated[
+        float,
+        "The function's greatest and least value on the pieces are within it of the greatest and least here: "
+        "proved where the error of the proxies is.",
+    ]
+    rows: Annotated["Any", "The proxies' piece each place lies in."] = None
+    units: Annotated["Any", "Where in that piece, between -1 and 1."] = None
+    about: Annotated[
+        "Any",
+        "How far about its place, over the half width of the piece, the function may turn: zero but in cells in "
+        "which it hardly moves.",
+    ] = None
+    off: Annotated[
+        "Any", "What a value may be off the largest or least of the polynomial that was searched, by pieces."
+    ] = None
+
+    def largest(self) -> tuple[float, float]:
+        """The largest value, and the first of the places whose values rounding cannot tell from it."""
+        top = float(self.values.max())
+        return top, float(self.places[int(np.argmax(self.values >= top - min(self.error, ALIKE * abs(top))))])
+
+    def smallest(self) -> tuple[float, float]:
+        """The smallest value, and the first of the places whose values rounding cannot tell from it."""
+        least = float(self.values.min())
+        return least, float(self.places[int(np.argmax(self.values <= least + min(self.error, ALIKE * abs(least))))])
+
+
+@lru_cache(maxsize=4)
+def _transform(count: int) -> "tuple[Any, Any]":
+    """The nodes cos t in increasing order, and the matrix that turns values there into coefficients."""
+    # angles reduced as whole numbers of quarter steps, folded into the first turn's half
+    steps = np.outer(2 * np.arange(count)[::-1] + 1, np.arange(count)) % (4 * count)
+    steps = np.minimum(steps, 4 * count - steps)
+    matrix = 2.0 / count * np.sin(0.5 * np.pi * (count - steps) / count)
+    matrix[:, 0] *= 0.5
+    nodes = np.sin(0.5 * np.pi * (2.0 * np.arange(count) + 1.0 - count) / count)
+    return nodes, matrix
+
+
+@lru_cache(maxsize=4)
+def _basis(count: int) -> "tuple[Any, ...]":
+    """cos(kt) and its first two derivatives by t, on a grid from the left end (t = π) to the right."""
+    t = np.linspace(np.pi, 0.0, GRID + 1)
+    k = np.arange(count)[:, None]
+    cosine = np.cos(k * t)
+    return t, cosine, -k * np.sin(k * t), -k * k * cosine
+
+
+def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
+    """Interpolate functions on pieces, halving those that are not resolved; what is left out is estimated.
+
+    f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
+
+    Parameters
+    ----------
+    function : callable
+        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
+    starts, ends : array
+        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
+    depth : int
+        How often a piece may be halved.
+
+    Returns
+    -------
+    Proxies
+        The coefficients, on pieces in order.
+
+    Raises
+    ------
+    ValueError
+        When a function is not finite at a node.
+
+    Notes
+    -----
+    A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
+    (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
+    ones do; `error` is twice the last four, which is no proof: for searches whose result is certified otherwise. With
+    proof, see `numerics.remainders`. Trefethen, Approximation Theory and Approximation Practice, chapters 3-8.
+
+    Examples
+    --------
+    >>> made = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
+    >>> round(float(made.coefficients[0, 0, 0]), 10)
+    1.7533876544
+    """
+    nodes, matrix = _transform(COUNT)
+    low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
+    origin = np.arange(low.size)
+    before: Any = np.inf
+    done: list[tuple[Any, Any, Any, Any, Any]] = []
+    for level in range(depth + 1):
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        values = function(middle[:, None] + half[:, None] * nodes, origin)
+        if not np.isfinite(values).all():
+            raise ValueError("the function is not finite inside a piece")
+        made = values @ matrix
+        size = np.abs(made).sum(axis=2)
+        tail = np.abs(made[:, :, -4:]).sum(axis=2)
+        worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
+        hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
+        good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
+        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
+        if good.all():
+            break
+        bad = ~good
+        left, mid, right = low[bad], middle[bad], high[bad]
+        low, high = np.concatenate((left, mid)), np.concatenate((mid, right))
+        origin = np.concatenate((origin[bad], origin[bad]))
+        before = np.concatenate((worst[bad], worst[bad]))
+    all_low = np.concatenate([part[0] for part in done])
+    owner = np.concatenate([part[4] for part in done])
+    order = np.lexsort((all_low, owner))
+    return Proxies(
+        owner[order],
+        all_low[order],
+        np.concatenate([part[1] for part in done])[order],
+        np.concatenate([part[2] for part in done], axis=1)[:, order],
+        np.concatenate([part[3] for part in done], axis=1)[:, order],
+    )
+
+
+def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
+    """Find the greatest and the least value of one of the functions, or every place where it turns.
+
+    f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
+    above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
+
+    Parameters
+    ----------
+    made : Proxies
+        The interpolated functions.
+    which : int
+        Which of them.
+    every : bool
+        Whether places are wanted that decide neither the greatest nor the least value.
+    margin : array of m
+        How far below the greatest or above the least value a place may be and is wanted all the same, by pieces.
+
+    Returns
+    -------
+    Extremes
+        Ends of pieces and places where the function turns.
+
+    Raises
+    ------
+    ValueError
+        Never for finite coefficients.
+
+    Notes
+    -----
+    Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
+    terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
+    size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what
+    coefficients too small to be searched come to, and what Newton's method leaves at the places.
+
+    Examples
+    --------
+    >>> made = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> value, place = extremes(made).largest()
+    >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
+    (True, True)
+    """
+    whole = made.coefficients[which]
+    count = whole.shape[1]
+    t, basis, first, second = _basis(count)
+    k = np.arange(count, dtype=float)
+    size = np.abs(whole)
+    # a coefficient that is rounding alone would be searched for turns of its own
+    c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
+    size = np.abs(c)
+    bounds = [size @ k**power for power in (2, 3, 4)]
+    slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
+    scale = size.sum(axis=1)
+    # what the values may be off the largest and least of the proxy
+    off = 2.0 * np.abs(whole - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
+    step = np.pi / GRID
+    roots: list[tuple[Any, Any, Any]] = []
+    calm: list[tuple[Any, Any, Any]] = []
+    q, d1, d2 = c @ basis, c @ first, c @ second
+    # the mean last: what it is added to is small beside it on a short piece
+    moving, mean = whole[:, 1:], whole[:, 0]
+    ends = np.concatenate((moving @ np.where(k[1:] % 2, -1.0, 1.0) + mean, moving.sum(axis=1) + mean))
+    most, least = ends.max(), ends.min()
+    owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
+    # a piece that is constant to its rounding has no extremes
+    bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
+    for level in range(LEVELS + 1):
+        turning, unsure = _cells(d1, d2, step, bounds, slack, owner[:, None])
+        steady = (bounds[0] == 0.0)[owner]
+        turning[steady], unsure[steady] = False, False
+        # within a cell the function is near its chord
+        room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+        high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+        if level == 0:
+            tops, bottoms = high.max(axis=1), low.min(axis=1)
+        if not every:
+            most, least = max(most, q.max()), min(least, q.min())
+            room = 0.0 if margin is None else margin[owner][:, None]
+            decides = (high >= most - room) | (low <= least + room)
+            turning &= decides
+            unsure &= decides
+        found, cells = np.nonzero(turning)
+        roots.append((owner[found], grid[found, cells], grid[found, cells + 1]))
+        found, cells = np.nonzero(unsure)
+        rows, left = owner[found], grid[found, cells]
+        if not rows.size:
+            break
+        # where the function hardly moves within a cell, any place of it will do
+        moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
+        moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
+        still = (moves <= CALM * scale[rows]) | (level == LEVELS)
+        np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
+        calm.append((rows[still], left[still] - 0.5 * step, np.full(rows[still].size, step)))
+        owner, left = rows[~still], left[~still]
+        if not owner.size:
+            break
+        step /= SPLIT
+        grid = left[:, None] - step * np.arange(SPLIT + 1)
+        q, d1, d2 = _derivatives(c[owner], grid)
+    at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
+    row = np.concatenate([at[0], *(part[0] for part in calm)])
+    turns, slope = _refined(c, at[0], at[1], at[2])
+    np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
+    place = np.concatenate([turns, *(part[1] for part in calm)])
+    half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
+    inner = (moving[row] * np.cos(k[1:] * place[:, None])).sum(axis=1) + mean[row]
+    places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
+    values = np.concatenate((ends, inner))
+    # by t, every function turns at the ends of its piece
+    inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
+    rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
+    about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
+    units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
+    owners = made.owner[rows]
+    order = np.lexsort((places, owners))
+    # a piece that stays below the greatest value by more than its error has no part in the error of that
+    room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
+    return Extremes(
+        owners[order], places[order], values[order], inside[order],
+        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
+    )  # fmt: skip
+
+
+def _cells(
+    d1: "Any", d2: "Any", step: float, bounds: "list[Any]", slack: "list[Any]", rows: "Any"
+) -> "tuple[Any, Any]":
+    """Cells with exactly one root of the derivative, and cells about which nothing is known yet."""
+    a, b = d1[:, :-1], d1[:, 1:]
+    changes = (a > 0.0) != (b > 0.0)
+    room = 0.125 * step * step
+    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > room * bounds[1][rows] + slack[0][rows])
+    p, q = d2[:, :-1], d2[:, 1:]
+    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > room * bounds[2][rows] + slack[1][rows])
+    return changes & monotone, ~clear & ~monotone
+
+
+def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
+    """The function and its first two derivatives by t."""
+    k = np.arange(c.shape[1])
+    angle = t[..., None] * k
+    sine, cosine = np.sin(angle), np.cos(angle)
+    rows = np.stack((c, k * k * c), axis=-1)
+    kc = (k * c)[..., None]
+    if t.ndim == 1:
+        both = (cosine[:, None, :] @ rows)[:, 0]
+        return both[:, 0], -(sine[:, None, :] @ kc)[:, 0, 0], -both[:, 1]
+    both = cosine @ rows
+    return both[..., 0], -(sine @ kc)[..., 0], -both[..., 1]
+
+
+def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "tuple[Any, Any]":
+    """Newton kept within a hair of its cell, where the derivative is monotone, and the derivative that is left."""
+    if not rows.size:
+        return np.zeros(0), np.zeros(0)
+    own, hair = c[rows], 0.01 * (high - low)
+    place = 0.5 * (low + high)
+    for _ in range(6):
+        _, d1, d2 = _derivatives(own, place)
+        before, place = place, np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
+        # the square of such a step is below a rounding
+        if np.abs(place - before).max() <= 1e-9:
+            break
+    return place, _derivatives(own, place)[1]

@@ -1,0 +1,266 @@
+"""The greatest value of a proxied function to the rounding of one evaluation: values at turning places, not proxies.
+
+A proxy (`numerics.remainders`) tells where a function may be greatest; it errs itself by far more than one evaluation
+of the function does. At a place where it turns, though, the function's value hardly depends on the place: what is left
+is second order in the error of the proxy's slope, and the bound that of the value at the very place.
+"""
+
+from functools import lru_cache
+from math import inf
+
+import numpy as np
+
+from dynamics_cli.numerics.chebyshev.proxies import ALIKE, NOISE, ROUNDING, Proxies, extremes
+from dynamics_cli.numerics.discs import UP
+from dynamics_cli.quantities import Annotated
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# cells of a piece, in which nothing moves, that are looked into
+CALM = 8
+# more places than these are not compared with one another
+COVERED = 256
+# what the derivatives of a polynomial of 24 terms round by, of Σ k²|c| and Σ k⁴|c|
+SLACK = (2.0**-44, 2.0**-43)
+
+
+@record
+class Summits:
+    """Places that may hold the greatest value of a function."""
+
+    rows: Annotated["Any", "The proxies' piece that each place lies in."]
+    units: Annotated["Any", "Where in that piece, between -1 and 1."]
+    gains: Annotated[
+        "Any", "How much greater than at its place the function may be about it; infinite where that is not known."
+    ]
+    tops: Annotated["Any", "What no value of the function on each of the pieces is above."]
+    errors: Annotated["Any", "What the proxies leave out on each piece."]
+    level: Annotated["Any", "Values of the proxy that places were looked for from, by pieces."]
+    loose: Annotated["Any", "Pieces about whose places nothing is known."]
+
+
+@lru_cache(maxsize=2)
+def _derivative(count: int) -> "Any":
+    """The matrix that turns Chebyshev coefficients into those of the derivative."""
+    made = np.zeros((count, count))
+    for k in range(count):
+        for j in range(k - 1, -1, -2):
+            made[k, j] = 2.0 * k if j else 1.0 * k
+    return made
+
+
+def summits(
+    made: Proxies, which: int = 0, still: "Any" = False, ways: "tuple[float, ...]" = (1.0, -1.0)
+) -> "tuple[Summits, ...]":
+    """Find the places that may hold the greatest value of a function, and those that may hold its least.
+
+    Parameters
+    ----------
+    made : Proxies
+        The functions, their error proved.
+    which : int
+        Which of them.
+    still : array of m, of bool
+        Pieces on which the functions are known to be constant.
+    ways : tuple of float
+        1 for the greatest value, -1 for the least.
+
+    Returns
+    -------
+    tuple of Summits
+        Those of each way; for the least value, of the function upside down.
+
+    Raises
+    ------
+    ValueError
+        Never for finite coefficients.
+
+    Notes
+    -----
+    On a piece, f = p + e, |e| ≤ E, |e′| ≤ D. Where p turns (its slope σ at most) and p″ ≤ −m/2 as far as r on either
+    side, f is above its value there by (σ + D)h − ¼mh² ≤ (σ + D)²/m at most; at an end of the piece that p falls away
+    from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
+    from there to one of the places, and is below that level at r already. Where p hardly moves within a cell, r has to
+    reach beyond the cell. Pieces without such a proof keep p + E.
+
+    Examples
+    --------
+    >>> from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
+    >>> made = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> float(summits(made)[0].gains[0]) < 1e-18
+    True
+    """
+    whole = made.coefficients[which]
+    small = made.error[which] * UP
+    # with what the values of the proxies round by
+    moving = np.abs(whole[:, 1:]).sum(axis=1)
+    wide = small + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(whole[:, 0])
+    best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(whole)].max(initial=0.0))
+    with np.errstate(invalid="ignore"):
+        margin = np.where(np.isfinite(wide), 2.0 * wide + 4.0 * best, 0.0)
+    # on a piece that varies by less than that, every place is as good as any other
+    even = (moving <= margin) & ~np.broadcast_to(still, margin.shape)
+    found = extremes(made, which, margin=np.where(even, 0.0, margin))
+    # the polynomial that was searched has no coefficients that are rounding alone
+    sizes = np.abs(whole)
+    searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], whole, 0.0)
+    dropped = np.abs(whole - searched).sum(axis=1)
+    steep = (np.full(small.shape, inf) if made.steep is None else made.steep[which]) + whole.shape[1] ** 2 * dropped
+    # all that it is off, with the rounding of its values
+    errors = small + found.off
+    parts = []
+    for sign in ways:
+        values = sign * found.values
+        level = values.max() - margin
+        tops = np.full(errors.shape, -inf)
+        np.maximum.at(tops, found.rows, values)
+        near = values >= level[found.rows]
+        # many places in which it hardly moves are no better than one
+        calm = even | (np.bincount(found.rows[near & (found.about > 0.0)], minlength=even.size) > CALM)
+        near &= ~calm[found.rows] | (values == tops[found.rows])
+        tops = np.where(even, values.max(), tops) + errors
+        parts.append((sign, values, np.flatnonzero(near), level, tops, calm))
+    near = np.concatenate([part[2] for part in parts])
+    rows = found.rows[near]
+    signs = np.concatenate([np.full(part[2].shape, part[0]) for part in parts])
+    values = np.concatenate([part[1][part[2]] for part in parts])
+    levels = np.concatenate([part[3][found.rows[part[2]]] for part in parts])
+    turned = signs[:, None] * searched[rows]
+    units, about = _nearer(turned, found.units[near], found.about[near])
+    gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], about)
+    gains = _covered(gains, wide, about, signs * (1.0 + rows), units, values)
+    gains = np.where(np.broadcast_to(still, small.shape)[rows], 0.0, gains)
+    done, low = [], 0
+    for part in parts:
+        own = slice(low, low + part[2].size)
+        low, loose = own.stop, part[5] | ~np.isfinite(errors)
+        loose[rows[own][np.isinf(gains[own])]] = True
+        done.append(Summits(rows[own], units[own], gains[own], part[4], errors, part[3], loose))
+    return tuple(done)
+
+
+def _reaching(whole: "Any") -> "Any":
+    """Pieces that may hold the greatest or the least value, by what they have at their ends and middles."""
+    count = whole.shape[1]
+    k = np.arange(count)
+    some = np.stack((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1), whole @ np.cos(0.5 * np.pi * k)))
+    room = np.abs(whole[:, 1:]).sum(axis=1)
+    high, low = whole[:, 0] + room, whole[:, 0] - room
+    return (high >= some.max()) | (low <= some.min())
+
+
+def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
+    """Places in cells in which a function hardly moves, brought nearer to a turn by two steps of Newton's."""
+    calm = about > 0.0
+    if not calm.any():
+        return units, about
+    matrix, k = _derivative(own.shape[1]), np.arange(own.shape[1])
+    first = own[calm] @ matrix
+    second, place = first @ matrix, units[calm]
+    for _ in range(2):
+        basis = np.cos(k * np.arccos(place)[:, None])
+        bend = (second * basis).sum(axis=1)
+        step = np.where(bend < 0.0, -(first * basis).sum(axis=1) / np.where(bend < 0.0, bend, 1.0), 0.0)
+        place = np.clip(place + np.clip(step, -about[calm], about[calm]), -1.0, 1.0)
+    made, wide = units.copy(), about.copy()
+    wide[calm] += np.abs(place - units[calm])
+    made[calm] = place
+    return made, wide
+
+
+def _gains(own: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
+    """How much greater a function may be about places than at them, and how far that is known to each side.
+
+    Its proxy is `above` the level looked for there.
+    """
+    count = own.shape[1]
+    matrix, k = _derivative(count), np.arange(count, dtype=float)
+    first = own @ matrix
+    second = first @ matrix
+    third = second @ matrix
+    basis = np.cos(k * np.arccos(np.clip(units, -1.0, 1.0))[:, None])
+    slack = [factor * (np.abs(own) @ k**power) for factor, power in zip(SLACK, (2, 4), strict=True)]
+    slope, bend = (first * basis).sum(axis=1), (second * basis).sum(axis=1)
+    # into the piece from its ends, either way from within
+    slope = np.where(units == 1.0, -slope, np.where(units == -1.0, slope, np.abs(slope))) + slack[0]
+    bent, twisted = np.abs(second).sum(axis=1) * UP + slack[1], np.abs(third).sum(axis=1) * UP
+    with np.errstate(all="ignore"):
+        m = -bend - slack[1]
+        r = np.minimum(m / (2.0 * twisted), 2.0)
+        up = np.maximum(slope, 0.0)
+        smooth = (m > 0.0) & (r > about) & (above + up * r < 0.25 * m * r * r)
+        gain = np.where(smooth, (up + steep) ** 2 / np.where(m > 0.0, m, 1.0), inf)
+        a = -slope
+        fall = np.minimum(a / (2.0 * bent), 2.0)
+        ending = (np.abs(units) == 1.0) & (a > 2.0 * steep) & (above < 0.5 * a * fall)
+    gain = np.where(np.isfinite(gain), gain, inf)
+    return np.where(ending, 0.0, gain), np.where(gain < inf, r, 0.0)
+
+
+def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any", values: "Any") -> "Any":
+    """The same gains, but none where a place lies in what is known about the best of its piece: that one's counts."""
+    if not 1 < gains.size <= COVERED:
+        return gains
+    same = rows[:, None] == rows
+    # only what is known about the best of a piece counts: it is in no other's care
+    first = ~(same & (values[:, None] > values)).any(axis=0)
+    within = np.abs(units[:, None] - units) + about < wide[:, None]
+    return np.where((same & first[:, None] & within).any(axis=0) & ~first, 0.0, gains)
+
+
+def doubtful(found: Summits, sure: float) -> "Any":
+    """Pieces (array of m, of bool) that may hold more than is `sure`, and about whose places nothing is known."""
+    # places were looked for from a level that has to be below what is certain, by the error of the piece
+    return (found.tops >= sure) & (found.loose | (found.level > sure - found.errors))
+
+
+def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
+    """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
+
+    Parameters
+    ----------
+    found : Summits
+        The places.
+    values : array
+        The function at each of them.
+    errors : array
+        What each of these values may err by.
+
+    Returns
+    -------
+    (float, int, float)
+        The value, the index of its place, and what the greatest value may be off.
+
+    Raises
+    ------
+    ValueError
+        Never for finite values.
+
+    Notes
+    -----
+    The greatest value is at least what is certain at the best place, and at most the most of what is possible at every
+    place and on every piece without a proof of its own.
+
+    Examples
+    --------
+    >>> from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
+    >>> made = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> top = summits(made)[0]
+    >>> settled(top, np.array([1.0]), np.array([1e-16]))[2] < 2e-16
+    True
+    """
+    best = float(values.max())
+    index = int(np.argmax(values >= best - min(ALIKE * abs(best), float(found.errors[found.rows[values.argmax()]]))))
+    sure = float((values - errors).max())
+    loose = doubtful(found, sure)
+    with np.errstate(invalid="ignore"):
+        reach = values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)
+        # what the piece's proxy says may be less still
+        reach = float(np.maximum(values + errors, np.minimum(reach, found.tops[found.rows])).max())
+    rest = found.tops[loose]
+    if rest.size:
+        reach = max(reach, float(rest.max()))
+    return best, index, max(reach - best, best - sure) * UP

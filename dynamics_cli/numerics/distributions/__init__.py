@@ -1,0 +1,1 @@
+"""The normal distribution and Student's t."""

@@ -1,0 +1,258 @@
+"""Bounds of eigenvalues proved afterwards, by what is left of a matrix beside the diagonal along its vectors.
+
+Doubles are whole multiples of a power of two, so that the matrix along the vectors is had without rounding.
+"""
+
+from math import asin, frexp, hypot, inf, ldexp, sqrt
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import TypeAlias
+
+    Triple: TypeAlias = tuple[float, float, float]
+    Rows: TypeAlias = tuple[Triple, Triple, Triple]
+
+UNIT_ROUNDOFF = 2.0**-53
+# Covers the rounding of the bound's own arithmetic, and that the vectors are unit ones to rounding only.
+_SLACK = 1.0 + 2.0**-30
+# Roundings of the difference of two quotients.
+_CLOSE = 4.0 * UNIT_ROUNDOFF
+# What gradual underflow can take from a bound.
+_TINY = 5e-324
+_OTHERS = ((1, 2), (0, 2), (0, 1))
+
+
+def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
+    """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
+
+    Equation
+    --------
+    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
+
+    Parameters
+    ----------
+    matrix : tuple of rows
+        The symmetric matrix A, of finite numbers.
+    values : tuple of float
+        Its eigenvalues as they were found, in order of size.
+    vectors : tuple of rows
+        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
+    errors : tuple of rows
+        How far each element of the matrix may be off; nothing when not given.
+
+    Returns
+    -------
+    tuple of float
+        A bound for each, in the order of the values.
+
+    Notes
+    -----
+    The three terms are how far Rayleigh's quotient is from the value; how far it is from an eigenvalue, quadratic over
+    the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
+    (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
+    are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
+    order or a rounding of the value. Errors E of the matrix add |V| E |V|ᵀ to T.
+
+    Examples
+    --------
+    >>> one = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    >>> [round(bound) for bound in residual_bounds(((9.0, 0.0, 0.0), (0.0, 5.0, 0.0), (0.0, 0.0, 1.0)), (9, 5, 2), one)]
+    [0, 0, 1]
+    """
+    if errors is not None and not all(error < inf for row in errors for error in row):
+        return inf, inf, inf
+    seen = _Seen(matrix, values, vectors, errors)
+    found = []
+    for k, spread in enumerate(_spreads(seen.quotients, seen.beside, seen.blur)):
+        known = abs(seen.quotients[k]) + seen.blur[k] + spread
+        found.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
+    return _back(_paired(values, found, seen.size), seen.size)
+
+
+def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
+    """How far vectors are at most turned from the eigenvectors of a symmetric 3 × 3 matrix.
+
+    Equation
+    --------
+    T and G as of `residual_bounds`; sin θₖ ≤ √(Σ (tₖⱼ − tₖₖ gₖⱼ)²)/minⱼ |tₖₖ − λⱼ|, j other than k.
+
+    Parameters
+    ----------
+    matrix : tuple of rows
+        The symmetric matrix A, of finite numbers.
+    vectors : tuple of rows
+        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
+    errors : tuple of rows
+        How far each element of the matrix may be off; nothing when not given.
+
+    Returns
+    -------
+    tuple of float
+        An angle for each vector [rad]; infinite where its eigenvalue is not told from another.
+
+    Notes
+    -----
+    The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
+    7 (1970) 1. What vectors lack of being orthonormal is added.
+
+    Examples
+    --------
+    >>> one = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    >>> tilt_bounds(((1.0, 1e-9, 0.0), (1e-9, 2.0, 0.0), (0.0, 0.0, 3.0)), one)[0] < 1.1e-9
+    True
+    """
+    if errors is not None and not all(error < inf for row in errors for error in row):
+        return inf, inf, inf
+    seen = _Seen(matrix, (0.0, 0.0, 0.0), vectors, errors)
+    spreads = _spreads(seen.quotients, seen.beside, seen.blur)
+    found = []
+    for k, others in enumerate(_OTHERS):
+        gap = min(
+            abs(seen.quotients[k] - seen.quotients[j]) * (1.0 - _CLOSE) - seen.blur[k] - seen.blur[j] - spreads[j]
+            for j in others
+        )
+        off = hypot(*(seen.residual(k, j) for j in others))
+        known = off < gap
+        found.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
+    return found[0], found[1], found[2]
+
+
+class _Seen:
+    """A matrix along vectors, its numbers as shares of 2^size, within the range of doubles.
+
+    Rayleigh's quotients, how far given values are away from them, what is beside the diagonal off row and column k, how
+    far the diagonal may be off, and by how much the vectors are not orthogonal and not of unit length.
+    """
+
+    def __init__(self, matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None") -> None:
+        self.size = size = frexp(max(abs(x) for row in matrix for x in row))[1]
+        rows, unit = whole((*matrix, values))
+        lines, one = whole(vectors)
+        cells, products = along(rows[:3], lines), grams(lines)
+        self.long = [abs(products[k][k] - one * one) / (one * one) for k in range(3)]
+        scale = unit << size if size > 0 else unit
+        more = 1 << -size if size < 0 else 1
+        own = [products[k][k] * scale for k in range(3)]
+        self.quotients = [more * cells[k][k] / own[k] for k in range(3)]
+        self.away = [more * abs(cells[k][k] - rows[3][k] * products[k][k]) / own[k] for k in range(3)]
+        self.beside = [more * abs(cells[i][j]) / min(own) for i, j in _OTHERS]
+        skews = [sum(abs(products[k][j]) for j in range(3) if j != k) / products[k][k] for k in range(3)]
+        self.skew = max(skews) * _SLACK
+        self.blur, self._others = [0.0] * 3, [0.0] * 3
+        if errors is not None:
+            self.blur, self._others = _blurred(errors, vectors, size)
+            self.beside = [one + other for one, other in zip(self.beside, self._others, strict=True)]
+        self._exact = cells, products, scale, more
+
+    def residual(self, k: int, j: int) -> float:
+        """What A vₖ less its quotient times vₖ has along vⱼ, which may be not quite across vₖ."""
+        cells, products, scale, more = self._exact
+        own = products[k][k]
+        left = more * abs(cells[k][j] * own - cells[k][k] * products[k][j]) / (own * min(own, products[j][j]) * scale)
+        return left + self._others[3 - k - j]
+
+
+def _blurred(errors: "Rows", vectors: "Rows", size: int) -> "tuple[list[float], list[float]]":
+    """|V| E |V|ᵀ as shares of 2^size: on the diagonal, and off row and column k."""
+    e = [[ldexp(x, -size) for x in row] for row in errors]
+    v = [[abs(x) for x in row] for row in vectors]
+    half = [[sum(x * y for x, y in zip(line, row, strict=True) if x) for row in e] for line in v]
+    full = [[sum(x * y for x, y in zip(line, part, strict=True) if x) for line in v] for part in half]
+    return [full[k][k] for k in range(3)], [full[i][j] for i, j in _OTHERS]
+
+
+def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
+    """Rayleigh's quotients vᵀ A v/vᵀ v of a symmetric 3 × 3 matrix, each rounded once.
+
+    Parameters
+    ----------
+    matrix : tuple of rows
+        The symmetric matrix A, of finite numbers.
+    vectors : tuple of rows
+        Vectors v.
+
+    Returns
+    -------
+    tuple of float
+        A quotient for each vector: its eigenvalue but for the square of what the vector is off.
+
+    Examples
+    --------
+    >>> quotients(((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0)), ((1, 1, 0), (1, -1, 0), (0, 0, 1)))
+    (3.0, 1.0, 5.0)
+    """
+    rows, unit = whole(matrix)
+    lines, _ = whole(vectors)
+    a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
+    return a, b, c
+
+
+def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
+    """Finite numbers as whole multiples of one over a common power of two, and that power.
+
+    Parameters
+    ----------
+    rows : sequence of rows
+        The numbers.
+
+    Returns
+    -------
+    tuple
+        The multiples, in rows, and the power of two.
+
+    Examples
+    --------
+    >>> whole(((0.5, 3.0), (0.25, 0.0)))
+    ([[2, 12], [1, 0]], 4)
+    """
+    ratios = [[number.as_integer_ratio() for number in row] for row in rows]
+    unit = max(down for row in ratios for _, down in row)
+    return [[up * (unit // down) for up, down in row] for row in ratios], unit
+
+
+def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
+    """V A Vᵀ: a matrix along vectors, which are rows."""
+    half = [[_dot(row, line) for row in matrix] for line in lines]
+    return [[_dot(part, line) for line in lines] for part in half]
+
+
+def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
+    """V Vᵀ: the products of vectors with one another."""
+    return [[_dot(one, line) for line in lines] for one in lines]
+
+
+def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
+    """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
+    found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
+    apart = [
+        abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))
+        for i, j in _OTHERS
+    ]
+    for one, (i, j) in enumerate(_OTHERS):
+        gap = min(apart[i], apart[j]) - beside[one]
+        if gap > 0.0:
+            # the element of its own, and the other two as a matrix
+            square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
+            within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
+            found[one] = min(found[one], square)
+            found[i], found[j] = min(found[i], square + within), min(found[j], square + within)
+    return found
+
+
+def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]":
+    """Bounds of values that may be one another's: the larger of the two."""
+    for _ in range(2):
+        for k in range(2):
+            if not abs(ldexp(values[k] - values[k + 1], -size)) > (bounds[k] + bounds[k + 1]) * _SLACK:
+                bounds[k] = bounds[k + 1] = max(bounds[k], bounds[k + 1])
+    return bounds
+
+
+def _back(bounds: "list[float]", size: int) -> "Triple":
+    a, b, c = (ldexp(bound, size) for bound in bounds)
+    return a + _TINY, b + _TINY, c + _TINY

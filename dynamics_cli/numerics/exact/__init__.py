@@ -1,0 +1,1 @@
+"""Exact and many-digit arithmetic: rationals, decimals, constants, exact factors."""

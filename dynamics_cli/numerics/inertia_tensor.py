@@ -1,0 +1,44 @@
+"""Whether a body can have a tensor of inertia."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import where
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    Triple: TypeAlias = tuple[float, float, float]
+    Matrix: TypeAlias = tuple[Triple, Triple, Triple]
+
+# Written tensors are rounded: this part of the trace is overlooked.
+OVERLOOKED = 10**9
+
+
+def possible(inertia: "Matrix") -> bool:
+    """Whether no principal moment exceeds the sum of the other two; of the upper triangle.
+
+    That is: the second moments of the mass, ½ tr(I)·1 − I, have no direction in which they are negative. Pivots of
+    elimination tell it, without eigenvalues, of floats, arrays and decimals alike.
+    """
+    (a, d, e), (_, b, f), (_, _, c) = inertia
+    room = (a + b + c) / OVERLOOKED
+    half = (a + b + c) / 2 + room
+    first = half - a
+    one = where(first > 0, first, half - half + 1)
+    second = half - b - d * d / one
+    two = where(second > 0, second, half - half + 1)
+    across = -f - d * e / one
+    third = half - c - e * e / one - across * across / two
+    return (room > 0) & (first > 0) & (second > 0) & (third > 0)
+
+
+def require_inertia_of_body(inertia: "Matrix", name: str) -> None:
+    """Refuse a tensor that no body has; `name` says whose it is."""
+    (a, _, _), (_, b, _), (_, _, c) = inertia
+    require(a + b + c > 0, name + " has no inertia", code="no-inertia")
+    require(
+        possible(inertia),
+        name + " has a tensor that belongs to no body: one principal moment exceeds the sum of the other two",
+        code="no-body",
+        hint="check the moments, and the signs and the axes of the products",
+    )

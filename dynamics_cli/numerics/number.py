@@ -1,0 +1,51 @@
+"""The one protocol of numbers: what arrived (double, array, tracked, of many digits), and the double in it.
+
+A formula is written once for all of them. Where a branch needs to know, it asks here.
+"""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def plain(x: "Any") -> float:
+    """The double inside a number that carries more than it; anything else as it is.
+
+    >>> plain(2.5)
+    2.5
+    """
+    return getattr(x, "value", x)  # type: ignore[no-any-return]
+
+
+def is_array(x: object) -> bool:
+    """Whether this is numpy's: an array, or a scalar taken from one."""
+    return hasattr(x, "dtype")
+
+
+def single(*values: object) -> bool:
+    """Whether these are single numbers: advice and checks are about one case, never about an array of them."""
+    return not any(getattr(value, "ndim", 0) for value in values)
+
+
+def is_carrier(x: object) -> bool:
+    """Whether this carries more than a double: its error and slopes, or many digits."""
+    return hasattr(x, "apply")
+
+
+def is_tracked(x: object) -> bool:
+    """Whether this carries a rounding bound and derivatives."""
+    return hasattr(x, "slopes")
+
+
+def is_many(x: object) -> bool:
+    """Whether this has many digits and goes through formulas as a tracked number does."""
+    return hasattr(x, "many_digits")
+
+
+def like(number: float, beside: "Any") -> "Any":
+    """A double, exact as it is, as a number like the one it stands beside; other numbers stay as they are."""
+    if is_carrier(number) or not is_carrier(beside):
+        return number
+    if is_tracked(beside):
+        return type(beside)(number, 0.0, (0.0,) * len(beside.slopes))
+    return type(beside).inputs([number])[0]

@@ -1,0 +1,1 @@
+"""Quadrature: Gauss rules, sparse grids and lattices."""

@@ -1,0 +1,82 @@
+"""Cosine and sine of an angle as a user wrote it: exact at multiples of 30 degrees.
+
+An angle reaches physics in radians. The double nearest to a multiple of π/6 is what such a multiple was read as: 90
+degrees have no cosine of 6e-17. The bounds of tracked numbers, which are of the double, allow for the difference, and
+numbers of many digits, which check those bounds, keep to the double. Use this where an angle is an input; what a
+formula calculated has no such meaning.
+"""
+
+from dynamics_cli.numerics.elementary import cos, product_error, sin
+from dynamics_cli.numerics.number import is_carrier
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# π/6, and what the double leaves out of it.
+SIXTH, REST = 0.5235987755982989, -5.360408832255455e-17
+# Multiples beyond these are too close to one another's doubles to mean anything.
+MOST = 1e6
+# What rounding may have made of an angle and of a sine, relatively.
+OFF = 2.0**-53
+HALF, ROOT = 0.5, 0.8660254037844386
+# Sines of multiples of 30 degrees: sign and size.
+_SINES = ((0, 0.0), (1, HALF), (1, ROOT), (1, 1.0), (1, ROOT), (1, HALF), (0, 0.0), (-1, HALF), (-1, ROOT), (-1, 1.0),
+          (-1, ROOT), (-1, HALF))  # fmt: skip
+
+
+def turned(angle: float) -> tuple[float, float]:
+    """Cosine and sine of an angle in radians."""
+    if getattr(angle, "ndim", 0):
+        return _of_array(angle)
+    value: float = getattr(angle, "value", angle)
+    multiple = multiple_of(value)
+    # numbers of many digits are taken at their word
+    if multiple is None or (is_carrier(angle) and not hasattr(angle, "error")):
+        return cos(angle), sin(angle)
+    return _exact(angle, value, multiple + 3), _exact(angle, value, multiple)
+
+
+def multiple_of(value: float) -> int | None:
+    """How many times 30 degrees an angle is, if its double is the nearest to such a multiple."""
+    if not abs(value) <= MOST * SIXTH:
+        return None
+    count = round(value / SIXTH)
+    return count if _nearest(float(count)) == value else None
+
+
+def _nearest(count: "Any") -> "Any":
+    """The double nearest to so many times 30 degrees."""
+    product = count * SIXTH
+    return product + (product_error(count, SIXTH, product) + count * REST)
+
+
+def _exact(angle: float, value: float, multiple: int) -> float:
+    """The sine of a multiple of 30 degrees; of a tracked angle with its slope and what the double is off."""
+    sine = _size(multiple)
+    if type(angle) is float:
+        return sine
+    slope = _size(multiple + 3)
+    # nothing but slope; of a positive zero, since its sign decides directions
+    change = abs(slope) * (angle - value if slope >= 0.0 else value - angle)
+    error = change.error + OFF * abs(value * slope) + OFF * abs(sine)  # type: ignore[attr-defined]
+    return type(angle)(sine, error, change.slopes)  # type: ignore[call-arg, attr-defined]
+
+
+def _size(multiple: int) -> float:
+    sign, size = _SINES[multiple % 12]
+    return sign * size
+
+
+def _of_array(angle: "Any") -> "tuple[Any, Any]":
+    cosine, sine = cos(angle), sin(angle)
+    if is_carrier(angle):
+        return cosine, sine
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        count = np.where(np.abs(angle) <= MOST * SIXTH, np.round(angle / SIXTH), 0.0)
+        same = _nearest(count) == angle
+    table = np.array([_size(multiple) for multiple in range(12)])
+    whole = count.astype(int)
+    return np.where(same, table[(whole + 3) % 12], cosine), np.where(same, table[whole % 12], sine)

@@ -1,0 +1,77 @@
+"""The families: the one list that the command line, help, accuracy, import contracts and documents read."""
+
+# The trades that families are listed by in `dynamics --help`, in this order.
+GROUPS = ("Units and coordinates", "Crash reconstruction", "Bodies", "Machine parts", "About the program")
+
+
+class Entry:
+    """One family: the module of its tasks, its trade, a line of help, and where its accuracy is judged.
+
+    `references` are files of reference cases under `accuracy/data`, whose cases bear the names of the tasks' functions:
+    that is enough to judge the program's own methods. `questions` is the module of alternatives to them.
+    """
+
+    __slots__ = ("group", "module", "questions", "references", "summary")
+
+    def __init__(
+        self, module: str, group: str, summary: str, *, references: "tuple[str, ...]" = (), questions: str = ""
+    ) -> None:
+        self.module = module
+        self.group = group
+        self.summary = summary
+        self.references = references
+        self.questions = questions
+
+
+FAMILIES: "dict[str, Entry]" = {
+    "convert": Entry(
+        "dynamics_cli.convert.commands",
+        GROUPS[0],
+        "Convert a quantity to other units, exactly.",
+        questions="dynamics_cli.accuracy.alternatives.convert",
+    ),
+    "units": Entry("dynamics_cli.convert.commands", GROUPS[0], "List, show and search units; the book's table."),
+    "coords": Entry(
+        "dynamics_cli.convert.commands",
+        GROUPS[0],
+        "Cartesian, cylindrical and spherical coordinates.",
+        questions="dynamics_cli.accuracy.alternatives.coords",
+    ),
+    "skid": Entry(
+        "dynamics_cli.skid.commands",
+        GROUPS[1],
+        "Speeds and distances from skids, yaw marks, vaults, braking.",
+        references=("skid.json",),
+        questions="dynamics_cli.accuracy.alternatives.skid.questions",
+    ),
+    "impact": Entry(
+        "dynamics_cli.impact.commands",
+        GROUPS[1],
+        "Impacts, from two balls to a two-car crash with friction.",
+        references=("impact_particles.json", "impact_rigid.json", "impact_spatial.json"),
+        questions="dynamics_cli.accuracy.alternatives.impact.questions",
+    ),
+    "inertia": Entry(
+        "dynamics_cli.inertia.commands",
+        GROUPS[2],
+        "Mass properties of shapes, assemblies, sections, meshes.",
+        references=("inertia_bodies.json",),
+        questions="dynamics_cli.accuracy.alternatives.inertia.questions",
+    ),
+    "cam": Entry(
+        "dynamics_cli.cam.commands",
+        GROUPS[3],
+        "Cam motions, profiles, sizes, forces, files for machines.",
+        questions="dynamics_cli.accuracy.alternatives.cam.questions",
+    ),
+    "gear": Entry(
+        "dynamics_cli.gear.commands",
+        GROUPS[3],
+        "Gear geometry, measurement, pairs, trains and ratios.",
+        references=("gear_geometry.json", "gear_trains.json", "gear_meshes.json"),
+        questions="dynamics_cli.accuracy.alternatives.gear.questions",
+    ),
+    "accuracy": Entry(
+        "dynamics_cli.accuracy.commands", GROUPS[4], "Speed against error of every method, measured here and now."
+    ),
+}

@@ -1,0 +1,156 @@
+"""The appendices: complete numbers with error bounds, how to reproduce them, the files, and how to read the report."""
+
+import os
+
+from dynamics_cli.core.documents import bound_text, flatten, is_table, number
+from dynamics_cli.core.output.render import check_line, to_pretty_json
+from dynamics_cli.report.blocks import Code, Heading, Items, Paragraph, Table
+from dynamics_cli.report.calculation import Calculation, spreads
+from dynamics_cli.report.recalculation import read_files
+from dynamics_cli.report.sections import table
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    from dynamics_cli.report.blocks import Block
+
+    Document = dict[str, Any]
+
+ALL_DIGITS = 17
+READING = (
+    "a ± b: an input with the standard uncertainty b, normally distributed; a..b: anywhere between, equally likely.",
+    "Interval: the middle part of a result's distribution, with the probability that it stands for. A result's value "
+    "is the one at the nominal inputs and need not be the middle of its interval.",
+    "A result of an earlier section as an input is shown as that section found it. The calculation takes its whole "
+    "distribution, and the mean of that distribution as its nominal value; both are in appendix B.",
+    "Share of the variance: how much of a result's uncertainty an input brings, together with other inputs.",
+    "Rounding error at most: what the arithmetic itself may have added, for the inputs as written. It does not say how "
+    "well they were measured.",
+    "Calculated again: this program repeated each calculation from its inputs while it wrote the report.",
+)
+
+
+def appendices(made: "Sequence[Calculation]") -> "list[Block]":
+    """All of them."""
+    return [*_numbers(made), *_reproduction(made), *_files(made)]
+
+
+def _numbers(made: "Sequence[Calculation]") -> "list[Block]":
+    blocks: list[Block] = [Heading(2, "Appendix A: Complete numbers and error bounds")]
+    for one in made:
+        if one.document is None:
+            continue
+        blocks += _complete(one)
+        for name, node in one.results.items():
+            if is_table(node):
+                blocks.append(table(node, f"Section {one.section}, {name.replace('_', ' ')}", 12))
+        lines = [check_line(check) for check in one.document["checks"]]
+        lines += _propagation(one.document["numerics"].get("uncertainty", {}))
+        method = one.document["numerics"].get("method", "")
+        blocks.append(Paragraph(f"Section {one.section}: method {method}. {'; '.join(lines)}", small=True))
+    return blocks
+
+
+def _complete(one: Calculation) -> "list[Block]":
+    """Every result with all digits, its interval and deviation, the worst case, and its error bound."""
+    document = one.document
+    assert document is not None
+    bounds = document["numerics"].get("error_bound", {})
+    spread = dict(spreads(one.results))
+    shares = document.get("sensitivity", {})
+    head = [
+        "result",
+        "value",
+        "unit",
+        *(["interval", "std. deviation", "all inputs at their limits"] if spread else []),
+    ]
+    rows = []
+    said = []
+    for name, value, unit in flatten(one.results):
+        if isinstance(value, str) or value is None:
+            said.append(f"{name}: {value if value is not None else 'none'}")
+            continue
+        row = [name, number(value, ALL_DIGITS), unit]
+        if spread:
+            row += _spread(spread.get(name), shares.get(name, {}))
+        rows.append([*row, bound_text(bounds[name]) if name in bounds else ""])
+    caption = f"Section {one.section}, {one.name}: dynamics {document['command']}, complete"
+    head = [*head, "rounding error at most"]
+    blocks: list[Block] = [Table(head, rows, caption, small=True)] if rows else []
+    return [*blocks, *([Paragraph(f"Section {one.section}: {'; '.join(said)}.", small=True)] if said else [])]
+
+
+def _spread(node: "Document | None", shares: "Document") -> "list[str]":
+    if node is None:
+        return ["", "", ""]
+    low, high = (number(end, 8) for end in node["interval"])
+    worst = " to ".join(number(end, 6) for end in shares["worst_case"]) if "worst_case" in shares else ""
+    return [f"{low} to {high}", number(node["std"], 3), worst]
+
+
+def _propagation(told: "Document") -> "list[str]":
+    """By which methods the uncertainty went through, and how far they trust themselves."""
+    methods: dict[str, float] = {}
+    for entry in told.get("results", {}).values():
+        method = entry["method"].partition(",")[0]
+        methods[method] = max(methods.get(method, 0.0), entry.get("estimate") or 0.0)
+    lines = [
+        f"uncertainty: {method}, its error estimated at {number(error, 2)} standard deviations or less"
+        for method, error in methods.items()
+    ]
+    if "evaluations" in told:
+        lines.append(f"{told['evaluations']} evaluations of the formulas, seed {told.get('seed', 1)}")
+    return lines
+
+
+def _reproduction(made: "Sequence[Calculation]") -> "list[Block]":
+    """The inputs as data: what `--input` takes to calculate everything again."""
+    text = (
+        "Each block is what --input reads: save it in a file and give the command above it to calculate the section "
+        "again (the ranges of a sweep are given with --sweep instead). dynamics report also repeats every calculation."
+    )
+    blocks: list[Block] = [Heading(2, "Appendix B: How to reproduce"), Paragraph(text)]
+    for one in made:
+        document = one.source.document
+        version = document.get("version")
+        command = f"dynamics {document['command']} --input FILE{_options(one.document or {})}"
+        blocks.append(Paragraph(f"Section {one.section}, version {version}: {command}"))
+        blocks.append(Code(to_pretty_json(document["inputs"]).rstrip()))
+    return [*blocks, Heading(2, "Appendix C: How to read this report"), Items(READING)]
+
+
+def _options(document: "Document") -> str:
+    """The options that the call had beside its inputs."""
+    model = document.get("model", {})
+    limits = [
+        f' --limit "{entry["result"]}={number(entry["limit"]["value"], 17)} {entry["limit"].get("unit", "")}'.rstrip()
+        + '"'
+        for entry in document.get("limits", ())
+    ]
+    asked = f' --model "{model["name"]}"' if model.get("why") == "asked for" else ""
+    seed = document.get("numerics", {}).get("uncertainty", {}).get("seed", 1)
+    return asked + "".join(limits) + (f" --seed {seed}" if seed != 1 else "")
+
+
+def _files(made: "Sequence[Calculation]") -> "list[Block]":
+    """Every file that the report rests on with its SHA-256, and which section read it."""
+    digests = {one.source.digest: one.section for one in made}
+    rows: dict[tuple[str, str], list[str]] = {}
+    for one in made:
+        name = "standard input" if one.source.file == "-" else os.path.basename(one.source.file)
+        rows.setdefault((name, one.source.digest), []).append(f"document of section {one.section}")
+    for one in made:
+        here = read_files(one.document or {})
+        listed = read_files(one.source.document)
+        for name, digest in [*here, *(file for file in listed if file[0] not in dict(here))]:
+            origin = digests.get(digest)
+            said = "" if origin or (name, digest) in here else ", as its document says"
+            rows.setdefault((os.path.basename(name), digest), []).append(f"read by section {one.section}{said}")
+        for name, digest in read_files(one.source.document, written=True):
+            use = f"written by section {one.section}, as its document says"
+            rows.setdefault((os.path.basename(name), digest), []).append(use)
+    shown = [[name, "; ".join(dict.fromkeys(uses)), digest] for (name, digest), uses in rows.items()]
+    caption = "Files this report rests on"
+    return [Heading(2, "Appendix D: Files"), Table(["file", "use", "SHA-256"], shown, caption, small=True)]

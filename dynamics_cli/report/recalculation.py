@@ -1,0 +1,260 @@
+"""A document calculated again from the inputs it holds, and whether it gives the same results."""
+
+from dynamics_cli.core.answering.gather import Gathered
+from dynamics_cli.core.command.execute import answered_case
+from dynamics_cli.core.documents import number, to_json
+from dynamics_cli.core.inputs.reader import Reader
+from dynamics_cli.core.inputs.settings import Settings
+from dynamics_cli.core.inputs.sources.files import parse_json
+from dynamics_cli.errors import DynamicsError, UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+    from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.core.terminal import Terminal
+    from dynamics_cli.pictures import Picture
+
+    Document = dict[str, Any]
+    # Numbers and words by their address.
+    Leaves = dict[str, Any]
+
+
+# So many differences are told in full; the rest is counted.
+MOST_TOLD = 12
+# An uncertain figure is known no worse than this, in standard deviations, or it does not count as the same.
+ROUGHEST = 0.1
+# What a call says of itself, and what is compared apart or is the calculation's own input.
+NOT_COMPARED = ("schema", "command", "version", "inputs", "results", "timing", "files")
+# How much work it was depends on what else was asked for.
+WORK = "numerics.uncertainty.evaluations"
+
+
+class Again:
+    """What came of it: the new document and its picture, or why there is none, and whether the old one says the same.
+
+    What a file says is a claim; only the document made here is shown as calculated.
+    """
+
+    def __init__(
+        self, words: str, document: "Document | None" = None, picture: "Picture | None" = None, *, short: str = ""
+    ) -> None:
+        self.words = words
+        self.document = document
+        self.picture = picture
+        # In a few words.
+        self.short = short or ("the same" if document is not None else "not repeated")
+
+    @property
+    def same(self) -> bool:
+        """Whether everything came out as the file says."""
+        return self.short == "the same"
+
+
+def calculate(task: "Task", document: "Document", folder: str, terminal: "Terminal") -> Again:
+    """Calculate a document's task again from its inputs."""
+    try:
+        if "sweep" in document["inputs"]:
+            made, picture = _sweep(task, document, _gathered(document, folder, terminal))
+        else:
+            asked = _settings(task, document)
+            made, _, picture = answered_case(task, _gathered(document, folder, terminal), Settings(asked, {}))
+            shown = _units(made["results"])
+            to = [f"{name}={unit}" for name, unit in _units(document["results"]).items() if shown.get(name) != unit]
+            if to:
+                settings = Settings({**asked, "to": to}, {})
+                made, _, picture = answered_case(task, _gathered(document, folder, terminal), settings)
+    except DynamicsError as error:
+        return Again(f"not calculated again: {'; '.join(one.message for one in error.all())}")
+    words, short = _compared(document, made)
+    return Again(words, made, picture, short=short)
+
+
+def _gathered(document: "Document", folder: str, terminal: "Terminal") -> Gathered:
+    """The inputs of a document, to be read anew."""
+    raw = parse_json(to_json(document["inputs"]), "inputs")
+    raw.pop("sweep", None)
+    return Gathered(raw, Reader(terminal.environ, folder=folder))
+
+
+def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Document, Picture | None]":
+    """A sweep calculated again, and its picture."""
+    from dynamics_cli.core.batch.sweep import sweep
+    from dynamics_cli.core.batch.sweep_pictures import of_sweep
+
+    swept = document["inputs"]["sweep"]
+    table = _part(document, "results", "sweep")
+    try:
+        axes = [axis["parameter"] for axis in swept]
+        ends = [
+            f"{axis['parameter']}={_written(axis['from'])}:{_written(axis['to'])}:{axis['count']}" for axis in swept
+        ]
+    except (LookupError, TypeError):
+        raise UsageError("what it says of its sweep is no sweep") from None
+    asked: dict[str, Any] = {
+        "sweep": ends,
+        "to": [
+            f"{name}={cell['unit']}"
+            for name, cell in table.items()
+            if isinstance(cell, dict) and name not in axes and cell.get("unit") and name.rpartition(".")[0] not in table
+        ],
+    }
+    asked |= _model(task, document)
+    told = _part(document, "numerics", "uncertainty")
+    if told:
+        asked |= {"seed": str(told.get("seed", 1)), "coverage": repr(told.get("coverage"))}
+    made, _ = sweep(task, gathered, Settings(asked, {}))
+    return made, of_sweep(made)
+
+
+def _part(node: "Any", *keys: str) -> "Document":
+    """What stands in an object under these keys, one within the other; nothing where there is no such object."""
+    for key in keys:
+        node = node.get(key) if isinstance(node, dict) else None
+    return node if isinstance(node, dict) else {}
+
+
+def _model(task: "Task", document: "Document") -> "dict[str, str]":
+    """The option that chose the model, where one did."""
+    told = _part(document, "model")
+    if told.get("why") != "asked for":
+        return {}
+    key = next((model.key for model in task.models if model.name == told.get("name")), None)
+    if key is None:
+        raise UsageError(f"{task.path} has no model {told.get('name')!r}")
+    return {"model": key}
+
+
+def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
+    """The options of the call that its document shows."""
+    asked: dict[str, Any] = {"explain": True, **_model(task, document)}
+    told = _part(document, "numerics", "uncertainty")
+    if task.plot or told:
+        asked["plot"] = "-"
+    if told:
+        asked["seed"] = str(told.get("seed", 1))
+        asked["correlate"] = [f"{pair}={rho!r}" for pair, rho in _part(told, "correlations").items()]
+        coverage = _coverage(document["results"])
+        asked |= {"coverage": repr(coverage)} if coverage is not None else {}
+    limits = document.get("limits")
+    if limits:
+        try:
+            asked["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
+        except (LookupError, TypeError):
+            raise UsageError("what it says of its limits is no list of limits") from None
+    return asked
+
+
+def _units(node: "Any", address: str = "") -> "dict[str, str]":
+    """The unit of every result that has one, of columns and rows as well."""
+    made: dict[str, str] = {}
+    if isinstance(node, list):
+        for item in node:
+            made |= _units(item, address)
+    elif isinstance(node, dict):
+        if isinstance(node.get("unit"), str) and node["unit"] and "value" in node:
+            made[address] = node["unit"]
+        for key, item in node.items():
+            made |= _units(item, f"{address}.{key}" if address else key)
+    return made
+
+
+def _coverage(node: "Any") -> "Any":
+    """The chance that stands behind the intervals, from the first that there is."""
+    if isinstance(node, dict) and "interval" in node:
+        return node.get("coverage")
+    items = node.values() if isinstance(node, dict) else node if isinstance(node, list) else ()
+    return next((found for found in map(_coverage, items) if found is not None), None)
+
+
+def _written(node: "Document") -> str:
+    return f"{node['value']!r} {node.get('unit', '')}".rstrip()
+
+
+def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
+    """In words: what came out otherwise than the file says; and in short."""
+    old, new = dict(_leaves(before["results"])), dict(_leaves(after["results"]))
+    apart = _apart(old, new)
+    sampled = [name for name in apart if _within(name, before, after, old, new)]
+    apart = [name for name in apart if name not in sampled]
+    version = f"version {after['version']}"
+    words = f"calculated again from these inputs by {version}: every result is the same to the last digit"
+    short = "the same"
+    if apart:
+        words, short = f"calculated again by {version}, these differ: {_told(apart, old, new)}", "not the same"
+    elif sampled:
+        words += f", but for sampled figures that agree within the accuracy stated: {'; '.join(sampled)}"
+    claimed, found = _claims(before), _claims(after)
+    if "explanation" not in before:
+        found = {name: node for name, node in found.items() if not name.startswith("explanation")}
+    hashes = {file["name"]: file["sha256"] for file in after.get("files", ())}
+    for name, digest in read_files(before):
+        if name in hashes:
+            claimed[f"SHA-256 of {name}"], found[f"SHA-256 of {name}"] = digest, hashes[name]
+    others = _apart(claimed, found)
+    if others:
+        words += f". The file also says otherwise of these: {_told(others, claimed, found)}"
+        short = "not the same" if apart else "results the same, claims differ"
+    return words, short
+
+
+def _claims(document: "Document") -> "Leaves":
+    """What a document says beside its results."""
+    said = {key: node for key, node in document.items() if key not in NOT_COMPARED}
+    return {name: node for name, node in _leaves(said) if name != WORK}
+
+
+def read_files(document: "Document", *, written: bool = False) -> "list[tuple[str, str]]":
+    """The files that a document says were read (or written) for it: name and hash."""
+    listed = document.get("files")
+    return [
+        (str(file.get("name")), str(file.get("sha256")))
+        for file in (listed if isinstance(listed, list) else ())
+        if isinstance(file, dict) and bool(file.get("written")) is written
+    ]
+
+
+def _apart(old: "Leaves", new: "Leaves") -> "list[str]":
+    """The names of what differs, or stands in one alone."""
+    missing = object()
+    return [name for name in {**old, **new} if old.get(name, missing) != new.get(name, missing)]
+
+
+def _told(names: "list[str]", old: "Leaves", new: "Leaves") -> str:
+    told = [f"{name} was {_shown(old, name)}, now {_shown(new, name)}" for name in names[:MOST_TOLD]]
+    rest = len(names) - len(told)
+    return "; ".join(told) + (f"; and {rest} more" if rest else "")
+
+
+def _within(name: str, before: "Document", after: "Document", old: "Leaves", new: "Leaves") -> bool:
+    """Whether a figure of a distribution moved by no more than the methods, of then and now, say they are good for."""
+    result, _, _ = name.rpartition(", ")
+    scale = new.get(f"{result}, std")
+    estimates = [
+        _part(document, "numerics", "uncertainty", "results", result).get("estimate") for document in (before, after)
+    ]
+    figures = [old.get(name), new.get(name), scale, *estimates]
+    numbers = [float(one) for one in figures if isinstance(one, int | float)]
+    if not result or len(numbers) < len(figures):
+        return False
+    was, now, deviation, *known = numbers
+    return abs(was - now) <= 2.0 * min(ROUGHEST, max(known)) * deviation
+
+
+def _leaves(node: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
+    """Every number and word below a node, with the address it is told by."""
+    if isinstance(node, dict):
+        for key, item in node.items():
+            own = f"{address}, {key}" if "value" in node else f"{address}.{key}" if address else key
+            yield from _leaves(item, address if key == "value" else own)
+    elif isinstance(node, list):
+        for nth, item in enumerate(node):
+            yield from _leaves(item, f"{address}[{nth}]")
+    else:
+        yield address, node
+
+
+def _shown(leaves: "Leaves", name: str) -> str:
+    return number(leaves[name], 17) if name in leaves else "missing"

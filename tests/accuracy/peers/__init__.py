@@ -1,0 +1,136 @@
+"""Further ways to answer the questions of `dynamics accuracy`, by question: `--peers` measures them in a checkout."""
+
+from dynamics_cli.accuracy.questions import Method
+
+HALVED = "the same by halving"
+SIX = "involutes of six decimals"
+LIBRARIES = (
+    Method("uncertainties, first order", "peers.uncertainty.libraries:by_uncertainties", needs="uncertainties"),
+    Method("GTC, first order", "peers.uncertainty.libraries:by_gtc", needs="GTC"),
+    Method("mcerp, Latin hypercube of 1e4", "peers.uncertainty.libraries:by_mcerp", needs="mcerp"),
+)
+MESHES = (
+    Method("one pass by edges, Jacobi", "peers.inertia.mesh:once"),
+    Method("integrals over faces about the mean, LAPACK", "peers.inertia.mesh:by_faces"),
+)
+MESH_LIBRARIES = (
+    Method("trimesh, from arrays", "peers.inertia.mesh:by_trimesh", needs="trimesh"),
+    Method("MuJoCo, corners in single precision", "peers.inertia.mesh:by_mujoco", needs="mujoco"),
+)
+DIFFERENCES = (Method("central differences of the lift", "peers.cam.laws:differences"),)
+
+
+def _single(name: str, words: str = "the same in 32 bits") -> Method:
+    return Method(words, f"peers.single:{name}")
+
+
+METHODS: dict[str, tuple[Method, ...]] = {
+    "coords, cartesian to cylindrical": (_single("cylindrical"),),
+    "coords, cartesian to spherical": (
+        _single("spherical"),
+        Method("asin(r/rho)", "peers.coords:arc_sine_spherical"),
+    ),
+    "coords, cylindrical to cartesian": (_single("cartesian_from_cylindrical"),),
+    "coords, cylindrical to spherical": (_single("spherical_from_cylindrical"),),
+    "coords, spherical to cartesian": (_single("cartesian_from_spherical"),),
+    "coords, spherical to cylindrical": (_single("cylindrical_from_spherical"),),
+    **{f"skid {task}": (_single(task),) for task in ("speed", "distance", "friction", "stop", "yaw", "avoid")},
+    "skid drag-factor": (_single("drag_factor"),),
+    "skid pedestrian": (_single("pedestrian"),),
+    "skid vault, known take-off angle": (_single("vault"),),
+    "skid vault, least speed over all angles": (
+        _single("least_vault"),
+        Method("golden sections over the angle", "peers.skid.flights:least_vault_by_search"),
+    ),
+    "skid spin": (_single("spin"), Method("mean sine by degrees", "peers.skid.roads:spin_by_degrees")),
+    "impact central": (Method("2×2 system, numpy.linalg.solve", "peers.impact.lines:central_by_matrix"),),
+    "impact oblique": (Method("4×4 system, numpy.linalg.solve", "peers.impact.oblique:by_matrix"),),
+    "impact drop": (Method("bounce by bounce until it rests", "peers.impact.lines:drop_by_bounces"),),
+    "impact pendulum": (Method("swing by Dormand–Prince steps, 2×2 system", "peers.impact.lines:pendulum_by_swing"),),
+    "impact seize": (Method("bodies and constraints as one system, LAPACK", "peers.impact.held:seize_by_matrix"),),
+    "impact step": (Method("3×3 system, Brent's method", "peers.impact.held:step_by_equations"),),
+    "impact chain": (Method("2×2 systems, 400 sweeps of Gauss–Seidel", "peers.impact.chain:by_sweeps"),),
+    "impact momentum, momentum in the plane": (Method("Newton on both components", "peers.impact.momentum:by_solver"),),
+    "impact momentum, collinear momentum and energy": (
+        Method("Newton on momentum and energy", "peers.impact.momentum:energy_by_solver"),
+    ),
+    "impact crush": (
+        Method("50 strips from station to station", "peers.impact.damage:crush_by_strips"),
+        Method("mean depth squared", "peers.impact.damage:crush_by_mean"),
+    ),
+    "impact yaw-inertia": (_single("yaw_inertia"),),
+    "momentum, speeds before": (
+        Method("2×2 system, numpy.linalg.solve", "peers.impact.bodies:by_matrix"),
+        Method("2×2 system, elimination by hand", "peers.impact.bodies:by_elimination"),
+    ),
+    "impact planar": (
+        Method("the same velocities, then differences", "peers.impact.bodies:planar"),
+        Method("pycrash, Kudlich–Slibar without spin before", "peers.impact.bodies:planar_by_pycrash", needs="pycrash"),
+    ),
+    "planar path, by its impulse": (
+        Method("100 steps of normal impulse", "peers.impact.paths:hundred_steps"),
+        Method("1,000 steps of normal impulse", "peers.impact.paths:thousand_steps"),
+        Method("spring and smoothed friction, RK4", "peers.impact.paths:by_spring"),
+        Method("scipy solve_ivp with events", "peers.impact.paths:by_scipy", needs="scipy"),
+    ),
+    "path in space, by its impulse": (
+        Method("Taylor of order 16", "peers.impact.space:order_16"),
+        Method("Taylor of order 10", "peers.impact.space:order_10"),
+        Method("Taylor of order 24, strides of half the radius", "peers.impact.space:long_strides"),
+        Method("Dormand–Prince 5(4), 1e-6", "peers.impact.space:coarse_steps"),
+        Method("RK4, 40 steps", "peers.impact.space:rk4_40"),
+        Method("RK4, 10 steps", "peers.impact.space:rk4_10"),
+        Method("scipy DOP853, 1e-12", "peers.impact.space:by_scipy", needs="scipy"),
+    ),
+    "inertia shape": (Method("Gauss quadrature, 2 to 32 nodes each way", "peers.inertia.quadrature:shape"),),
+    "thin walls": (Method("the wall as a surface", "peers.inertia.walls:as_surface"),),
+    "mesh moments": MESHES + MESH_LIBRARIES,
+    "mesh moments, 32,768 triangles": MESHES + MESH_LIBRARIES,
+    "mesh moments, faces that overlap": MESHES,
+    "shell moments": MESHES[:1],
+    "cam law, by its peak": (
+        *DIFFERENCES,
+        Method("mechanism, a table of the turn", "peers.cam.laws:by_mechanism", needs="mechanism"),
+    ),
+    "cam law, relative": DIFFERENCES,
+    "cam motion": (Method("angles turned into degrees", "peers.cam.motions:by_degrees"),),
+    "cam points": (Method("along the radius", "peers.cam.points:by_radius"),),
+    "cam export, cubics": (Method("Hermite's cubics at equal angles", "peers.cam.export:hermite"),),
+    "inverse involute": (
+        Method("halving", "peers.gear.involute:bisection"),
+        Method("Ridders, bracketed", "peers.gear.involute:ridders"),
+        Method("Brent, bracketed", "peers.gear.involute:brent_inverse"),
+        Method("scipy brentq", "peers.gear.involute:by_brentq", needs="scipy"),
+    ),
+    "involute function": (Method("power series, five terms", "peers.gear.involute:power_series"),),
+    "undercut junction": (Method("Newton for two unknowns", "peers.gear.root:newton_of_two"),),
+    "gear ratio": (Method("greedy, stage by stage", "peers.gear.ratio:greedy"),),
+    **{
+        f"gear {task}": (
+            Method(HALVED, "peers.gear.book:spur_by_radii"),
+            Method(SIX, "peers.gear.book:spur_by_table"),
+        )
+        for task in ("spur", "helical")
+    },
+    "gear pair": (
+        Method("the same by Brent", "peers.gear.book:pair_by_brent"),
+        Method(SIX, "peers.gear.book:pair_by_table"),
+        Method("py_gearworks, distance only", "peers.gear.geometry:pair_by_py_gearworks", needs="py_gearworks"),
+    ),
+    "gear bevel": (
+        Method("Brent on z₁·sin δ₂ = z₂·sin δ₁", "peers.gear.sizes:bevel_by_brent"),
+        _single("bevel", "the textbook's in 32 bits"),
+    ),
+    "gear worm": (
+        Method("tangents of angles added", "peers.gear.sizes:worm_by_angles"),
+        _single("worm", "the textbook's in 32 bits"),
+    ),
+    "gear crossed": (Method("the same by Brent", "peers.gear.sizes:crossed_by_brent"),),
+    "gear measure": (Method("the same by Brent", "peers.gear.measure:by_brent"),),
+    "gear mesh": (Method("distances between points, external only", "peers.gear.meshes:mesh_by_polygons"),),
+    "gear identify": (Method(f"{SIX}, likewise", "peers.gear.meshes:identify_by_table"),),
+    "gear data-block": (Method(f"{SIX}, likewise", "peers.gear.meshes:block_by_table"),),
+    "uncertainty, smooth": LIBRARIES,
+    "uncertainty, bounded": LIBRARIES,
+    "uncertainty, kinked or folded": LIBRARIES,
+}

@@ -1,0 +1,1 @@
+"""Further ways to answer the questions of skid."""

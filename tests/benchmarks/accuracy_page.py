@@ -1,0 +1,145 @@
+"""Writes the table of docs/accuracy.md and the diagram beside it, as measured here and now.
+
+python tests/benchmarks/accuracy_page.py
+"""
+
+import compileall
+import subprocess
+import sys
+import time
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from dynamics_cli.accuracy.cases import DATA, load
+from dynamics_cli.accuracy.pictures import chosen_overview
+from dynamics_cli.accuracy.report import Accuracy, accuracy
+from dynamics_cli.accuracy.rows import CHOSEN, Row
+from dynamics_cli.core.output.plot.pages import draw
+
+ROOT = Path(__file__).resolve().parents[2]
+START, END = "<!-- accuracy -->", "<!-- /accuracy -->"
+PAGE = ROOT / "docs" / "accuracy.md"
+DIAGRAM = ROOT / "docs" / "images" / "accuracy.svg"
+# Larger errors of a method whose bounds held are those of ill-conditioned results, where the bound is as large.
+ILL = 1e-12
+HEAD = ("question", "the program's method", "worst error", "instead", "worst error", "time of its formula, ours = 1")
+# A whole call as a user makes it: nearly all of it is the start of the interpreter.
+CALL = ("-m", "dynamics_cli", "skid", "speed", "--distance", "60 ft", "--friction", "0.7")
+CALLS = 15
+
+
+def questions(made: Accuracy) -> list[list[Row]]:
+    """The methods of each question, the program's own first."""
+    blocks: dict[tuple[str, str], list[Row]] = {}
+    for row in made.methods:
+        blocks.setdefault((row.family, row.question), []).append(row)
+    return list(blocks.values())
+
+
+def error(row: Row) -> str:
+    """An error as it is compared, with what it is measured in, and how many cases were not answered."""
+    number = "none right" if row.worst >= 0.95 and row.measure == "relative" else f"{row.worst:.1e}"
+    if row.bound == "bound held" and row.worst > ILL:
+        number += ", and says so"
+    if row.entities is not None:
+        number = f"{row.entities:,} pieces"
+    left = f" ({row.refused} of {row.cases + row.refused} not answered)" if row.refused else ""
+    return (number if row.cases else "–") + left
+
+
+def ratio(row: Row) -> str:
+    """A time over the program's own, without an exponent."""
+    if not row.slower:
+        return ""
+    return f"{row.slower:.0f}" if row.slower >= 10.0 else f"{row.slower:.2g}"
+
+
+def alternative(own: Row, others: list[Row]) -> Row:
+    """What is put beside the program's method: what a textbook does, which the questions name first."""
+    return next((one for one in others if one.cases), others[0])
+
+
+def line(own: Row, other: Row) -> str:
+    """One question: the program's error over the results that the other method gives, the other's, and its time."""
+    here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
+    measure = "" if own.measure == "relative" or own.entities is not None else f", in {own.measure}"
+    cells = (
+        own.question + measure,
+        own.method.removesuffix(CHOSEN),
+        error(here),
+        other.method,
+        error(other),
+        ratio(other),
+    )
+    return "| " + " | ".join(cells) + " |"
+
+
+def whole_call() -> tuple[float, float]:
+    """The least milliseconds that a whole call takes, and the median of its time over that of an empty process."""
+
+    def elapsed(*words: str) -> float:
+        start = time.perf_counter()
+        subprocess.run([sys.executable, *words], check=True, capture_output=True, cwd=ROOT)
+        return time.perf_counter() - start
+
+    compileall.compile_dir(str(ROOT / "dynamics_cli"), quiet=2)
+    pairs = [(elapsed(*CALL), elapsed("-c", "pass")) for _ in range(CALLS)]
+    return 1e3 * min(whole for whole, _ in pairs), median(whole / empty for whole, empty in pairs)
+
+
+def start_up() -> str:
+    """What a user waits for."""
+    least, ratio = whole_call()
+    return (
+        f"A whole call of `dynamics skid speed` takes {least:.0f} ms there, {ratio:.1f} times an empty Python process, "
+        "whichever formula it uses."
+    )
+
+
+def summary(made: Accuracy) -> list[str]:
+    """Bounds, cases and the machine."""
+    own = [row for row in made.methods if row.is_proved]
+    held = [row for row in own if not row.broken]
+    cases = [case for path in sorted(DATA.glob("*.json")) for case in load(path.name)]
+    hard = sum(case.hard for case in cases)
+    here: Any = made.machine
+    return [
+        "Errors are the worst over all cases, as shares of the reference unless said otherwise, of the results that "
+        "both methods give; `none right` is an error as large as the answer, `and says so` that the bound stated with "
+        "the answer is as large: its inputs are next to those where it is zero. The bounds that the program states "
+        f"held in {len(held)} of {len(own)} questions that have one, for every result of every case, and are in the "
+        f"median {made.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them "
+        f"hard. Measured on {here.processor}, {here.python}, numpy {here.numpy}. {start_up()}",
+        "",
+        f"![Work–precision diagram](images/{DIAGRAM.name})",
+    ]
+
+
+def table(made: Accuracy) -> list[str]:
+    """A line for every question that more than one method answers."""
+    lines = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|"]
+    lines += [line(own, alternative(own, others)) for own, *others in questions(made) if others]
+    return [*lines, "", *summary(made)]
+
+
+def main() -> None:
+    """Rewrite the part of the page between the marks."""
+    start = time.perf_counter()
+    made = accuracy()
+    failed = [check.name for check in made.checks if not check.passed]
+    if failed:
+        sys.exit(f"not written: {', '.join(failed)}")
+    text = PAGE.read_text(encoding="utf-8")
+    if text.count(START) != 1 or text.count(END) != 1:
+        sys.exit(f"{PAGE.name} must contain {START} and {END} once")
+    before, _, rest = text.partition(START)
+    after = rest.partition(END)[2]
+    picture = draw(chosen_overview(made), "svg", "si")
+    PAGE.write_text("\n".join([before + START, "", *table(made), "", END]) + after, encoding="utf-8")
+    DIAGRAM.write_bytes(picture)
+    print(f"{len(made.methods)} methods of {made.questions} questions in {time.perf_counter() - start:.0f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+"""The short answer of every task: each example fits a screen of 80 columns and 24 lines."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import run
+
+from dynamics_cli import cli
+
+COLUMNS, LINES = 80, 24
+TASKS = {task.path: task for name in cli.FAMILIES for task in cli.family(name).tasks.values()}
+# Options that ask for another answer than the short one; those of the second line take a value.
+OTHER_ANSWERS = ("--json", "-j", "--all", "--explain")
+FORMATS = ("--format", "--rows", "--sweep")
+FILES = ("--output", "-o", "--drawing", "--plot")
+EXAMPLES = [
+    example for task in TASKS.values() for example in task.examples if not any(word in example for word in FORMATS)
+]
+
+
+def short(example: str, folder: Path) -> list[str]:
+    """The words of an example that answers in the short form and writes its files to a folder."""
+    words = [word for word in shlex.split(example)[1:] if word not in OTHER_ANSWERS]
+    return [str(folder / word) if place and words[place - 1] in FILES else word for place, word in enumerate(words)]
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_an_answer_fits_the_screen(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", str(COLUMNS))
+    outcome = run(*short(example, tmp_path))
+    assert outcome.status == 0, outcome.err
+    lines = outcome.out.splitlines()
+    assert lines[0].strip(), "the answer begins on the first line"
+    assert max(map(len, lines)) <= COLUMNS, [line for line in lines if len(line) > COLUMNS]
+    # `accuracy` is a report, as long as its questions are many
+    assert len(lines) <= LINES or "accuracy" in example, outcome.out
+
+
+def test_bodies_are_called_by_their_names() -> None:
+    outcome = run(
+        *shlex.split(
+            'impact central --first-name Ford --second-name "Opel Corsa" --first-mass "1500 ± 20 kg" --first-velocity '
+            '"12 ± 1 m/s" --second-mass "1200 kg" --restitution 0.1 --limit "first.velocity=10 m/s"'
+        )
+    )
+    first, limit, second = outcome.out.splitlines()[:3]
+    assert first.startswith("Ford velocity after v₁′")
+    assert "10 m/s exceeded" in limit
+    assert second.startswith("Opel Corsa velocity after v₂′")
+    assert "driven by  Ford velocity" in outcome.out
+    assert "for   Ford mass 1500 ± 20 kg, Ford velocity" in outcome.out
+    assert "first" not in outcome.out.partition("\nby ")[0]

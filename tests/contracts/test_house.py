@@ -1,0 +1,65 @@
+"""How large files, folders and functions may be. What exceeds a budget is named here; the lists only get shorter."""
+
+import ast
+from pathlib import Path
+
+import dynamics_cli
+
+PACKAGE = Path(dynamics_cli.__file__).parent
+FILES = sorted(PACKAGE.rglob("*.py"))
+MOST_LINES, MOST_IN_A_FOLDER, MOST_OF_A_FUNCTION = 350, 14, 50
+LONG_FILES = {
+    "quantities.py",  # one table of kinds
+    "core/batch/stream.py",
+    "core/command/tree.py",  # the one module that imports typer
+    "core/inputs/uncertain/distributions.py",
+    "numerics/involute.py",
+}
+LONG_FUNCTIONS = {
+    "cam/forces/check.py:check",
+    "cam/geometry/animation.py:animation",
+    "cam/geometry/profile.py:profile",
+    "cam/sizing/rockers.py:_start",
+    "cam/sizing/slides.py:size_slide",
+    "gear/crossing/bevel.py:bevel",
+    "gear/crossing/crossed.py:crossed",
+    "gear/crossing/hypoid.py:hypoid",
+    "gear/crossing/worm.py:worm",
+    "gear/mesh/advice.py:advice",
+    "gear/pair/pair.py:_result",
+    "gear/pair/rack.py:rack",
+    "gear/single/cylindrical.py:describe",
+    "impact/particles/chain.py:chain",
+    "impact/planar/envelope.py:_report",
+    "impact/planar/envelope.py:envelope",
+    "impact/planar/path.py:travel",
+    "impact/reconstruction/crush.py:_damage",
+    "impact/reconstruction/momentum.py:momentum_and_energy",
+    "numerics/chebyshev/proxies.py:extremes",
+    "skid/pedestrian.py:pedestrian",
+}
+
+
+def place(path: Path) -> str:
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def test_files_are_short() -> None:
+    long = {place(path) for path in FILES if path.read_text(encoding="utf-8").count("\n") > MOST_LINES}
+    assert long <= LONG_FILES
+
+
+def test_folders_are_small() -> None:
+    counts = {place(folder): len(list(folder.glob("*.py"))) for folder in {path.parent for path in FILES}}
+    assert {folder: count for folder, count in counts.items() if count > MOST_IN_A_FOLDER} == {}
+
+
+def test_functions_are_short() -> None:
+    long = set()
+    for path in FILES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef):
+                body = node.body[1:] if ast.get_docstring(node) else node.body
+                if body and (body[-1].end_lineno or 0) - body[0].lineno + 1 > MOST_OF_A_FUNCTION:
+                    long.add(f"{place(path)}:{node.name}")
+    assert long <= LONG_FUNCTIONS

@@ -1,0 +1,124 @@
+"""The short answer, and what is asked for beyond it."""
+
+import json
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+SPEED = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7")
+UNCERTAIN = ("skid", "speed", "--distance", "38.5 ± 0.6 m", "--friction", "0.72 ± 0.04", "--grade", "-3 ± 0.5 %")
+SWEEP = ("skid", "speed", "--distance", "60 ft", "--sweep", "friction=0.3:0.9:40")
+
+
+class TestScreen:
+    def test_the_headline_comes_first_with_its_limit_beside_it(self) -> None:
+        first = run(*SPEED, "--limit", "50 km/h").out.splitlines()[0]
+        assert first == "speed           57.044 km/h    exceeds the limit of 50 km/h by 7.044 km/h"
+        assert "within the limit of 60 km/h by 2.956" in run(*SPEED, "--limit", "60 km/h").out
+
+    def test_uncertain_results_show_two_digits_of_their_deviation(self) -> None:
+        lines = run(*UNCERTAIN, "--limit", "80 km/h").out.splitlines()
+        assert lines[0] == "speed           82.2 km/h    95 %: 77.2 to 86.9  80 km/h exceeded: 80 %"
+        assert lines[1] == "time            3.37 s       95 %: 3.19 to 3.59"
+        driven = next(line for line in lines if "driven by" in line)
+        assert driven == "speed, time are driven by  friction 92 %, distance 7 %, grade 2 %"
+
+    def test_what_it_is_for_by_and_more(self) -> None:
+        text = run(*SPEED).out
+        assert "for   distance 60 ft, friction 0.7, gravity 9.80665 m/s² (standard)" in text
+        assert "by    work–energy, Josephs & Huston §10.10; checks passed" in text
+        assert "more  --all (" in text
+
+    def test_long_tables_show_their_ends(self) -> None:
+        lines = run(*SWEEP).out.splitlines()
+        assert len(lines) <= 24
+        assert any("rows more: --all, or --output FILE.csv" in line for line in lines)
+        assert len(run(*SWEEP, "--all").out.splitlines()) > 40
+
+    def test_rounding_is_shown_as_zero(self) -> None:
+        """A cylinder turned by quarter turns has no products of inertia; what rounding leaves of them is not shown."""
+        call = ("inertia", "shape", "cylinder", "--radius", "50 mm", "--length", "0.2 m", "--mass", "3 kg", "--all")
+        assert "e-1" in run(*call).out
+        assert "e-1" not in run(*call[:-1]).out
+
+    def test_width_follows_the_terminal(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        assert max(map(len, run(*UNCERTAIN).out.splitlines())) <= 80
+
+
+class TestAsked:
+    def test_only_some_results_bare(self) -> None:
+        assert run(*SPEED, "--only", "speed").out == "57.044 km/h\n"
+        assert run(*SPEED, "--only", "speed,time").out == "57.044 km/h\n2.30828 s\n"
+        assert json.loads(run(*SPEED, "--only", "time", "--json").out) == {"time": answer(*SPEED)["results"]["time"]}
+        refused = run(*SPEED, "--only", "sped", "--json")
+        assert (refused.status, refused.error["code"]) == (2, "unknown-result")
+
+    def test_one_table_whole(self) -> None:
+        csv = run(*SWEEP, "--table", "sweep", "--format", "csv").out.splitlines()
+        assert csv[0] == "friction,speed[km/h],time[s],total_distance[m]"
+        assert len(csv) == 41
+        refused = run(*SPEED, "--table", "nosuch", "--json")
+        assert (refused.status, refused.error["parameter"]) == (2, "table")
+
+    def test_quiet_is_the_headline_alone(self) -> None:
+        assert run(*SPEED, "-q").out == run(*SPEED).out.partition("\n\n")[0] + "\n"
+
+    def test_all_is_everything(self) -> None:
+        text = run(*SPEED, "--all").out
+        assert "(error ≤" in text
+        assert "surfaces" in text
+
+
+class TestStatus:
+    @pytest.mark.parametrize(
+        ("words", "status"),
+        [
+            (("--limit", "50 km/h"), 0),
+            (("--limit", "50 km/h", "--fail"), 6),
+            (("--limit", "60 km/h", "--fail"), 0),
+            (("--fail",), 0),
+        ],
+    )
+    def test_fail_tells_by_the_status(self, words: tuple[str, ...], status: int) -> None:
+        assert run(*SPEED, *words).status == status
+
+    @pytest.mark.parametrize(("above", "status"), [("50 %", 6), ("90 %", 0)])
+    def test_uncertain_limits_fail_above_a_probability(self, above: str, status: int) -> None:
+        assert run(*UNCERTAIN, "--limit", "80 km/h", "--fail-above", above).status == status
+
+
+class TestFiles:
+    @pytest.mark.parametrize(
+        ("ending", "start"),
+        [
+            (".json", "{\n"), (".ndjson", '{"schema"'), (".csv", "speed[km/h],"), (".md", "## skid speed"),
+            (".txt", "speed  "), ("", "speed  "),
+        ],
+    )  # fmt: skip
+    def test_the_ending_decides(self, tmp_path: Path, ending: str, start: str) -> None:
+        path = tmp_path / f"answer{ending}"
+        assert run(*SPEED, "-o", str(path)).status == 0
+        assert path.read_text().startswith(start)
+
+    @pytest.mark.parametrize(("ending", "word"), [("dxf", "--drawing"), ("png", "--plot"), ("xlsx", "endings are")])
+    def test_an_ending_that_cannot_be_written_is_refused(self, tmp_path: Path, ending: str, word: str) -> None:
+        outcome = run(*SPEED, "--output", str(tmp_path / f"a.{ending}"), "--format", "table")
+        assert outcome.status == 2
+        assert word in outcome.err
+        assert not list(tmp_path.iterdir())
+
+    def test_format_and_ending_may_not_contradict(self, tmp_path: Path) -> None:
+        outcome = run(*SPEED, "--output", str(tmp_path / "a.json"), "--format", "csv")
+        assert outcome.status == 2
+        assert "contradict" in outcome.err
+        assert run(*SPEED, "--output", str(tmp_path / "a.json"), "--format", "json").status == 0
+
+
+def test_help_by_word_and_by_letter() -> None:
+    assert run("help", "skid", "speed").out == run("skid", "speed", "--help").out == run("skid", "speed", "-h").out
+    assert run("help").out == run("--help").out
+
+
+def test_a_number_that_looks_like_letters_is_kept() -> None:
+    assert run("convert", "-40degC", "degF", "-q").out == "-40 degF\n"

@@ -1,0 +1,52 @@
+"""What an unknown option or field is taken to mean, and how messages name what was typed."""
+
+import pytest
+
+from dynamics_cli.cli import FAMILIES, family
+from dynamics_cli.core.inputs.suggestions import SYNONYMS, suggestions
+from tests.harness import run
+
+
+@pytest.mark.parametrize(
+    ("call", "hint"),
+    [
+        ("skid|speed|--dist|60 ft|--friction|0.7", "did you mean --distance?"),
+        ("skid|speed|--mu|0.7", "did you mean --friction?"),
+        ("skid|speed|--fricton|0.7", "did you mean --friction?"),
+        ("skid|speed|--frmat|json", "did you mean --format?"),
+        ("skid|speed|--zzzz|1", "try: dynamics skid speed --help"),
+        ("gear|ratio|--ratio|3", "did you mean --target?"),
+        ("gear|train|--held|sun", "did you mean --fixed?"),
+        ("gear|pair|--z1|20", "did you mean --first-teeth?"),
+        ("gear|measure|--pin-diameter|3 mm", "did you mean --pin or --over?"),
+        ("gear|wheels|--diameter|3 m", "did you mean --first-diameter?"),
+        ("gear|ratio|--tolerance|3 mm", "did you mean --distance-tolerance?"),
+        ("cam|size|--max-pressure-angle|30 deg", "did you mean --rise-limit or --return-limit?"),
+        ("impact|central|--m1|3 kg", "did you mean --first-mass?"),
+        ("inertia|shape|hollow-cylinder|--inner-radius|3 mm", "did you mean --thickness or --ring-radius?"),
+        ("skid|speed|--segment|distance=20 ft, mu=0.3", "did you mean friction?"),
+    ],
+)
+def test_unknown_names(call: str, hint: str) -> None:
+    outcome = run(*call.split("|"))
+    assert outcome.status == 2
+    assert hint in outcome.err
+
+
+def test_what_was_typed_is_named() -> None:
+    outcome = run("skid", "stop", "--speed", "50 km/h", "--friction", "0.75", "--reaction-time", "1 m")
+    assert outcome.err.startswith("dynamics: --reaction-time: '1 m'")
+
+
+def test_every_synonym_leads_to_an_option() -> None:
+    options = {name for name in FAMILIES for task in family(name).tasks.values() for name in task.options}
+    options |= {"input", "output", "rows", "format", "units", "to", "digits", "all", "explain"}
+    for word, names in SYNONYMS.items():
+        assert options.issuperset(names.split()), word
+        assert word not in names.split()
+
+
+def test_a_beginning_that_fits_one_name_wins() -> None:
+    assert suggestions("rad", ("radius", "grade")) == ["radius"]
+    assert suggestions("first_m", ("first_mass", "first_speed")) == ["first_mass"]
+    assert suggestions("first", ("first_mass", "first_speed")) == ["first_mass", "first_speed"]
