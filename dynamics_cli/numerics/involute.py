@@ -109,19 +109,11 @@ def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
 def involute(phi: float) -> float:
     """Involute function tan φ − φ of an angle below 90°.
 
+    `phi`: angle, |φ| < π/2 [rad]. Returns inv φ, within 2.1 ulp; odd in φ.
+
     Equation
     --------
     inv φ = tan φ − φ; below 0.98 rad φ³/3 + φ⁵ times a polynomial in φ².
-
-    Parameters
-    ----------
-    phi : Angle
-        Angle, |φ| < π/2 [rad].
-
-    Returns
-    -------
-    float
-        inv φ, within 2.1 ulp; odd in φ.
 
     Notes
     -----
@@ -187,24 +179,12 @@ def _involute_in_other_numbers(phi: "Any") -> "Any":
 def inverse_involute(value: float) -> float:
     """Angle whose involute function is `value`.
 
+    `value`: inv φ, not negative. Returns φ, from 0 to π/2, within 1.3 ulp. Raises ValueError when a single value is
+    negative or not a number; in arrays such places are NaN.
+
     Equation
     --------
     inv φ ≤ inv 60°: φ = s·P(s²), s = ∛(3 inv φ). Above: φ = π/2 − ψ, cot ψ + ψ = inv φ + π/2.
-
-    Parameters
-    ----------
-    value : float
-        inv φ, not negative.
-
-    Returns
-    -------
-    float
-        φ, from 0 to π/2, within 1.3 ulp.
-
-    Raises
-    ------
-    ValueError
-        When a single value is negative or not a number; in arrays such places are NaN.
 
     Notes
     -----

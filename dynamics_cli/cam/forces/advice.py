@@ -39,25 +39,9 @@ def advice_of(
 ) -> "tuple[Advice, ...]":
     """Say when the follower leaves its cam or nearly does, that nothing makes it jump, and that its spring surges.
 
-    Parameters
-    ----------
-    load : Load
-        Inertia, spring and load.
-    train : Train
-        What they came from.
-    omega : float
-        Speed of the cam shaft [rad/s].
-    low : Found
-        Least force, or an arm's torque.
-    leaves : Found
-        The speed of the jump; None where there is none.
-    order : float
-        The harmonic of the cam at which the spring surges; None without its mass.
-
-    Returns
-    -------
-    tuple of Advice
-        What a user should know.
+    `load`: inertia, spring and load; `train`: what they came from; `low`: least force, or an arm's torque; `leaves`:
+    the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring surges; None
+    without its mass. Returns what a user should know.
     """
     found = []
     force: Any = Torque if load.arm else Force

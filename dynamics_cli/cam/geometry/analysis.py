@@ -31,23 +31,8 @@ class Analysis:
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     """Find every extreme of curvature, pressure angle and contact.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-
-    Returns
-    -------
-    Analysis
-        The extremes.
-
-    Raises
-    ------
-    InadmissibleError
-        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
-        rocker turns as fast as the cam.
+    `motion`: the program. Returns the extremes. Raises InadmissibleError when a centre of the roller passes through the
+    cam's axis, the pressure angle passes 180 degrees, or a flat rocker turns as fast as the cam.
 
     Notes
     -----

@@ -36,27 +36,8 @@ def animation(
 ) -> str:
     """One turn of the cam with its follower, in millimetres and in true size.
 
-    Parameters
-    ----------
-    result : CamProfile
-        The profile.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    follower : Follower
-        The follower and where it stands.
-    rotation : Rotation
-        Which way the cam turns.
-    flank : Flank
-        Which surface.
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    str
-        The file.
+    `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: which surface. Returns
+    the file.
     """
     del given
     geometry, motion = Geometry(follower, rotation, flank), motion_of(scene, program)

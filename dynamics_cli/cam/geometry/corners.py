@@ -59,17 +59,8 @@ class Left:
 def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     """What an undercut leaves of a cam, or None where the whole envelope is its edge.
 
-    Parameters
-    ----------
-    curve : Envelope
-        The envelope of the follower.
-    forward : bool
-        Whether the curve is known to run forwards within every zone (`analysis.runs_forward`).
-
-    Returns
-    -------
-    Left | None
-        The corners of what is left.
+    `curve`: the envelope of the follower; `forward`: whether the curve is known to run forwards within every zone
+    (`analysis.runs_forward`). Returns the corners of what is left.
 
     Notes
     -----
@@ -128,20 +119,8 @@ def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size:
 def clearance(geometry: Geometry, s: "Any", point: "Any") -> "Any":
     """How far a point of the fixed frame is from being covered by the follower at lift s.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    s : array
-        Lifts.
-    point : array
-        Points as complex numbers [m].
-
-    Returns
-    -------
-    array
-        Square of the distance from the roller's centre less that of its radius [m²], or distance from a flat face
-        towards the cam [m]; negative where covered.
+    `s`: lifts; `point`: points as complex numbers [m]. Returns square of the distance from the roller's centre less
+    that of its radius [m²], or distance from a flat face towards the cam [m]; negative where covered.
     """
     f, level = geometry.follower, geometry.start + s
     if isinstance(f, FlatFace):

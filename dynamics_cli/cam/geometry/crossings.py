@@ -33,19 +33,7 @@ class Crossing:
 def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing]":
     """Every point that forward arcs share, but for those where one goes on as the next.
 
-    Parameters
-    ----------
-    curve : Envelope
-        The curve.
-    arcs : list of Arc
-        Its forward arcs, in order.
-    size : float
-        Size of the cam, for rounding [m].
-
-    Returns
-    -------
-    list of Crossing
-        The crossings.
+    `arcs`: its forward arcs, in order; `size`: size of the cam, for rounding [m].
 
     Notes
     -----

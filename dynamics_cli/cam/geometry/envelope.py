@@ -62,12 +62,7 @@ class Arc:
 class Envelope:
     """The curve that a follower leaves of a cam, in the cam's frame, as complex numbers.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
+    `motion`: the program.
     """
 
     def __init__(self, geometry: Geometry, motion: "Any") -> None:
@@ -127,15 +122,8 @@ class Envelope:
     def backward(self, *, forward: bool = False) -> "list[tuple[float, float]]":
         """Places between which the curve runs backwards or stands, from every turning place of its speed.
 
-        Parameters
-        ----------
-        forward : bool
-            Whether it is known to run forwards within every zone: only bridges may run backwards then.
-
-        Returns
-        -------
-        list of pairs
-            The stretches in order.
+        `forward`: whether it is known to run forwards within every zone: only bridges may run backwards then. Returns
+        the stretches in order.
 
         Notes
         -----
@@ -190,15 +178,7 @@ class Envelope:
     def forward(self, backward: "list[tuple[float, float]]") -> "list[Arc]":
         """Arcs of the forward parts in order, each bending little.
 
-        Parameters
-        ----------
-        backward : list of pairs
-            What `backward` found.
-
-        Returns
-        -------
-        list of Arc
-            The arcs.
+        `backward`: what `backward` found.
         """
         arcs: list[Arc] = []
         zones: list[tuple[int, float, float]] = []

@@ -82,26 +82,9 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
 
     A = ½∮ r·n ds, z_C = (1/3A)∮ z (r·n) ds, I_p = ¼∮ r² (r·n) ds.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    corners : tuple of Corner
-        Corners of an undercut plate, between which the curve is its edge (`undercut.Loss`).
-
-    Returns
-    -------
-    Plate
-        The integrals.
-
-    Raises
-    ------
-    InadmissibleError
-        When a flat rocker turns as fast as the cam.
+    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `corners`: corners of an undercut
+    plate, between which the curve is its edge (`undercut.Loss`). Returns the integrals. Raises InadmissibleError when a
+    flat rocker turns as fast as the cam.
 
     Notes
     -----
@@ -252,25 +235,9 @@ def weighed(
 ) -> Weighed:  # fmt: skip
     """Give the plate of a cam; that of an undercut one is what is left about its axis.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    loss : Loss | None
-        What an undercut costs.
-    thickness : float | None
-        Thickness of the plate [m].
-    density : float | None
-        Its density [kg/m³].
-
-    Returns
-    -------
-    Weighed
-        The plate; without results, and with the reason, where nothing is left about the axis.
+    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `loss`: what an undercut costs;
+    `thickness`: thickness of the plate [m]; `density`: its density [kg/m³]. Returns the plate; without results, and
+    with the reason, where nothing is left about the axis.
     """
     weight = None if thickness is None or density is None else thickness * density
     if loss is not None and not loss.corners:

@@ -18,17 +18,7 @@ if TYPE_CHECKING:
 def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
     """(x, value) of every stationary point and one-sided end of that derivative (0 to 3), piece by piece.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    order : int
-        Which derivative: 0 for f, 3 for jerk.
-
-    Returns
-    -------
-    list of (float, float)
-        Places and values; a jump gives two values at one place.
+    `order`: which derivative: 0 for f, 3 for jerk. Returns places and values; a jump gives two values at one place.
 
     Notes
     -----

@@ -27,17 +27,7 @@ ANGLES = (1.0, pi / 180.0)
 def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -> float:
     """The largest decimal step, in one of the units, that all values are multiples of; zero where there is none.
 
-    Parameters
-    ----------
-    values : sequence of float
-        The values.
-    units : sequence of float
-        Units they may have been written in.
-
-    Returns
-    -------
-    float
-        The step.
+    `units`: units they may have been written in. Returns the step.
 
     Examples
     --------
@@ -57,17 +47,8 @@ def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -
 def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, float, float]":
     """How far velocity, acceleration and jerk of a spline can be off at most where its points are rounded.
 
-    Parameters
-    ----------
-    law : Law
-        A clamped cubic spline.
-    place_step, lift_step : float
-        Steps that the places and the lifts of its points are rounded to.
-
-    Returns
-    -------
-    (float, float, float)
-        Bounds to first order of the changes at the joints, in units of the rise.
+    `law`: a clamped cubic spline; `place_step`, `lift_step`: steps that the places and the lifts of its points are
+    rounded to. Returns bounds to first order of the changes at the joints, in units of the rise.
 
     Notes
     -----
@@ -108,17 +89,7 @@ def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]",
 def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
     """What to say of a law that goes through points of a table; nothing of any other.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    where : str
-        What to name it by.
-
-    Returns
-    -------
-    tuple of Advice
-        The largest changes that rounding can have made, as shares of the peaks.
+    `where`: what to name it by. Returns the largest changes that rounding can have made, as shares of the peaks.
     """
     if law.steps is None or len(law.breaks) < FEWEST or not law.steps[1]:
         return ()

@@ -89,22 +89,11 @@ class Ends:
 class Cover:
     """Functions of lift and derivatives over a motion: their proxies, and their own values with their roundings.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    function : callable
-        Takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents, `numpy.stack` and
-        the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values do not: such a
-        function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is false); so it
-        is for a motion without `parts_of`.
-    derivatives : int
-        How many derivatives.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite inside a piece.
+    `function`: takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents,
+    `numpy.stack` and the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values
+    do not: such a function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is
+    false); so it is for a motion without `parts_of`; `derivatives`: how many derivatives. Raises ValueError when a
+    function is not finite inside a piece.
     """
 
     def __init__(self, motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> None:

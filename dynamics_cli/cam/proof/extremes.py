@@ -37,12 +37,7 @@ class Found:
 class Sum:
     """A weighted sum of a survey's rows (s, s′, s″ and its functions) and a constant.
 
-    Parameters
-    ----------
-    weights : tuple of float or Disc
-        One for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
-    constant : float or Disc
-        The constant.
+    `weights`: one for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
     """
 
     __slots__ = ("constant", "weights")
@@ -73,17 +68,8 @@ def _disc(value: "float | Disc") -> "Disc":
 class Survey:
     """Functions of s, s′ and s″ over a motion, ready for their extremes.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    functions : callable
-        Each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there.
-
-    Raises
-    ------
-    InadmissibleError
-        When numbers overflow.
+    `functions`: each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there. Raises InadmissibleError when
+    numbers overflow.
     """
 
     def __init__(self, motion: "Motion", *functions: "Law") -> None:
@@ -101,15 +87,8 @@ class Survey:
     def extremes(self, which: int) -> tuple[Found, Found]:
         """Give the least and the greatest value of a function over the turn, one-sided values included.
 
-        Parameters
-        ----------
-        which : int
-            Which of the functions.
-
-        Returns
-        -------
-        (Found, Found)
-            The least and the greatest, each at the first place that is equal to the best within rounding.
+        `which`: which of the functions. Returns the least and the greatest, each at the first place that is equal to
+        the best within rounding.
         """
         (ends,) = self.cover.ends(3 + which)
         return Found(ends.least, ends.least_at, ends.least_error), Found(
@@ -119,16 +98,8 @@ class Survey:
     def greatest_quotient(self, top: Sum, bottom: Sum) -> Found:
         """Give the greatest quotient of two sums over the turn; the lower one is nowhere below zero.
 
-        Parameters
-        ----------
-        top, bottom : Sum
-            The sums.
-
-        Returns
-        -------
-        Found
-            The quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
-            its rounding, zero where the upper one is that nowhere.
+        Returns the quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
+        its rounding, zero where the upper one is that nowhere.
 
         Notes
         -----

@@ -75,10 +75,7 @@ def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int
 class Parts:
     """Parts of a motion as arrays: what discs of them are made from.
 
-    Parameters
-    ----------
-    parts : sequence
-        Parts of a motion, as `Motion.parts_of` gives them.
+    `parts`: parts of a motion, as `Motion.parts_of` gives them.
     """
 
     __slots__ = ("base", "ends", "inner", "members", "off", "scales", "span")
@@ -111,35 +108,13 @@ def discs(
 ) -> "tuple[Disc, ...]":  # fmt: skip
     """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
 
-    Parameters
-    ----------
-    parts : Parts
-        Parts of a motion.
-    which : array (m,)
-        The part of each row.
-    t : array (m, n) or (m,)
-        Places in the parts' own coordinates, within their ends.
-    radius : array (m, k) or (m,)
-        How far about the places, as cam angles [rad]; k may differ from n where one of them is 1.
-    derivatives : int
-        How many derivatives, 0 to 4.
-    shares : bool
-        Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
-    exact : bool
-        Whether places are what they are, and only ends of parts among them rounded.
-    singly : int
-        So many places (m,) are computed one by one where they are what they are, by the more exact functions of the
-        C library; others where it is more than usual.
-
-    Returns
-    -------
-    tuple of Disc
-        s, ds/dθ, …: centres as computed, radii with all roundings in them.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
+    `parts`: parts of a motion; `which`: the part of each row; `t`: places in the parts' own coordinates, within their
+    ends; `radius`: how far about the places, as cam angles [rad]; k may differ from n where one of them is 1;
+    `derivatives`: how many derivatives, 0 to 4; `shares`: whether places come from shares of a zone, whose ends are
+    exact, and not from cam angles; `exact`: whether places are what they are, and only ends of parts among them
+    rounded; `singly`: so many places (m,) are computed one by one where they are what they are, by the more exact
+    functions of the C library; others where it is more than usual. Returns s, ds/dθ, …: centres as computed, radii with
+    all roundings in them.
 
     Notes
     -----

@@ -35,24 +35,8 @@ UP = 1.0 + 2.0**-40
 def bound(shape: "Any", order: int, reach: float) -> float:
     """Bound of a derivative of a shape where its own coordinate τ is within ±reach.
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    order : int
-        Which derivative, from 0.
-    reach : float
-        Largest |τ|, τ = t less the shape's origin.
-
-    Returns
-    -------
-    float
-        No magnitude is larger.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
+    `shape`: what a law's piece is made of; `order`: which derivative, from 0; `reach`: largest |τ|, τ = t less the
+    shape's origin. Returns no magnitude is larger.
 
     Notes
     -----
@@ -120,24 +104,8 @@ def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
 def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     """How far f and its derivatives may be, within complex discs about t, from what they are at t (arrays).
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    t, radius : array
-        Places, and radii that go together with them.
-    derivatives : int
-        How many derivatives.
-
-    Returns
-    -------
-    array
-        A bound for f and for each derivative, in rows.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
+    `shape`: what a law's piece is made of; `t`, `radius`: places, and radii that go together with them; `derivatives`:
+    how many derivatives. Returns a bound for f and for each derivative, in rows.
 
     Notes
     -----

@@ -40,28 +40,9 @@ OFF = 8.0
 def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = HALVES) -> "list[Any]":
     """Bounds of what roundings do to f and its derivatives at places, known to within `off`.
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    t : float or array
-        Places, in the shape's own coordinate.
-    off : float or array
-        What the places may be off by.
-    derivatives : int
-        How many derivatives, 0 to 4.
-    halves : float
-        `HALVES`, or `HALVES_OF_FLOATS` where the shape was called with floats.
-
-    Returns
-    -------
-    list of float or array
-        A bound for f and for each derivative, as `shape(t, derivatives)` computes them.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
+    `shape`: what a law's piece is made of; `t`: places, in the shape's own coordinate; `off`: what the places may be
+    off by; `derivatives`: how many derivatives, 0 to 4; `halves`: `HALVES`, or `HALVES_OF_FLOATS` where the shape was
+    called with floats. Returns a bound for f and for each derivative, as `shape(t, derivatives)` computes them.
 
     Notes
     -----
@@ -101,17 +82,7 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = 
 def of_law(law: "Any", x: float) -> "list[float]":
     """What `law.at(x)`, x a float, may be off: f and three derivatives.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    x : float
-        The place.
-
-    Returns
-    -------
-    list of float
-        Bounds; at a joint of pieces the more of both.
+    `x`: the place. Returns bounds; at a joint of pieces the more of both.
 
     Examples
     --------
@@ -133,19 +104,8 @@ def of_law(law: "Any", x: float) -> "list[float]":
 def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     """What lift and three derivatives by cam angle may be off at places of a part of a motion, from cam angles.
 
-    Parameters
-    ----------
-    part : part of a motion
-        As `Motion.parts_of` gives them.
-    t : float or array
-        Places in the part's own coordinate: five roundings off.
-    halves : float
-        As of `slips`.
-
-    Returns
-    -------
-    list of float or array
-        Bounds. A factor and its product count two roundings, each division by the span two more.
+    `part`: as `Motion.parts_of` gives them; `t`: places in the part's own coordinate: five roundings off; `halves`: as
+    of `slips`. Returns bounds. A factor and its product count two roundings, each division by the span two more.
 
     Examples
     --------

@@ -140,12 +140,7 @@ def size_slide(
 class Wedge:
     """Heights that the pressure angles of a slide allow at an offset e: d ≥ A − e cot φ₁, d ≥ B + e cot φ₂.
 
-    Parameters
-    ----------
-    motion : Motion
-        The program.
-    limits : pair of float
-        The limits of rise and return [rad].
+    `motion`: the program; `limits`: the limits of rise and return [rad].
     """
 
     def __init__(self, motion: "Any", limits: tuple[float, float]) -> None:
@@ -232,22 +227,8 @@ def stated(error: float, base: float) -> ErrorBound:
 def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[float, float, str]:
     """The nearest (e, d) to the origin with d + e c₁ ≥ A and d − e c₂ ≥ B.
 
-    Parameters
-    ----------
-    a, b : float
-        A and B [m].
-    cot_rise, cot_return : float
-        Cotangents of the limits.
-
-    Returns
-    -------
-    tuple
-        Offset, height and the limits that bind.
-
-    Raises
-    ------
-    ZeroDivisionError
-        Never for limits between 0 and 90 degrees.
+    `a`, `b`: a and B [m]; `cot_rise`, `cot_return`: cotangents of the limits. Returns offset, height and the limits
+    that bind.
 
     Notes
     -----

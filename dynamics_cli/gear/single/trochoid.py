@@ -125,26 +125,15 @@ class Root:
 def root(cutter: Cutter) -> Root:
     """Give the junction of involute and trochoid of a gear cut by a rack.
 
+    `cutter`: the rack and the gear. Returns radius, roll angle, undercut or not, and the direction at which the
+    trochoid begins. Raises InadmissibleError when the rack's corner does not fit its tooth, or the root would lie
+    beyond the gear's centre.
+
     Equation
     --------
     ξ = r sin α_t − h_F/sin α_t; ξ ≥ 0: R² = r_b² + ξ². ξ < 0: the trochoid's half angle meets the involute's, solved in
     δ = θ − α_t between its start on the involute's other branch (δ = 0) and the base circle, with every term written
     as a difference from that start, so that nothing cancels as ξ → 0.
-
-    Parameters
-    ----------
-    cutter : Cutter
-        The rack and the gear.
-
-    Returns
-    -------
-    Root
-        Radius, roll angle, undercut or not, and the direction at which the trochoid begins.
-
-    Raises
-    ------
-    InadmissibleError
-        When the rack's corner does not fit its tooth, or the root would lie beyond the gear's centre.
 
     Notes
     -----

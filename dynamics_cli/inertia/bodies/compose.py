@@ -56,10 +56,7 @@ class Composed:
 def composed(walk: "Walk", *, asked: bool) -> Composed:
     """Put the leaves of a walk together.
 
-    Raises
-    ------
-    InadmissibleError
-        When holes leave no mass, or second moments that no body has.
+    Raises InadmissibleError when holes leave no mass, or second moments that no body has.
     """
     leaves = walk.leaves
     base = tuple(plain(x) for x in leaves[0].origin)

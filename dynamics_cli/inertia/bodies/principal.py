@@ -41,28 +41,14 @@ class Principal:
 def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), frame: "Matrix | None" = None) -> Principal:
     """Principal second moments and axes of a body.
 
+    `second_moments`: symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2]; `errors`: how far each principal
+    second moment may be off, the greatest first [kg*m^2]; `frame`: the axes of the second moments, seen in the input
+    axes, when they are others [-]. Returns second moments, moments, axes and a sentence about axes that are not
+    determined. Raises OverflowError when a number of the matrix is not finite.
+
     Equation
     --------
     S vᵢ = sᵢ vᵢ; I₁ = s₂ + s₃ ≤ I₂ = s₃ + s₁ ≤ I₃ = s₁ + s₂.
-
-    Parameters
-    ----------
-    second_moments : tuple of rows
-        Symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2].
-    errors : tuple of Inertia
-        How far each principal second moment may be off, the greatest first [kg*m^2].
-    frame : tuple of rows
-        The axes of the second moments, seen in the input axes, when they are others [-].
-
-    Returns
-    -------
-    Principal
-        Second moments, moments, axes and a sentence about axes that are not determined.
-
-    Raises
-    ------
-    OverflowError
-        When a number of the matrix is not finite.
 
     Notes
     -----

@@ -51,30 +51,15 @@ def section(
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
+    `polygon`: corners x1, y1, x2, y2, … of the outline in order, either way round [m]; `pieces`: material, as further
+    polygons, circles and rectangles; `holes`: holes, as polygons, circles and rectangles within the material. Returns
+    everything about the area. Raises InadmissibleError when contours cross themselves or one another, a hole is outside
+    its material, pieces overlap, or there is no area.
+
     Equation
     --------
     A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
     less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
-
-    Parameters
-    ----------
-    polygon : tuple of Coordinate
-        Corners x1, y1, x2, y2, … of the outline in order, either way round [m].
-    pieces : tuple of Piece
-        Material, as further polygons, circles and rectangles.
-    holes : tuple of Hole
-        Holes, as polygons, circles and rectangles within the material.
-
-    Returns
-    -------
-    SectionProperties
-        Everything about the area.
-
-    Raises
-    ------
-    InadmissibleError
-        When contours cross themselves or one another, a hole is outside its material, pieces overlap, or there is no
-        area.
 
     Notes
     -----

@@ -228,10 +228,7 @@ def require_tensor(
 
     The hint gives the remedy for impossible moments, unless the other sign of the products is one.
 
-    Raises
-    ------
-    InadmissibleError
-        When no body can have it.
+    Raises InadmissibleError when no body can have it.
     """
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
     # the least moment of a needle is a small difference of the tensor's elements

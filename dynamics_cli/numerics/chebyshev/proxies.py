@@ -110,24 +110,10 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
-    Parameters
-    ----------
-    function : callable
-        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
-    starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
-    depth : int
-        How often a piece may be halved.
-
-    Returns
-    -------
-    Proxies
-        The coefficients, on pieces in order.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite at a node.
+    `function`: takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n);
+    `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are smooth inside each;
+    `depth`: how often a piece may be halved. Returns the coefficients, on pieces in order. Raises ValueError when a
+    function is not finite at a node.
 
     Notes
     -----
@@ -184,26 +170,9 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
 
-    Parameters
-    ----------
-    made : Proxies
-        The interpolated functions.
-    which : int
-        Which of them.
-    every : bool
-        Whether places are wanted that decide neither the greatest nor the least value.
-    margin : array of m
-        How far below the greatest or above the least value a place may be and is wanted all the same, by pieces.
-
-    Returns
-    -------
-    Extremes
-        Ends of pieces and places where the function turns.
-
-    Raises
-    ------
-    ValueError
-        Never for finite coefficients.
+    `made`: the interpolated functions; `every`: whether places are wanted that decide neither the greatest nor the
+    least value; `margin`: how far below the greatest or above the least value a place may be and is wanted all the
+    same, by pieces. Returns ends of pieces and places where the function turns.
 
     Notes
     -----

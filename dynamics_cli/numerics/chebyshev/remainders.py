@@ -45,27 +45,12 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
-    Parameters
-    ----------
-    function : callable
-        Takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k). Places
-        come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on arrays
-        does for them.
-    starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are analytic inside each, and the same
-        formula continues them beyond its ends.
-    rounds : int
-        How often pieces may be cut, each time into 2 to 16.
-
-    Returns
-    -------
-    Proxies
-        The coefficients, on pieces in order.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite at a node.
+    `function`: takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k).
+    Places come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on
+    arrays does for them; `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are
+    analytic inside each, and the same formula continues them beyond its ends; `rounds`: how often pieces may be cut,
+    each time into 2 to 16. Returns the coefficients, on pieces in order. Raises ValueError when a function is not
+    finite at a node.
 
     Notes
     -----

@@ -57,26 +57,9 @@ def summits(
 ) -> "tuple[Summits, ...]":
     """Find the places that may hold the greatest value of a function, and those that may hold its least.
 
-    Parameters
-    ----------
-    made : Proxies
-        The functions, their error proved.
-    which : int
-        Which of them.
-    still : array of m, of bool
-        Pieces on which the functions are known to be constant.
-    ways : tuple of float
-        1 for the greatest value, -1 for the least.
-
-    Returns
-    -------
-    tuple of Summits
-        Those of each way; for the least value, of the function upside down.
-
-    Raises
-    ------
-    ValueError
-        Never for finite coefficients.
+    `made`: the functions, their error proved; `still`: pieces on which the functions are known to be constant; `ways`:
+    1 for the greatest value, -1 for the least. Returns those of each way; for the least value, of the function upside
+    down.
 
     Notes
     -----
@@ -220,24 +203,8 @@ def doubtful(found: Summits, sure: float) -> "Any":
 def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
     """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
 
-    Parameters
-    ----------
-    found : Summits
-        The places.
-    values : array
-        The function at each of them.
-    errors : array
-        What each of these values may err by.
-
-    Returns
-    -------
-    (float, int, float)
-        The value, the index of its place, and what the greatest value may be off.
-
-    Raises
-    ------
-    ValueError
-        Never for finite values.
+    `found`: the places; `values`: the function at each of them; `errors`: what each of these values may err by. Returns
+    the value, the index of its place, and what the greatest value may be off.
 
     Notes
     -----

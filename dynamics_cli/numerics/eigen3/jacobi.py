@@ -52,24 +52,13 @@ class Eigen:
 def eigen(matrix: "Rows") -> Eigen:
     """Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, as its doubles stand.
 
+    `matrix`: the matrix; only its lower triangle is read, and its numbers must be finite. Returns eigenvalues (the
+    greatest first), unit eigenvectors as rows, and absolute error bounds. Raises OverflowError when a number of the
+    matrix is not finite.
+
     Equation
     --------
     A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
-
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The matrix; only its lower triangle is read, and its numbers must be finite.
-
-    Returns
-    -------
-    Eigen
-        Eigenvalues (the greatest first), unit eigenvectors as rows, and absolute error bounds.
-
-    Raises
-    ------
-    OverflowError
-        When a number of the matrix is not finite.
 
     Notes
     -----

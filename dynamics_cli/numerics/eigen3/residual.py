@@ -26,25 +26,13 @@ _OTHERS = ((1, 2), (0, 2), (0, 1))
 def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
 
+    `matrix`: the symmetric matrix A, of finite numbers; `values`: its eigenvalues as they were found, in order of size;
+    `vectors`: its eigenvectors V as they were found, as rows: orthonormal to some roundings; `errors`: how far each
+    element of the matrix may be off; nothing when not given. Returns a bound for each, in the order of the values.
+
     Equation
     --------
     G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
-
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    values : tuple of float
-        Its eigenvalues as they were found, in order of size.
-    vectors : tuple of rows
-        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
-    errors : tuple of rows
-        How far each element of the matrix may be off; nothing when not given.
-
-    Returns
-    -------
-    tuple of float
-        A bound for each, in the order of the values.
 
     Notes
     -----
@@ -73,23 +61,13 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
 def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """How far vectors are at most turned from the eigenvectors of a symmetric 3 × 3 matrix.
 
+    `matrix`: the symmetric matrix A, of finite numbers; `vectors`: its eigenvectors V as they were found, as rows:
+    orthonormal to some roundings; `errors`: how far each element of the matrix may be off; nothing when not given.
+    Returns an angle for each vector [rad]; infinite where its eigenvalue is not told from another.
+
     Equation
     --------
     T and G as of `residual_bounds`; sin θₖ ≤ √(Σ (tₖⱼ − tₖₖ gₖⱼ)²)/minⱼ |tₖₖ − λⱼ|, j other than k.
-
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    vectors : tuple of rows
-        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
-    errors : tuple of rows
-        How far each element of the matrix may be off; nothing when not given.
-
-    Returns
-    -------
-    tuple of float
-        An angle for each vector [rad]; infinite where its eigenvalue is not told from another.
 
     Notes
     -----
@@ -165,17 +143,8 @@ def _blurred(errors: "Rows", vectors: "Rows", size: int) -> "tuple[list[float], 
 def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     """Rayleigh's quotients vᵀ A v/vᵀ v of a symmetric 3 × 3 matrix, each rounded once.
 
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    vectors : tuple of rows
-        Vectors v.
-
-    Returns
-    -------
-    tuple of float
-        A quotient for each vector: its eigenvalue but for the square of what the vector is off.
+    `matrix`: the symmetric matrix A, of finite numbers; `vectors`: vectors v. Returns a quotient for each vector: its
+    eigenvalue but for the square of what the vector is off.
 
     Examples
     --------
@@ -191,15 +160,7 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
 def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
     """Finite numbers as whole multiples of one over a common power of two, and that power.
 
-    Parameters
-    ----------
-    rows : sequence of rows
-        The numbers.
-
-    Returns
-    -------
-    tuple
-        The multiples, in rows, and the power of two.
+    `rows`: the numbers. Returns the multiples, in rows, and the power of two.
 
     Examples
     --------
