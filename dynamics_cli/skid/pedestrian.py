@@ -57,6 +57,16 @@ class Throw:
     advice: tuple[Advice, ...] = ()
 
 
+def _require_throw(throw_distance: float, friction: float) -> None:
+    require(
+        friction > 0.0,
+        "a friction of {friction:6} does not stop a thrown body",
+        friction=(friction, Friction),
+        code="no-friction",
+    )
+    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+
+
 def pedestrian(
     *,
     throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
@@ -106,13 +116,7 @@ def pedestrian(
     >>> round(pedestrian(throw_distance=25.0, friction=0.66).least_speed, 4)
     15.0141
     """
-    require(
-        friction > 0.0,
-        "a friction of {friction:6} does not stop a thrown body",
-        friction=(friction, Friction),
-        code="no-friction",
-    )
-    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+    _require_throw(throw_distance, friction)
     over = multiply_add(-friction, launch_height, throw_distance)
     # Within μH the landing stops every throw. There the terms of the slide are those of any distance, and not used.
     lands = over <= 0.0

@@ -140,3 +140,13 @@ def test_families_are_listed_once() -> None:
         if name != "registry" and room(name) not in families():
             text = path.read_text(encoding="utf-8")
             assert not [family for family in families() if f'"{ROOT}.{family}.commands' in text], name
+
+
+def test_no_private_names_of_others() -> None:
+    private = []
+    for name, path in MODULES.items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] != ROOT:
+                names = [part for alias in node.names for part in (*node.module.split("."), alias.name)]
+                private += [(name, part) for part in names if part.startswith("_") and not part.startswith("__")]
+    assert private == []

@@ -73,6 +73,19 @@ def no_limit(least_radius: float) -> tuple[Advice, ...]:
     )  # fmt: skip
 
 
+def _searched(wedge: "Wedge", round_: Round, e: float, d: float) -> tuple[float, float]:
+    """The best offset where curvature binds, and what another offset might gain in height."""
+    # no offset beyond the start radius that this one needs can do better
+    reach = hypot(e, max(d, round_.height(e)))
+    e, loose = best_offset(
+        lambda e: hypot(e, max(wedge.height(e), round_.rough(e))),
+        lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
+        reach,
+    )
+    # what lies between the height searched with and the certified one
+    return e, loose + abs(round_.height(e) - round_.fine(e))
+
+
 def size_slide(
     motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str, flank: str
 ) -> CamSize:
@@ -91,16 +104,8 @@ def size_slide(
     if round_ is not None and not round_.kept(e, d):
         binding, method, loose = CURVATURE, "secant on certified extremes", 0.0
         if follower.offset is None:
-            # no offset beyond the start radius that this one needs can do better
-            reach = hypot(e, max(d, round_.height(e)))
-            e, loose = best_offset(
-                lambda e: hypot(e, max(wedge.height(e), round_.rough(e))),
-                lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
-                reach,
-            )
+            e, loose = _searched(wedge, round_, e, d)
             method = "golden section over the offset, secant on certified extremes"
-            # what lies between the height searched with and the certified one another offset might gain
-            loose += abs(round_.height(e) - round_.fine(e))
         pressed, bent = wedge.height(e), round_.height(e)
         d = max(pressed, bent)
         slip = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)

@@ -23,6 +23,31 @@ _REMEDY = ("use more teeth, or a larger pressure angle", "use more teeth, or a s
 _DEPTHS = {"gleason": (0.54, 0.46, 2.0, 2.188), "zerol": (0.54, 0.46, 2.0, 2.188), "spiral": (0.46, 0.39, 1.7, 1.888)}
 
 
+def _require_pressure_angle(pressure_angle: float) -> None:
+    require(
+        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
+        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
+        pressure_angle=(pressure_angle, Angle),
+        code="pressure-angle",
+    )
+
+
+def _require_spiral(spiral: float, kind: Kind) -> None:
+    require(
+        spiral < 0.5 * pi,
+        "a spiral angle of {spiral:6} never crosses the face",
+        spiral=(spiral, Angle),
+        code="spiral-angle",
+    )
+    require(
+        kind == "spiral" or plain(spiral) == 0.0,
+        "{kind} teeth have no spiral angle at the middle of the face",
+        kind=kind,
+        code="spiral-angle",
+        hint="ask for --kind spiral",
+    )
+
+
 def bevel(
     *,
     first_teeth: Annotated[Teeth, "Number of teeth of the pinion z₁, e.g. 20."],
@@ -78,29 +103,12 @@ def bevel(
     30.48699
     """
     angles = _cones(first_teeth, second_teeth, like(shaft_angle, module))
-    require(
-        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
-        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
-        pressure_angle=(pressure_angle, Angle),
-        code="pressure-angle",
-    )
+    _require_pressure_angle(pressure_angle)
     require_module(module)
     pressure_angle = like(pressure_angle, module)
     usual = like(USUAL_SPIRAL, module) if kind == "spiral" else 0.0
     spiral = usual if spiral_angle is None else absolute(spiral_angle)
-    require(
-        spiral < 0.5 * pi,
-        "a spiral angle of {spiral:6} never crosses the face",
-        spiral=(spiral, Angle),
-        code="spiral-angle",
-    )
-    require(
-        kind == "spiral" or plain(spiral) == 0.0,
-        "{kind} teeth have no spiral angle at the middle of the face",
-        kind=kind,
-        code="spiral-angle",
-        hint="ask for --kind spiral",
-    )
+    _require_spiral(spiral, kind)
     ratio = second_teeth / first_teeth
     cone = 0.5 * first_teeth * module / sin(angles[0])
     require(
@@ -121,19 +129,8 @@ def bevel(
     gears = []
     for own, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
         lean = spiral if (flank == "concave") == (own == 0) else -spiral
-        gears.append(
-            _gear(
-                teeth,
-                angle,
-                depth,
-                tips[own],
-                thetas[own],
-                (module, mean_module, cone, face_width),
-                tangential,
-                pressure_angle,
-                lean,
-            )
-        )
+        sizes = module, mean_module, cone, face_width
+        gears.append(_gear(teeth, angle, depth, tips[own], thetas[own], sizes, tangential, pressure_angle, lean))
     transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
     overlap = face_width * tan(spiral) / (pi_beside(mean_module) * mean_module) if plain(spiral) > 0.0 else None
     return BevelData(

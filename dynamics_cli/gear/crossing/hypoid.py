@@ -14,6 +14,27 @@ RIGHT_ANGLE = 0.5 * pi
 PINION_SPIRAL = 50.0 * pi / 180.0
 
 
+def _require_pair(shaft_angle: float, wheel_radius: float, pinion_spiral_angle: float) -> None:
+    require(
+        (shaft_angle > 0.0) & (shaft_angle < pi),
+        "the shaft angle {shaft_angle:6} must be above 0 and below 180 degrees",
+        shaft_angle=(shaft_angle, Angle),
+        code="shaft-angle",
+    )
+    require(
+        wheel_radius > 0.0,
+        "a wheel of {wheel_radius:6} radius has no teeth",
+        wheel_radius=(wheel_radius, Size),
+        code="wheel-radius",
+    )
+    require(
+        absolute(pinion_spiral_angle) < 0.5 * pi,
+        "a spiral angle of {pinion_spiral_angle:6} never crosses the face",
+        pinion_spiral_angle=(pinion_spiral_angle, Angle),
+        code="spiral-angle",
+    )
+
+
 def hypoid(
     *,
     first_teeth: Annotated[Teeth, "Number of teeth of the pinion z₁, e.g. 20."],
@@ -69,24 +90,7 @@ def hypoid(
     >>> answer.enlargement > 1.0
     True
     """
-    require(
-        (shaft_angle > 0.0) & (shaft_angle < pi),
-        "the shaft angle {shaft_angle:6} must be above 0 and below 180 degrees",
-        shaft_angle=(shaft_angle, Angle),
-        code="shaft-angle",
-    )
-    require(
-        wheel_radius > 0.0,
-        "a wheel of {wheel_radius:6} radius has no teeth",
-        wheel_radius=(wheel_radius, Size),
-        code="wheel-radius",
-    )
-    require(
-        absolute(pinion_spiral_angle) < 0.5 * pi,
-        "a spiral angle of {pinion_spiral_angle:6} never crosses the face",
-        pinion_spiral_angle=(pinion_spiral_angle, Angle),
-        code="spiral-angle",
-    )
+    _require_pair(shaft_angle, wheel_radius, pinion_spiral_angle)
     pinion_spiral_angle, shaft_angle = like(pinion_spiral_angle, wheel_radius), like(shaft_angle, wheel_radius)
     u = second_teeth / first_teeth
     plain_wheel = atan2(u * sin(shaft_angle), 1.0 + u * cos(shaft_angle))
