@@ -57,6 +57,10 @@ def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
     --------
     r = √(x² + y²), θ = atan2(y, x).
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
+
     Examples
     --------
     >>> round(cartesian_to_cylindrical(3.0, 1.0, 4.0).r, 4)
@@ -75,6 +79,10 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     Equation
     --------
     ρ = √(x² + y² + z²), φ = atan2(√(x² + y²), z), θ = atan2(y, x).
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -101,6 +109,10 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
     --------
     x = r cos θ, y = r sin θ.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
+
     Examples
     --------
     >>> round(cylindrical_to_cartesian(4.0, 0.5235987755982988, 2.0).x, 4)
@@ -120,6 +132,10 @@ def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
     Equation
     --------
     ρ = √(r² + z²), φ = atan2(r, z).
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -142,6 +158,10 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
     --------
     x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
+
     Examples
     --------
     >>> round(spherical_to_cartesian(7.0, 0.7853981633974483, 1.0471975511965976).y, 4)
@@ -163,6 +183,10 @@ def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrica
     Equation
     --------
     r = ρ sin φ, z = ρ cos φ.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------

@@ -113,7 +113,7 @@ def require_lever(geometry: Geometry, motion: "Motion") -> None:
 
 
 def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
-    """Give the greatest Hertz pressure over the turn.
+    """Give the greatest Hertz pressure over the turn (Hertz's line contact).
 
     p = √(N E*/(π b ρ)), 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/ρ = 1/ρ_cam + 1/R.
 

@@ -161,6 +161,10 @@ def start_height(base_radius: float, roller_radius: float, offset: float) -> flo
     -----
     The factored root keeps its digits where the offset nears the radius.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
+
     Examples
     --------
     >>> start_height(0.04, 0.01, 0.03)
@@ -193,6 +197,10 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
     Notes
     -----
     Relative error of a few roundings up to the limits of the triangle, where the arc cosine would lose half the digits.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
 
     Examples
     --------
@@ -227,6 +235,10 @@ def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: 
     Notes
     -----
     atan2 in place of the arc sine keeps the digits near a right angle.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
 
     Examples
     --------

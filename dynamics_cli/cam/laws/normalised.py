@@ -142,6 +142,11 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
     (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.9 and 16.11 to 16.14; laws of VDI 2143
+    as commonly published.
+
     Examples
     --------
     >>> round(max(scca(0.25, 0.5, 0.25).at(x / 100)[2] for x in range(51)), 4)

@@ -22,6 +22,11 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
     -----
     In whole numbers of 2⁻²⁵⁶: each is rounded once, whatever cancels on the way.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.9 and 16.11 to 16.14; laws of VDI 2143
+    as commonly published.
+
     Examples
     --------
     >>> constants_of(0.0, 1.0, 0.0, 0.0)[0]

@@ -19,6 +19,10 @@ def delta(index: int, x: float) -> float:
     --------
     δ_{n+1}(x) = xⁿ/n! for x ≥ 0, else 0; δ₁(0) = ½.
 
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 16.10.
+
     Examples
     --------
     >>> delta(1, 0.5), delta(2, 0.5), delta(3, 0.5), delta(2, -1.0)

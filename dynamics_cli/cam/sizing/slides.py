@@ -36,7 +36,7 @@ def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]"
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> CamSize:
-    """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
+    """Base circle of a flat-faced follower, in closed form from certified extremes: R_b = ρ − min(s + s″)."""
     both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = both.smallest()
     base = least_radius - low

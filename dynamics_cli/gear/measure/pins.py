@@ -53,7 +53,7 @@ def pin_roll(gear: Toothing, pin: float) -> float:
 
 
 def pin_size(gear: Toothing, pin: float) -> float:
-    """M = d_K + D_M (between pins d_K − D_M), d_K shortened by cos 90°/z for an odd number of teeth."""
+    """M = d_K + D_M (between pins d_K − D_M), d_K shortened by cos 90°/z for an odd number of teeth (ISO 21771)."""
     roll = pin_roll(gear, pin)
     across = 2.0 * gear.base_radius * sqrt(1.0 + roll * roll) * _odd(gear)
     return across - pin if gear.internal else across + pin

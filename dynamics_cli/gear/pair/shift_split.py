@@ -128,7 +128,7 @@ def _balanced(
 
 
 def pointed_diameter(gear: Gear, thinning: float) -> float | None:
-    """Where both flanks of a thinned tooth meet, in ISO's sign: inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
+    """Where both flanks of a thinned tooth meet (ISO 21771): inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
 
     The two flanks of an untouched tooth have been seen to leave its tip a land.
     """

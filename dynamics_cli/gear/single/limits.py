@@ -28,7 +28,7 @@ def bare(gear: Gear) -> Gear:
 
 
 def least_shift(gear: Gear) -> float:
-    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β)."""
+    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β) (ISO 21771)."""
     rack = gear.rack
     reach = rack.dedendum - rack.tip_radius * (1.0 - sin(rack.pressure_angle))
     sine = sin(gear.transverse_angle)

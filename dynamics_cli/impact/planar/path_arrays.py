@@ -45,6 +45,10 @@ def planar_impacts(
     -----
     Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
 
+    References
+    ----------
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
+
     Examples
     --------
     >>> p_n, p_t = planar_impacts(1.0, 0.0, 1.0, 3.0, -2.0, 0.1, [0.0, 0.5])

@@ -55,8 +55,11 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
     The sums of second moments lose no digits, where differences of moments do: the smallest moment of a needle keeps
     all of its own. A second moment below zero by no more than rounding is zero. Moments closer than 8·2⁻⁵² of the
     greatest, or than both their errors, determine no axes between them; the axes then given are those closest to the
-    input axes. Axes are right-handed; the first two have their largest component positive. Josephs & Huston, sections
-    7.7 to 7.9.
+    input axes. Axes are right-handed; the first two have their largest component positive.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 7.7 to 7.9.
 
     Examples
     --------
