@@ -88,10 +88,10 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
 
 def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
     """Stretches as cam angles; one that runs over the end of the turn is one."""
-    found = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
-    if len(found) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
-        found[-1] = (found[-1][0], found.pop(0)[1] + TURN)
-    return found
+    wrapped = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
+    if len(wrapped) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
+        wrapped[-1] = (wrapped[-1][0], wrapped.pop(0)[1] + TURN)
+    return wrapped
 
 
 def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size: float) -> "list[Crossing]":
@@ -149,7 +149,7 @@ def _cusps(
     curve: Envelope, backward: "list[tuple[float, float]]", found: "list[Crossing]", size: float
 ) -> "list[Corner]":
     """Backward stretches that are too short for a corner of their own: the curve stands there."""
-    made = []
+    cusps = []
     for low, high in backward:
         if any(crossing.first <= low and high <= crossing.second for crossing in found):
             continue
@@ -158,8 +158,8 @@ def _cusps(
             part = min(int(place), len(curve.parts) - 1)
             ends.append(complex(curve.at(part, np.array([place - part]))[0][0]))
         if abs(ends[1] - ends[0]) <= NOTHING * size:
-            made.append(Corner(low, high, 0.5 * (ends[0] + ends[1]), exact=False))
-    return made
+            cusps.append(Corner(low, high, 0.5 * (ends[0] + ends[1]), exact=False))
+    return cusps
 
 
 def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs: "list[Arc]") -> "list[list[Corner]]":

@@ -156,15 +156,15 @@ def _shares(
     curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
 ) -> "list[tuple[int, float, float]]":
     """Zones of the edge cut into pieces of 15 degrees or less: zone, and the shares of it each reaches from and to."""
-    made = []
+    shares = []
     for part, low, high in kept:
         zone = curve.parts[part]
         if isinstance(zone, Bridge):
             continue
         parts = max(1, ceil(spans[zone] * (high - low) / PIECE - 1e-9))
         cuts = [low + (high - low) * (index / parts) for index in range(parts)] + [high]
-        made += [(zone, first, last) for first, last in pairwise(cuts)]
-    return made
+        shares += [(zone, first, last) for first, last in pairwise(cuts)]
+    return shares
 
 
 def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angle: float) -> "Any":

@@ -33,7 +33,7 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
 
 def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
-    found: list[tuple[float, float]] = []
+    extremes: list[tuple[float, float]] = []
     turned: dict[tuple[int, float], list[float]] = {}
     for piece in law.pieces:
         # Measured from its own end, a piece and its mirror image turn at the same places.
@@ -41,10 +41,10 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
         key = (id(piece.shape), ends[0])
         if key not in turned:
             turned[key] = _turning(piece, order, *ends, 16 if law.monotone else 64)
-        found.extend(
+        extremes.extend(
             (1.0 - t if piece.far else t, law.upright(piece, t, order)[order]) for t in (ends[0], *turned[key], ends[1])
         )
-    return sorted(found)
+    return sorted(extremes)
 
 
 def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "list[float]":

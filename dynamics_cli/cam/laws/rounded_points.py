@@ -76,14 +76,14 @@ def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, fl
 
 def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]", given: "list[float]") -> "list[float]":
     """Bounds of the solution of a tridiagonal system for right sides of any sign within `given` (Thomas)."""
-    upper, found = [right[0] / middle[0]], [given[0] / middle[0]]
+    upper, solution = [right[0] / middle[0]], [given[0] / middle[0]]
     for i in range(1, len(given)):
         pivot = middle[i] - left[i] * upper[-1]
         upper.append(right[i] / pivot)
-        found.append((given[i] + left[i] * found[-1]) / pivot)
+        solution.append((given[i] + left[i] * solution[-1]) / pivot)
     for i in range(len(given) - 2, -1, -1):
-        found[i] += upper[i] * found[i + 1]
-    return found
+        solution[i] += upper[i] * solution[i + 1]
+    return solution
 
 
 def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":

@@ -75,13 +75,13 @@ CONDITION_HINT = 'for example --condition "place=0, lift=0, velocity=0" --condit
 
 def _conditions(one: Condition) -> "list[tuple[float, int, float]]":
     values = (one.lift, one.velocity, one.acceleration, one.jerk, one.rate_of_jerk)
-    found = [(one.place, order, value) for order, value in enumerate(values) if value is not None]
+    conditions = [(one.place, order, value) for order, value in enumerate(values) if value is not None]
     require(
-        bool(found),
+        bool(conditions),
         "the condition at {place} gives no lift and no derivative",
         place=(one.place, Fraction), code="conditions", hint=CONDITION_HINT,
     )  # fmt: skip
-    return found
+    return conditions
 
 
 def area_checks(law: Law) -> "tuple[Check, ...]":

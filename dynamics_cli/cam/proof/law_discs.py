@@ -43,10 +43,10 @@ class Parts:
             shapes.setdefault(id(None if law is None else law.shape), []).append(index)
         # the shape of a dwell is none
         self.members = []
-        for own in shapes.values():
+        for members_of_shape in shapes.values():
             among = np.zeros(len(laws), dtype=bool)
-            among[own] = True
-            law = laws[own[0]]
+            among[members_of_shape] = True
+            law = laws[members_of_shape[0]]
             self.members.append((None if law is None else law.shape, among))
 
 
@@ -88,23 +88,23 @@ def discs(
     radii = np.zeros((derivatives + 1, *np.broadcast_shapes(t.shape, radius.shape)))
     for shape, among in parts.members:
         rows = np.flatnonzero(among[which])
-        own = which[rows]
-        if not own.size:
+        indices = which[rows]
+        if not indices.size:
             continue
-        base, off_base = parts.base[own].reshape(column), parts.off[own].reshape(column)
+        base, off_base = parts.base[indices].reshape(column), parts.off[indices].reshape(column)
         if shape is None:
             centres[0, rows], radii[0, rows] = base, off_base
             continue
-        places, scales = t[rows], parts.scales[own]
+        places, scales = t[rows], parts.scales[indices]
         single = (exact or singly > SINGLE) and t.ndim == 1 and rows.size <= singly
         values = _one_by_one(shape, places, derivatives) if single else shape(places, derivatives)
-        about = None if only else radius[rows] / parts.span[own].reshape(column) * UP
+        about = None if only else radius[rows] / parts.span[indices].reshape(column) * UP
         wide = [0.0] * 5 if only else spreads(shape, places, about, derivatives)
-        offset = np.where(parts.inner[own] | (not shares), 3.0, 0.0)
+        offset = np.where(parts.inner[indices] | (not shares), 3.0, 0.0)
         near = np.abs(places)
         off = U * (5.0 * near + offset.reshape(column))
         if exact:
-            low, high = (end.reshape(column) for end in parts.ends[own].T)
+            low, high = (end.reshape(column) for end in parts.ends[indices].T)
             off = np.where((low == places) | (high == places), 2.0 * U * near, 0.0)
         # the lift's factor and its product count two roundings, each division by the span two more
         slips = [

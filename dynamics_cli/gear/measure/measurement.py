@@ -266,15 +266,15 @@ def _require_cut(
 
 def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
     """The profile shift found again from the sizes that were returned."""
-    found = []
+    checks = []
     room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
     if spanned is not None:
         off = absolute(shift_from_span(gear, spanned.over, spanned.span) - gear.shift)
-        found.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
+        checks.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
     if pinned is not None:
         off = absolute(shift_from_pins(gear, pinned.pin, pinned.size) - gear.shift)
-        found.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
-    return tuple(found)
+        checks.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
+    return tuple(checks)
 
 
 def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) -> list[Advice]:

@@ -65,7 +65,7 @@ def pair_advice(
 
 def _pointed(mesh: Engagement, thinned: tuple[float, ...]) -> tuple[Advice, ...]:
     """Say so where thinned teeth end in a point."""
-    found = []
+    pointed = []
     for gear, thinning in zip((mesh.first, mesh.second), thinned, strict=True):
         end = pointed_diameter(gear, thinning)
         if end is not None and abs(plain(end) - plain(gear.tip_diameter)) <= 1e-12 * abs(plain(end)):
@@ -75,5 +75,7 @@ def _pointed(mesh: Engagement, thinned: tuple[float, ...]) -> tuple[Advice, ...]
                 teeth=abs(gear.teeth),
                 diameter=(abs(plain(end)), Size),
             )
-            found.append(Advice("pointed", message, "serious", "thin its teeth less, or share it with the other gear"))
-    return tuple(found)
+            pointed.append(
+                Advice("pointed", message, "serious", "thin its teeth less, or share it with the other gear")
+            )
+    return tuple(pointed)

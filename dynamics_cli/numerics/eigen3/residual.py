@@ -189,7 +189,7 @@ def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
 
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
     """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
-    found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
+    spreads = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
     apart = [
         abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))
         for i, j in _OTHERS
@@ -200,9 +200,9 @@ def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]"
             # the element of its own, and the other two as a matrix
             square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
             within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
-            found[one] = min(found[one], square)
-            found[i], found[j] = min(found[i], square + within), min(found[j], square + within)
-    return found
+            spreads[one] = min(spreads[one], square)
+            spreads[i], spreads[j] = min(spreads[i], square + within), min(spreads[j], square + within)
+    return spreads
 
 
 def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]":
