@@ -71,13 +71,11 @@ def involute(phi: float) -> float:
 
     `phi`: angle, |φ| < π/2 [rad]. Returns inv φ, within 2.1 ulp; odd in φ.
 
+    Its condition is 3 near 0 and grows as 1/(π/2 − φ) towards 90°.
+
     Equation
     --------
     inv φ = tan φ − φ; below 0.98 rad φ³/3 + φ⁵ times a polynomial in φ².
-
-    Notes
-    -----
-    Its condition is 3 near 0 and grows as 1/(π/2 − φ) towards 90°.
 
     Examples
     --------
@@ -142,13 +140,11 @@ def inverse_involute(value: float) -> float:
     `value`: inv φ, not negative. Returns φ, from 0 to π/2, within 1.3 ulp. Raises ValueError when a single value is
     negative or not a number; in arrays such places are NaN.
 
+    d ln φ/d ln inv φ is at most 1/3: the problem is well-conditioned everywhere.
+
     Equation
     --------
     inv φ ≤ inv 60°: φ = s·P(s²), s = ∛(3 inv φ). Above: φ = π/2 − ψ, cot ψ + ψ = inv φ + π/2.
-
-    Notes
-    -----
-    d ln φ/d ln inv φ is at most 1/3: the problem is well-conditioned everywhere.
 
     Examples
     --------

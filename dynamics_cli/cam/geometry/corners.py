@@ -62,8 +62,6 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     `curve`: the envelope of the follower; `forward`: whether the curve is known to run forwards within every zone
     (`analysis.runs_forward`). Returns the corners of what is left.
 
-    Notes
-    -----
     The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
     of arcs and by Newton's method; those that no position of the follower covers are corners, and the way from corner
     to corner along the curve is the edge of each piece that is left, of which one winds about the axis. How far an

@@ -35,8 +35,6 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
 
     `arcs`: its forward arcs, in order; `size`: size of the cam, for rounding [m].
 
-    Notes
-    -----
     An arc whose tangent turns by β lies within ½·tan β of its chord's length from the chord: pairs whose boxes are
     apart share no point. Pairs whose tangents never point alike share one point at most, found by Newton's method;
     others are halved, to 1e-12 of the size at most. The result depends on no sampling of the curve but that of how far

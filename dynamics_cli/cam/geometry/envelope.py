@@ -125,8 +125,6 @@ class Envelope:
         `forward`: whether it is known to run forwards within every zone: only bridges may run backwards then. Returns
         the stretches in order.
 
-        Notes
-        -----
         Speeds that are zero within their error take their sign as computed.
         """
         if not self.geometry.flat and self.geometry.roller == 0.0:

@@ -153,13 +153,11 @@ def start_height(base_radius: float, roller_radius: float, offset: float) -> flo
     `offset`: offset of the slide [m]. Returns the height [m]. Raises InadmissibleError when the offset exceeds the
     radius: the follower would slide past the base circle.
 
+    The factored root keeps its digits where the offset nears the radius.
+
     Equation
     --------
     d = √((Rp − e)(Rp + e)), Rp = R_b + R_r.
-
-    Notes
-    -----
-    The factored root keeps its digits where the offset nears the radius.
 
     References
     ----------
@@ -190,13 +188,11 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
     `arm`: length of the arm [m]; `pivot_distance`: distance of the pivot from the cam's axis, e.g. 100 mm [m]. Returns
     the angle, between 0 and π. Raises InadmissibleError when the three lengths make no triangle.
 
+    Relative error of a few roundings up to the limits of the triangle, where the arc cosine would lose half the digits.
+
     Equation
     --------
     tan(ψ₀/2) = √((Rp − |c − L|)(Rp + |c − L|)) / √((c + L − Rp)(c + L + Rp)).
-
-    Notes
-    -----
-    Relative error of a few roundings up to the limits of the triangle, where the arc cosine would lose half the digits.
 
     References
     ----------
@@ -232,8 +228,6 @@ def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: 
     towards the cam [m]; `pivot_distance`: distance of the pivot from the cam's axis, e.g. 100 mm [m]. Returns the
     angle, between 0 and π/2. Raises InadmissibleError when the pivot lies inside the circle the face has to touch.
 
-    Notes
-    -----
     atan2 in place of the arc sine keeps the digits near a right angle.
 
     References

@@ -86,8 +86,6 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
     plate, between which the curve is its edge (`undercut.Loss`). Returns the integrals. Raises InadmissibleError when a
     flat rocker turns as fast as the cam.
 
-    Notes
-    -----
     Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
     short steep rise, a curve turns fast. Where the velocity jumps, the edge is the arc of the roller or the length of
     the face that joins both contacts. A corner that is off by δ moves every integral by what the curve adds to it on δ.

@@ -49,8 +49,6 @@ def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "L
     run forwards within every zone (`analysis.runs_forward`). Returns the lift lost; on an outer flank, how far the
     follower can leave its program outwards.
 
-    Notes
-    -----
     The greatest gap between the program and a follower that rests on a corner, from proxies whose remainder is
     estimated. For the corners see `corners.left_by`.
     """

@@ -132,15 +132,13 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     constant velocity; `name`: name of the law. Raises InadmissibleError when a share is negative, the shares do not sum
     to 1, or nothing is left for the acceleration.
 
+    (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
+    (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
+
     Equation
     --------
     Of the first half, a = C_a sin(πx/2r) to r, C_a to r + k, then C_a cos(π(x − r − k)/2g) to q = r + k + g, then none
     to ½; r = b q, k = c q, g = d q, q = (1 − constant)/2. C_a follows from f(½) = ½.
-
-    Notes
-    -----
-    (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
-    (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
 
     References
     ----------

@@ -20,8 +20,6 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
     `order`: which derivative: 0 for f, 3 for jerk. Returns places and values; a jump gives two values at one place.
 
-    Notes
-    -----
     Sign changes of the next derivative g, bisected to the last bit; that there are no others is proved from bounds of
     the law's derivatives (`cam.proof`). A step of length h with ends of one sign has none where both exceed
     h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g equals zero to rounding

@@ -24,8 +24,6 @@ def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> L
     InadmissibleError when a condition is given twice, there are more than ten, or they do not fix a polynomial
     (Birkhoff's problem has no solution for some).
 
-    Notes
-    -----
     Solved in exact rationals, expanded about both ends and the middle and rounded once: nothing is lost to the
     conditioning of the monomials, and values near both ends keep their digits.
 
@@ -117,8 +115,6 @@ def spline(
     velocity and acceleration are continuous, jerk jumps at the points. Raises InadmissibleError when the places do not
     increase.
 
-    Notes
-    -----
     The tridiagonal system for the slopes is dominant: its solution is good to a few roundings for any places.
 
     Examples

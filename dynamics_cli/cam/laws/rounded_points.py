@@ -50,8 +50,6 @@ def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, fl
     `law`: a clamped cubic spline; `place_step`, `lift_step`: steps that the places and the lifts of its points are
     rounded to. Returns bounds to first order of the changes at the joints, in units of the rise.
 
-    Notes
-    -----
     A spline is linear in its lifts: each counts half a step. A place that is off by δ counts as a lift off by f′δ.
     Slopes and second derivatives solve systems whose diagonals dominate: with the signs of all else turned to the
     worse, they give bounds of both. Points off by turns up and down reach them where they are equally spaced.

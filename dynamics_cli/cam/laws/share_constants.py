@@ -18,8 +18,6 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
     at the end of the constant; the amplitude of the cosine; the rates of sine and cosine, zero where there is none.
     Raises ZeroDivisionError when nothing is left for the acceleration.
 
-    Notes
-    -----
     In whole numbers of 2⁻²⁵⁶: each is rounded once, whatever cancels on the way.
 
     References

@@ -29,8 +29,6 @@ def fitted(
     `laws`: laws of the segments that have one of their own; `width`: span of this one [rad]. Returns the law and its
     scale. Raises InadmissibleError when the degree is not 3, 5, 7 or 9, or a spline's points are outside its segment.
 
-    Notes
-    -----
     Where neither a value is given nor the neighbour has a law of its own, the derivative is zero there.
     """
     segment = steps[index].segment

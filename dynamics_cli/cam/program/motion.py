@@ -40,8 +40,6 @@ class Motion:
     `segments`: segments in order, each starting where the one before ends, 360° together; `swing`: whether the lift is
     an angle.
 
-    Notes
-    -----
     The table of segments is exact: ends are ratios of whole numbers of degrees, and each is held in radians with what
     the double is short of, so that no rounding gathers over the turn.
 
@@ -126,8 +124,6 @@ class Motion:
         `theta`: cam angles, of any turn [rad]; `derivatives`: how many derivatives, 0 to 4; `side`: which value where
         one jumps. Returns s, ds/dθ, …, each a float or an array of the shape of `theta`.
 
-        Notes
-        -----
         Errors within 10⁻¹⁵ of the peak for s and ds/dθ besides what the rounding of `theta` itself moves.
         """
         if isinstance(theta, (int, float)):

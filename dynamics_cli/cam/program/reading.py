@@ -35,8 +35,6 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     InadmissibleError when no program or two are given, its words are not understood, its spans do not make one turn, it
     does not come back to where it began, or a law lacks what it needs.
 
-    Notes
-    -----
     Spans are kept as exact numbers of degrees: those of records are read back from radians to the shortest decimal that
     gives the same double.
 

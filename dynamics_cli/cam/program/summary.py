@@ -43,8 +43,6 @@ def extreme(motion: "Motion", order: int) -> Extreme:
 
     `order`: which derivative. Returns the first place of each.
 
-    Notes
-    -----
     From the extremes of the normalised laws, to the last bits; equal values to 10⁻¹² count as one, the first is named.
     """
     found: list[tuple[float, float, Callable[[], float]]] = []

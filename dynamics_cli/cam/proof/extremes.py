@@ -101,8 +101,6 @@ class Survey:
         Returns the quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
         its rounding, zero where the upper one is that nowhere.
 
-        Notes
-        -----
         Dinkelbach's iteration: q = top/bottom rises to where top − q·bottom, whose greatest value over the turn is
         certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
         0/0 where a spring of no preload rests.

@@ -64,8 +64,6 @@ def discs(
     functions of the C library; others where it is more than usual. Returns s, ds/dθ, …: centres as computed, radii with
     all roundings in them.
 
-    Notes
-    -----
     A part is one analytic function, so that discs may reach over its ends.
 
     Examples

@@ -38,8 +38,6 @@ def bound(shape: "Any", order: int, reach: float) -> float:
     `shape`: what a law's piece is made of; `order`: which derivative, from 0; `reach`: largest |τ|, τ = t less the
     shape's origin. Returns no magnitude is larger.
 
-    Notes
-    -----
     The triangle inequality; sharp where the terms do not cancel.
 
     Examples
@@ -107,8 +105,6 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     `shape`: what a law's piece is made of; `t`, `radius`: places, and radii that go together with them; `derivatives`:
     how many derivatives. Returns a bound for f and for each derivative, in rows.
 
-    Notes
-    -----
     Taylor's series with the magnitudes of its coefficients, each taken a little too large.
 
     Examples

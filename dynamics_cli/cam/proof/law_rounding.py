@@ -44,8 +44,6 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = 
     off by; `derivatives`: how many derivatives, 0 to 4; `halves`: `HALVES`, or `HALVES_OF_FLOATS` where the shape was
     called with floats. Returns a bound for f and for each derivative, as `shape(t, derivatives)` computes them.
 
-    Notes
-    -----
     See the module: proved from the order of operations, not from samples.
 
     Examples

@@ -184,8 +184,6 @@ def round_start(
     `side`: -1 for a clockwise cam; -1 for an outer flank. Returns the angle, and the bound of its error [rad]. Raises
     InadmissibleError when there is none.
 
-    Notes
-    -----
     Bisection on certified extremes, after steps that double. The curvature is surely too large an error below the
     angle, and surely not an error above it.
     """

@@ -235,8 +235,6 @@ def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[
     `a`, `b`: a and B [m]; `cot_rise`, `cot_return`: cotangents of the limits. Returns offset, height and the limits
     that bind.
 
-    Notes
-    -----
     The apex is the answer unless the foot of the perpendicular on one line keeps the other.
 
     Examples

@@ -129,16 +129,14 @@ def root(cutter: Cutter) -> Root:
     trochoid begins. Raises InadmissibleError when the rack's corner does not fit its tooth, or the root would lie
     beyond the gear's centre.
 
+    The unit of length is the normal module. The condition of R is below 1 for all inputs; within 1e-14 of 40-digit
+    values for z = 5 … 1000, x = −12 … +1.
+
     Equation
     --------
     ξ = r sin α_t − h_F/sin α_t; ξ ≥ 0: R² = r_b² + ξ². ξ < 0: the trochoid's half angle meets the involute's, solved in
     δ = θ − α_t between its start on the involute's other branch (δ = 0) and the base circle, with every term written
     as a difference from that start, so that nothing cancels as ξ → 0.
-
-    Notes
-    -----
-    The unit of length is the normal module. The condition of R is below 1 for all inputs; within 1e-14 of 40-digit
-    values for z = 5 … 1000, x = −12 … +1.
 
     References
     ----------

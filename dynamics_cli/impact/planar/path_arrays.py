@@ -37,13 +37,11 @@ def planar_impacts(
     k_t k_n − k_x² where it is known better than this difference tells [1/kg²]. Returns p_n and p_t on body 1 [N·s], of
     the shape that the inputs broadcast to. Raises ValueError when the law has no path.
 
+    Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
+
     Equation
     --------
     As `dynamics_cli.impact.planar.path.travel`.
-
-    Notes
-    -----
-    Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
 
     References
     ----------

@@ -46,16 +46,14 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
     axes, when they are others [-]. Returns second moments, moments, axes and a sentence about axes that are not
     determined. Raises OverflowError when a number of the matrix is not finite.
 
-    Equation
-    --------
-    S vᵢ = sᵢ vᵢ; I₁ = s₂ + s₃ ≤ I₂ = s₃ + s₁ ≤ I₃ = s₁ + s₂.
-
-    Notes
-    -----
     The sums of second moments lose no digits, where differences of moments do: the smallest moment of a needle keeps
     all of its own. A second moment below zero by no more than rounding is zero. Moments closer than 8·2⁻⁵² of the
     greatest, or than both their errors, determine no axes between them; the axes then given are those closest to the
     input axes. Axes are right-handed; the first two have their largest component positive.
+
+    Equation
+    --------
+    S vᵢ = sᵢ vᵢ; I₁ = s₂ + s₃ ≤ I₂ = s₃ + s₁ ≤ I₃ = s₁ + s₂.
 
     References
     ----------

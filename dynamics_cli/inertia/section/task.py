@@ -56,19 +56,17 @@ def section(
     everything about the area. Raises InadmissibleError when contours cross themselves or one another, a hole is outside
     its material, pieces overlap, or there is no area.
 
-    Equation
-    --------
-    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
-    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
-
-    Notes
-    -----
     Coordinates are read into doubles; what that rounding does is stated beside the bounds, and warned of far from the
     origin. Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and
     rounded once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses
     nothing.
     The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
     orders of magnitude.
+
+    Equation
+    --------
+    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
+    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
 
     References
     ----------

@@ -115,8 +115,6 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     `depth`: how often a piece may be halved. Returns the coefficients, on pieces in order. Raises ValueError when a
     function is not finite at a node.
 
-    Notes
-    -----
     A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
     (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
     ones do; `error` is twice the last four, which is no proof: for searches whose result is certified otherwise. With
@@ -174,8 +172,6 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     least value; `margin`: how far below the greatest or above the least value a place may be and is wanted all the
     same, by pieces. Returns ends of pieces and places where the function turns.
 
-    Notes
-    -----
     Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
     terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
     size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what

@@ -52,8 +52,6 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     each time into 2 to 16. Returns the coefficients, on pieces in order. Raises ValueError when a function is not
     finite at a node.
 
-    Notes
-    -----
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
     there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
     below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3 the Lebesgue

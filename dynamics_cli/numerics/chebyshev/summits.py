@@ -61,8 +61,6 @@ def summits(
     1 for the greatest value, -1 for the least. Returns those of each way; for the least value, of the function upside
     down.
 
-    Notes
-    -----
     On a piece, f = p + e, |e| ≤ E, |e′| ≤ D. Where p turns (its slope σ at most) and p″ ≤ −m/2 as far as r on either
     side, f is above its value there by (σ + D)h − ¼mh² ≤ (σ + D)²/m at most; at an end of the piece that p falls away
     from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
@@ -206,8 +204,6 @@ def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, 
     `found`: the places; `values`: the function at each of them; `errors`: what each of these values may err by. Returns
     the value, the index of its place, and what the greatest value may be off.
 
-    Notes
-    -----
     The greatest value is at least what is certain at the best place, and at most the most of what is possible at every
     place and on every piece without a proof of its own.
 

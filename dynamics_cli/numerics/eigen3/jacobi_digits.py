@@ -28,8 +28,6 @@ def eigen_of_many_digits(matrix: "Sequence[Sequence[ManyDigits | float]]") -> "t
     `matrix`: the matrix; only its lower triangle is read, and its numbers must be finite. Returns eigenvalues and
     vectors.
 
-    Notes
-    -----
     To be called within `many_digits.run`, whose context the arithmetic takes.
     """
     a = [[_decimal(matrix[max(i, j)][min(i, j)]) for j in range(3)] for i in range(3)]

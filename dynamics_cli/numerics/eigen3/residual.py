@@ -30,17 +30,15 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
     `vectors`: its eigenvectors V as they were found, as rows: orthonormal to some roundings; `errors`: how far each
     element of the matrix may be off; nothing when not given. Returns a bound for each, in the order of the values.
 
-    Equation
-    --------
-    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
-
-    Notes
-    -----
     The three terms are how far Rayleigh's quotient is from the value; how far it is from an eigenvalue, quadratic over
     the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
     (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
     are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
     order or a rounding of the value. Errors E of the matrix add |V| E |V|ᵀ to T.
+
+    Equation
+    --------
+    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
 
     Examples
     --------
@@ -65,14 +63,12 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
     orthonormal to some roundings; `errors`: how far each element of the matrix may be off; nothing when not given.
     Returns an angle for each vector [rad]; infinite where its eigenvalue is not told from another.
 
+    The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
+    7 (1970) 1. What vectors lack of being orthonormal is added.
+
     Equation
     --------
     T and G as of `residual_bounds`; sin θₖ ≤ √(Σ (tₖⱼ − tₖₖ gₖⱼ)²)/minⱼ |tₖₖ − λⱼ|, j other than k.
-
-    Notes
-    -----
-    The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
-    7 (1970) 1. What vectors lack of being orthonormal is added.
 
     Examples
     --------

@@ -45,8 +45,6 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     they are written; `tolerance`: decides how fine the cells are [m]. Returns a bound for each [m]. Raises
     InadmissibleError when it would take more than four million cells, or nothing is known of the curve's acceleration.
 
-    Notes
-    -----
     See the module. The ends are those written: that they are on the curve is not assumed.
     """
     coarse = _coarse(path, piece, places)
