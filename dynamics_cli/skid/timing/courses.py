@@ -1,11 +1,12 @@
 """A motion through phases as polynomials of the time, for two parties to be laid side by side."""
 
 from itertools import pairwise
-from math import inf
+from math import inf, isfinite
 
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.polynomials import derivative, roots_between, shifted, value
+from dynamics_cli.skid.diagnostics import require_kept
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ class Course:
     def on(self, time: "Any") -> Stretch:
         """The piece that a time falls on; at a corner the earlier one."""
         at = plain(time)
+        require_kept(isfinite(at), "a speed or an acceleration, or the difference of two,")
         return next(piece for piece in self.stretches if at <= piece.end)
 
     def at(self, time: "Any") -> "tuple[Any, Any, str]":
@@ -71,6 +73,9 @@ def changes(
     for low, high in pairwise(corners):
         pieces = (first.on(0.5 * (low + high)), second.on(0.5 * (low + high)))
         whole = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
+        require_kept(
+            all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or the difference of two,"
+        )
         slope = derivative(whole)
         for root in roots_between([plain(part) for part in whole], 0.0, high - low):
             steep = plain(value(slope, root))

@@ -92,14 +92,14 @@ def follow(
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
     require(gap > 0.0, "a gap of {gap} leaves no distance to close", code="no-gap", gap=(gap, Length))
     front, behind = (Course(motion_of(party, gravity), 0.0, 0.0) for party in (leader, follower))
-    last = max(course.stretches[-1].begin for course in (front, behind))
+    last = max((course.stretches[-1].origin for course in (front, behind)), key=plain)
 
     def apart(one: "list[float]", other: "list[float]") -> "list[float]":
         size = max(len(one), len(other))
         first, second = ([*part, *([0.0] * (size - len(part)))] for part in (one, other))
         return [gap + first[0] - second[0], *(a - b for a, b in zip(first[1:], second[1:], strict=True))]
 
-    contact = next((time for time, rises in changes(front, behind, apart, 0.0, last) if not rises), None)
+    contact = next((time for time, rises in changes(front, behind, apart, 0.0, plain(last)) if not rises), None)
     if contact is None:
         contact = _later(front, behind, gap, last)
     if contact is None:
@@ -139,8 +139,8 @@ def _nearest(front: Course, behind: Course, gap: float, last: float) -> "tuple[f
         first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first, second))
         return [a - b for a, b in zip(first, second, strict=True)]
 
-    corners = [piece.end for course in (front, behind) for piece in course.stretches if 0.0 <= piece.end <= last]
-    times = [*corners, last, *(time for time, _ in changes(front, behind, faster, 0.0, last))]
+    corners = [piece.origin for course in (front, behind) for piece in course.stretches[1:]]
+    times = [*corners, *(time for time, _ in changes(front, behind, faster, 0.0, plain(last)))]
     gaps = [(gap + front.at(time)[0] - behind.at(time)[0], time) for time in times]
     return min(gaps, key=lambda one: (plain(one[0]), plain(one[1])))
 
