@@ -245,13 +245,8 @@ def _undetermined(off_axis: float, distance: float | None) -> tuple[Advice, ...]
     if off_axis != 0.0:
         return ()
     if distance is not None and distance == 0.0:
-        return (
-            Advice(
-                code="angles-undetermined",
-                message="at the origin φ and θ are not determined: 0 is shown",
-                severity="note",
-            ),
-        )
+        message = "at the origin φ and θ are not determined: 0 is shown"
+        return (Advice(code="angles-undetermined", message=message, severity="note"),)
     return (
         Advice(code="angle-undetermined", message="on the Z-axis θ is not determined: 0 is shown", severity="note"),
     )

@@ -23,15 +23,12 @@ def impacts(motion: "Motion") -> "tuple[Advice, ...]":
     jumps = joint_jumps(motion)[0]
     if not jumps:
         return ()
-    return (
-        Advice(
-            "velocity-jump",
-            f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
-            "the extremes reported here do not include",
-            "serious",
-            "choose laws whose velocities join; `dynamics cam motion` lists the jumps",
-        ),
+    message = (
+        f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
+        "the extremes reported here do not include"
     )
+    remedy = "choose laws whose velocities join; `dynamics cam motion` lists the jumps"
+    return (Advice("velocity-jump", message, "serious", remedy),)
 
 
 def advice_of(
@@ -78,16 +75,10 @@ def advice_of(
     if leaves is None:
         found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
     if order is not None and order < SURGE_ORDER:
-        found.append(
-            Advice(
-                "spring-surge",
-                worded(
-                    "the spring surges at {order} times the shaft's speed: "
-                    "harmonics of the cam up to the twelfth excite it",
-                    order=(order, Ratio),
-                ),
-                "caution" if order > 0.7 * SURGE_ORDER else "serious",
-                "take a lighter or a stiffer spring",
-            )
+        message = worded(
+            "the spring surges at {order} times the shaft's speed: harmonics of the cam up to the twelfth excite it",
+            order=(order, Ratio),
         )
+        remedy = "take a lighter or a stiffer spring"
+        found.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
     return tuple(found)

@@ -301,15 +301,10 @@ def _advice(angles: tuple[float, float], face_ratio: float, face_modules: float)
     elif wheel > 0.5 * pi:
         made.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
     if plain(face_ratio) > 1.0 / 3.0 or plain(face_modules) > 10.0:
-        made.append(
-            Advice(
-                "wide-face",
-                worded(
-                    "the face is {face_ratio:3} of the cone distance and {face_modules:3} modules wide",
-                    face_ratio=(plain(face_ratio), Ratio),
-                    face_modules=(plain(face_modules), Ratio),
-                ),
-                remedy="keep it below a third of the cone distance and ten modules",
-            )
+        message = worded(
+            "the face is {face_ratio:3} of the cone distance and {face_modules:3} modules wide",
+            face_ratio=(plain(face_ratio), Ratio),
+            face_modules=(plain(face_modules), Ratio),
         )
+        made.append(Advice("wide-face", message, remedy="keep it below a third of the cone distance and ten modules"))
     return tuple(made)

@@ -199,18 +199,12 @@ def _advice(gears: list[Gear], helices: list[float], working: float) -> tuple[Ad
     difference = max((abs(angle - plain(working)) for angle in angles), default=0.0)
     if difference < LEAST_DIFFERENCE:
         return ()
-    return (
-        Advice(
-            "approximate",
-            worded(
-                "approximation by virtual gears: the working normal pressure angles of the two gears differ from "
-                "it by up to {difference:3}",
-                difference=(difference, Angle),
-            ),
-            "note",
-            "with profile shifts that sum to zero the geometry is exact",
-        ),
+    message = worded(
+        "approximation by virtual gears: the working normal pressure angles of the two gears differ from "
+        "it by up to {difference:3}",
+        difference=(difference, Angle),
     )
+    return (Advice("approximate", message, "note", "with profile shifts that sum to zero the geometry is exact"),)
 
 
 def _teeth_advice(gears: list[Gear], addendum: float, clearance: float) -> tuple[Advice, ...]:

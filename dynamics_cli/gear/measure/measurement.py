@@ -282,24 +282,13 @@ def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) ->
     if spanned is not None and spanned.least_face_width is not None and face_width is not None:
         least = plain(spanned.least_face_width)
         if plain(face_width) <= least:
-            found.append(
-                Advice(
-                    "narrow-face",
-                    worded(
-                        "a face of {face_width:6} is too narrow: the anvils need {least:6}",
-                        face_width=(plain(face_width), Size),
-                        least=(least, Size),
-                    ),
-                    "serious",
-                    "span fewer teeth, or measure over balls",
-                )
+            text = worded(
+                "a face of {face_width:6} is too narrow: the anvils need {least:6}",
+                face_width=(plain(face_width), Size),
+                least=(least, Size),
             )
+            found.append(Advice("narrow-face", text, "serious", "span fewer teeth, or measure over balls"))
     if gear.teeth % 2 and plain(gear.helix_angle) != 0.0:
-        found.append(
-            Advice(
-                "odd-helical",
-                "an odd helical gear is measured over balls in one transverse plane, not over pins",
-                "note",
-            )
-        )
+        message = "an odd helical gear is measured over balls in one transverse plane, not over pins"
+        found.append(Advice("odd-helical", message, "note"))
     return found

@@ -21,21 +21,16 @@ def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Adv
     if change > -1e-9 * first.module:
         return ()
     tips = [2.0 * (form.tip + change) for form in (first, second)]
-    return (
-        Advice(
-            "full-tips",
-            worded(
-                "the tips are full height; gear pair shortens them by {change:6} to keep the tip clearance",
-                change=(-change, Size),
-            ),
-            "note",
-            worded(
-                'give --first-tip-diameter "{first:9}" --second-tip-diameter "{second:9}"',
-                first=(tips[0], Size),
-                second=(tips[1], Size),
-            ),
-        ),
+    message = worded(
+        "the tips are full height; gear pair shortens them by {change:6} to keep the tip clearance",
+        change=(-change, Size),
     )
+    remedy = worded(
+        'give --first-tip-diameter "{first:9}" --second-tip-diameter "{second:9}"',
+        first=(tips[0], Size),
+        second=(tips[1], Size),
+    )
+    return (Advice("full-tips", message, "note", remedy),)
 
 
 def advice(

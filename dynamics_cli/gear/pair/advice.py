@@ -49,17 +49,13 @@ def pair_advice(
             )
         )
     if plain(mesh.angle) < 0.02:
-        made.append(
-            Advice(
-                "flat-action",
-                worded(
-                    "the working pressure angle is only {angle}: small changes of the profile shifts change the "
-                    "centre distance by a large "
-                    "factor",
-                    angle=(plain(mesh.angle), Angle),
-                ),
-            )
+        message = worded(
+            "the working pressure angle is only {angle}: small changes of the profile shifts change the "
+            "centre distance by a large "
+            "factor",
+            angle=(plain(mesh.angle), Angle),
         )
+        made.append(Advice("flat-action", message))
     return (*made, *_pointed(mesh, thinned))
 
 

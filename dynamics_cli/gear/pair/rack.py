@@ -177,22 +177,12 @@ def _cuts(margin: float) -> bool:
 def _advice(margin: float, ratio: float) -> tuple[Advice, ...]:
     made = []
     if plain(margin) < 0.0:
-        made.append(
-            Advice(
-                "interference",
-                worded(
-                    "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
-                ),
-                "serious" if _cuts(margin) else "note",
-                "raise the profile shift, or the number of teeth",
-            )
+        message = worded(
+            "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
         )
+        remedy = "raise the profile shift, or the number of teeth"
+        made.append(Advice("interference", message, "serious" if _cuts(margin) else "note", remedy))
     if plain(ratio) < 1.0:
-        made.append(
-            Advice(
-                "contact-ratio",
-                worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio)),
-                "serious",
-            )
-        )
+        text = worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio))
+        made.append(Advice("contact-ratio", text, "serious"))
     return tuple(made)

@@ -310,17 +310,10 @@ def _advice(
     found = list(module_advice(pitch, gear.module))
     share = plain(tip_thickness) / plain(gear.module)
     if share < LEAST_TIP:
-        found.append(
-            Advice(
-                "thin-tip",
-                worded(
-                    "the tips are {share:3} modules thick, less than {limit}",
-                    share=(share, Ratio),
-                    limit=(LEAST_TIP, Ratio),
-                ),
-                remedy="lower the profile shift, or shorten the tips",
-            )
+        text = worded(
+            "the tips are {share:3} modules thick, less than {limit}", share=(share, Ratio), limit=(LEAST_TIP, Ratio)
         )
+        found.append(Advice("thin-tip", text, remedy="lower the profile shift, or shorten the tips"))
     if least is None or most is None or plain(least) <= plain(gear.shift):
         return tuple(found)
     low, high = plain(least), plain(most)
@@ -335,12 +328,6 @@ def _advice(
             low=(low, Ratio),
             high=(high, Ratio),
         )
-    found.append(
-        Advice(
-            "undercut",
-            worded("the rack undercuts the teeth: the involute begins at {form:6} diameter", form=(plain(form), Size)),
-            "serious" if low > high else "caution",
-            remedy,
-        )
-    )
+    message = worded("the rack undercuts the teeth: the involute begins at {form:6} diameter", form=(plain(form), Size))
+    found.append(Advice("undercut", message, "serious" if low > high else "caution", remedy))
     return tuple(found)

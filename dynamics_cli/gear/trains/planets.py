@@ -100,19 +100,15 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
         simple = inner == outer
         ring = _nearest_ring(arrangement) if simple else None
         what = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"
-        found.append(
-            Advice(
-                "uneven-planets",
-                worded(
-                    "{what} = {number} is not whole: {count} planets cannot be spread evenly; the places shown are the "
-                    "nearest possible",
-                    what=what,
-                    number=number,
-                    count=count,
-                ),
-                remedy=f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else ""),
-            )
+        message = worded(
+            "{what} = {number} is not whole: {count} planets cannot be spread evenly; the places shown are the "
+            "nearest possible",
+            what=what,
+            number=number,
+            count=count,
         )
+        remedy = f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else "")
+        found.append(Advice("uneven-planets", message, remedy=remedy))
     mismatch = arrangement.ring - outer - arrangement.sun - inner
     if mismatch and inner == outer:
         found.append(

@@ -250,16 +250,10 @@ def contact_advice(contact: Restituted | Energetic) -> tuple[Advice, ...]:
     ratio = contact.restitution
     if not single(ratio) or not plain(ratio) > 1.0:
         return ()
-    return (
-        Advice(
-            code="energetic-contact",
-            message=worded(
-                "the contact adds energy: the bodies separate {ratio} times as fast as they closed",
-                ratio=(ratio, Ratio),
-            ),
-            severity="note",
-        ),
+    message = worded(
+        "the contact adds energy: the bodies separate {ratio} times as fast as they closed", ratio=(ratio, Ratio)
     )
+    return (Advice(code="energetic-contact", message=message, severity="note"),)
 
 
 def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Restitution) -> tuple[Check, ...]:

@@ -193,13 +193,6 @@ def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice
     apart = max(abs(one.velocity - other.velocity) for one, other in zip(*after, strict=True))
     if apart <= 1e-9 * fastest:
         return ()
-    return (
-        Advice(
-            code="not-unique",
-            message=worded(
-                "the laws differ by up to {apart}: rigid bodies do not decide between them", apart=(apart, Speed)
-            ),
-            severity="note",
-            remedy="choose --law sequential for bodies with gaps, however small",
-        ),
-    )
+    message = worded("the laws differ by up to {apart}: rigid bodies do not decide between them", apart=(apart, Speed))
+    remedy = "choose --law sequential for bodies with gaps, however small"
+    return (Advice(code="not-unique", message=message, severity="note", remedy=remedy),)

@@ -292,28 +292,17 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
         return ()
     advice: tuple[Advice, ...] = ()
     if plain(mean) > 1.5:
-        advice += (
-            Advice(
-                "deep-crush",
-                worded(
-                    "the {name} vehicle: a mean crush of {mean:3} is deeper than cars allow",
-                    name=name,
-                    mean=(mean, Size),
-                ),
-            ),
+        message = worded(
+            "the {name} vehicle: a mean crush of {mean:3} is deeper than cars allow", name=name, mean=(mean, Size)
         )
+        advice += (Advice("deep-crush", message),)
     if vehicle.offset is not None and vehicle.face_distance is None and plain(vehicle.force_angle) != 0.0:
-        advice += (
-            Advice(
-                "face-distance",
-                worded(
-                    "the {name} vehicle: the distance of the face is not given, so the turned force is taken through "
-                    "the offset abreast of the mass centre",
-                    name=name,
-                ),
-                remedy="give the face distance",
-            ),
+        text = worded(
+            "the {name} vehicle: the distance of the face is not given, so the turned force is taken through "
+            "the offset abreast of the mass centre",
+            name=name,
         )
+        advice += (Advice("face-distance", text, remedy="give the face distance"),)
     return advice
 
 

@@ -30,26 +30,15 @@ def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
     found = []
     for hole in holes:
         if boxes and hole.part.shape is not None and _leaves(hole, boxes):
-            found.append(
-                Advice(
-                    "hole-outside",
-                    f"{hole.name} reaches out of every body: what it takes away there has no mass",
-                    "serious",
-                    "end the hole where its body ends",
-                )
-            )
+            message = f"{hole.name} reaches out of every body: what it takes away there has no mass"
+            found.append(Advice("hole-outside", message, "serious", "end the hole where its body ends"))
         own = _density(hole)
         known = [density for density in map(_density, bodies) if density is not None]
         alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
         if own and len(known) == len(bodies) and not alike:
-            found.append(
-                Advice(
-                    "hole-density",
-                    f"{hole.name} takes away material of a density that no body has",
-                    "serious",
-                    "give the hole the density of the body that it is cut out of",
-                )
-            )
+            text = f"{hole.name} takes away material of a density that no body has"
+            remedy = "give the hole the density of the body that it is cut out of"
+            found.append(Advice("hole-density", text, "serious", remedy))
     return tuple(found)
 
 

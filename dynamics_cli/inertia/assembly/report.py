@@ -150,14 +150,9 @@ def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ..
     found = []
     if cancels is not None and max(cancels.mass, *cancels.moments) > MUCH_CANCELS:
         largest = max(cancels.mass, *cancels.moments)
-        found.append(
-            Advice(
-                "cancellation",
-                f"material and holes cancel to 1/{largest:.3g} of their size: the result loses as many digits",
-                severity="caution",
-                remedy="use a hollow shape with its wall thickness instead of a solid less a solid",
-            )
-        )
+        message = f"material and holes cancel to 1/{largest:.3g} of their size: the result loses as many digits"
+        remedy = "use a hollow shape with its wall thickness instead of a solid less a solid"
+        found.append(Advice("cancellation", message, severity="caution", remedy=remedy))
     if whole.unbounded:
         found.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
     return tuple(found)

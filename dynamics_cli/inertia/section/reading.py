@@ -55,11 +55,5 @@ def advice(found: "tuple[Condition, ...]") -> "tuple[Advice, ...]":
     change = max((condition.value for condition in found), default=0.0) * UNIT_ROUNDOFF
     if change <= SILENT:
         return ()
-    return (
-        Advice(
-            "coordinates-rounded",
-            f"coordinates are rounded to doubles when read, which may change moments by a share of {change:.2g}",
-            "caution",
-            "count the coordinates from a corner of the section",
-        ),
-    )
+    message = f"coordinates are rounded to doubles when read, which may change moments by a share of {change:.2g}"
+    return (Advice("coordinates-rounded", message, "caution", "count the coordinates from a corner of the section"),)

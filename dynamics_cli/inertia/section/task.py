@@ -221,10 +221,5 @@ def _advice(found: "list[Contour]") -> "tuple[Advice, ...]":
         centres = {contour.corners[0] for contour in found}
         if len(centres) == 1:
             return ()
-    return (
-        Advice(
-            "not-torsion",
-            "the polar second moment is not the torsion constant of this section, which is not round",
-            "note",
-        ),
-    )
+    message = "the polar second moment is not the torsion constant of this section, which is not round"
+    return (Advice("not-torsion", message, "note"),)

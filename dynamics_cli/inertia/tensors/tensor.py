@@ -280,14 +280,9 @@ def _other_sign(matrix: "Matrix", room: float) -> str | None:
 
 def _advice(slack: float) -> tuple[Advice, ...]:
     if slack < -TOLERANCE:
-        return (
-            Advice(
-                "no-body",
-                f"I₃ exceeds I₁ + I₂ by a share of {-slack:.3g}, which is impossible but within the tolerance",
-                severity="caution" if slack > -PRINTED else "serious",
-                remedy="give the tensor with more digits",
-            ),
-        )
+        message = f"I₃ exceeds I₁ + I₂ by a share of {-slack:.3g}, which is impossible but within the tolerance"
+        remedy = "give the tensor with more digits"
+        return (Advice("no-body", message, severity="caution" if slack > -PRINTED else "serious", remedy=remedy),)
     if slack > TOLERANCE:
         return ()
     return (Advice("lamina", "I₁ + I₂ = I₃: the body is a lamina across axis 3, or a rod", severity="note"),)
