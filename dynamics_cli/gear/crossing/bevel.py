@@ -277,15 +277,15 @@ def _teeth_advice(
     pressure_angle: float,
 ) -> tuple[Advice, ...]:
     """Undercut and tips of the teeth on the back cones; the flank of the tool ends where the mate's tips do."""
-    found: tuple[Advice, ...] = ()
+    advice: tuple[Advice, ...] = ()
     for own, who in enumerate(("the pinion", "the wheel")):
         cosine = cos(angles[own])
         if plain(cosine) > _NO_CONE:
             height, depth = depths[own][0] / module, depths[1 - own][0] / module
             # a long addendum goes with a thick tooth: Gleason adds half the difference of the addenda times tan α
             shift = 0.5 * (height - depth)
-            found += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
-    return found
+            advice += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
+    return advice
 
 
 def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...]:
@@ -294,17 +294,17 @@ def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...
 
 
 def _advice(angles: tuple[float, float], face_ratio: float, face_modules: float) -> tuple[Advice, ...]:
-    made = []
+    advice = []
     wheel = plain(angles[1])
     if abs(wheel - 0.5 * pi) <= 1e-9:
-        made.append(Advice("crown-wheel", "the wheel is a crown gear: its pitch cone is flat", "note"))
+        advice.append(Advice("crown-wheel", "the wheel is a crown gear: its pitch cone is flat", "note"))
     elif wheel > 0.5 * pi:
-        made.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
+        advice.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
     if plain(face_ratio) > 1.0 / 3.0 or plain(face_modules) > 10.0:
         message = worded(
             "the face is {face_ratio:3} of the cone distance and {face_modules:3} modules wide",
             face_ratio=(plain(face_ratio), Ratio),
             face_modules=(plain(face_modules), Ratio),
         )
-        made.append(Advice("wide-face", message, remedy="keep it below a third of the cone distance and ten modules"))
-    return tuple(made)
+        advice.append(Advice("wide-face", message, remedy="keep it below a third of the cone distance and ten modules"))
+    return tuple(advice)

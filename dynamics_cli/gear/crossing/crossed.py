@@ -209,11 +209,11 @@ def _advice(gears: list[Gear], helices: list[float], working: float) -> tuple[Ad
 
 def _teeth_advice(gears: list[Gear], addendum: float, clearance: float) -> tuple[Advice, ...]:
     """Undercut and tips of each gear in its transverse section; the rack's corner lies within the tip clearance."""
-    found: tuple[Advice, ...] = ()
+    advice: tuple[Advice, ...] = ()
     remedy = "raise its profile shift, or give it more teeth", "lower its profile shift"
     for gear, who in zip(gears, ("the first gear", "the second gear"), strict=True):
         cosine = cos(gear.helix_angle)
         height, depth = (addendum + gear.shift + clearance) * cosine, (addendum - gear.shift) * cosine
         # s_t/m_t keeps π/2 + 2x·tan α_n = π/2 + 2x·cos β·tan α_t
-        found += tooth_advice(who, gear.teeth, gear.transverse_angle, height, depth, gear.shift * cosine, remedy)
-    return found
+        advice += tooth_advice(who, gear.teeth, gear.transverse_angle, height, depth, gear.shift * cosine, remedy)
+    return advice

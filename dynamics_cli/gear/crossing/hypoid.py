@@ -291,17 +291,17 @@ def _checks(point: _Point, eta: float, first: float, turned: float, radius: floa
 
 
 def _advice(turned: float, spiral: float, wheel: float) -> tuple[Advice, ...]:
-    made = []
+    advice = []
     if plain(spiral) < 0.0:
         message = worded(
             "the wheel's spiral angle is {spiral}: its hand would be reversed", spiral=(plain(spiral), Angle)
         )
-        made.append(Advice("wheel-spiral", message, remedy="raise the pinion's spiral angle, or lower the offset"))
+        advice.append(Advice("wheel-spiral", message, remedy="raise the pinion's spiral angle, or lower the offset"))
     if abs(plain(turned)) > 40.0 * pi / 180.0:
         text = worded("the offset angle of {turned:3} causes much lengthwise sliding", turned=(plain(turned), Angle))
-        made.append(Advice("long-sliding", text))
+        advice.append(Advice("long-sliding", text))
     if wheel == 0.0:
-        made.append(
+        advice.append(
             Advice("wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose your own")
         )
-    return tuple(made)
+    return tuple(advice)

@@ -278,7 +278,7 @@ def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tupl
 
 
 def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) -> list[Advice]:
-    found = []
+    advice = []
     if spanned is not None and spanned.least_face_width is not None and face_width is not None:
         least = plain(spanned.least_face_width)
         if plain(face_width) <= least:
@@ -287,8 +287,8 @@ def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) ->
                 face_width=(plain(face_width), Size),
                 least=(least, Size),
             )
-            found.append(Advice("narrow-face", text, "serious", "span fewer teeth, or measure over balls"))
+            advice.append(Advice("narrow-face", text, "serious", "span fewer teeth, or measure over balls"))
     if gear.teeth % 2 and plain(gear.helix_angle) != 0.0:
         message = "an odd helical gear is measured over balls in one transverse plane, not over pins"
-        found.append(Advice("odd-helical", message, "note"))
-    return found
+        advice.append(Advice("odd-helical", message, "note"))
+    return advice

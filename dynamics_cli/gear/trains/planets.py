@@ -90,7 +90,7 @@ def _most(distance: float, tip: float) -> int:
 
 def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
     """Even spacing that is not possible, and centre distances that profile shift must bring together."""
-    found = []
+    advice = []
     steps, count = arrangement.steps, arrangement.planets
     inner, outer = arrangement.planet_teeth
     if steps % count:
@@ -108,10 +108,10 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
             count=count,
         )
         remedy = f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else "")
-        found.append(Advice("uneven-planets", message, remedy=remedy))
+        advice.append(Advice("uneven-planets", message, remedy=remedy))
     mismatch = arrangement.ring - outer - arrangement.sun - inner
     if mismatch and inner == outer:
-        found.append(
+        advice.append(
             Advice(
                 "centre-distances-differ",
                 worded(
@@ -125,7 +125,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
                 ),
             )
         )
-    return tuple(found)
+    return tuple(advice)
 
 
 def _nearest_ring(arrangement: Planetary) -> int | None:
