@@ -266,7 +266,7 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
     for index, part in enumerate(points.layout.parts):
         column = [None if row is None else row[index] for row in rows]
         # A vector has no place in a column, and a result that no point has needs none.
-        if isinstance(part.steps[-1], int) or all(value is None for value in column):
+        if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):
             continue
         name = part.address if part.address not in table else f"results.{part.address}"
         table[name] = _column(part, column)
