@@ -26,7 +26,7 @@ RESULTANT = Task(
         'dynamics vec resultant "15 N" "12 N" --between "60 deg"',
     ),
     plot=f"{PICTURES}:resultant",
-    table="vectors",
+    table="parts",
     arrays=False,
 )  # fmt: skip
 

@@ -25,9 +25,9 @@ ARC = 41
 
 def resultant(made: "Any", *_: "Any", **__: "Any") -> Picture:
     """The vectors head to tail with their sum; in space, from above and from the front."""
-    values = [row.vector.value for row in made.vectors]
+    values = [row.vector.value for row in made.parts]
     kind = kinds.scalar(made.resultant.kind)
-    names = [_size(row.magnitude.value, row.angle, kind) for row in made.vectors]
+    names = [_size(row.magnitude.value, row.angle, kind) for row in made.parts]
     total = made.resultant.value
     sum_name = worded("R = {size}", size=(made.magnitude.value, kind))
     if len(total) == 2:

@@ -226,8 +226,9 @@ def _solution(p: "Pair", q: "Pair", kind: "Any", sizes: "list[float]", direction
     # vectors of given magnitude come first, as the options are read
     given = [None] * len(sizes) + list(direction)
     made = []
-    for parts, angle in zip((p, q), given, strict=True):
-        size, own = norm((*parts, 0.0)), atan2(parts[1], parts[0])
+    for nth, (parts, angle) in enumerate(zip((p, q), given, strict=True)):
+        size = sizes[nth] if angle is None else norm((*parts, 0.0))
+        own = atan2(parts[1], parts[0])
         if angle is not None:
             cosine, sine = turned(angle)
             forward = plain(parts[0]) * plain(cosine) + plain(parts[1]) * plain(sine) >= 0.0

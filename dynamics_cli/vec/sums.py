@@ -42,7 +42,7 @@ class Resultant:
     direction: Annotated[FreeVector | None, "Its direction cosines."]
     equilibrant: Annotated[FreeVector, "What balances it."]
     cancellation: Annotated[Ratio | None, "Sum of the magnitudes over the magnitude of the sum [-]."]
-    vectors: Annotated[tuple[Added, ...], "The vectors added."]
+    parts: Annotated[tuple[Added, ...], "The vectors added."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -128,7 +128,7 @@ def _summed(
         direction=None if zero else kinds.direction(tuple(part / size for part in parts), planar=planar),
         equilibrant=kinds.vector([-part + 0.0 for part in parts], kind, planar=planar),
         cancellation=cancellation,
-        vectors=added,
+        parts=added,
         checks=() if zero else (_squares(angles),),
         advice=tuple(_advice(zero, cancellation)),
     )
