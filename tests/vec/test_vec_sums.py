@@ -222,3 +222,11 @@ def test_direction_from_one_point_to_another(first: Any, second: Any) -> None:
     way = direction(first, second)
     assert way.vector.value == tuple(b - a for a, b in zip(first, second, strict=True))
     assert (way.angle is None) == (len(first) == 3)
+
+
+def test_a_direction_is_swept() -> None:
+    swept = answer("vec", "resultant", "3 N @ 20 deg", "4, 0 N", "--sweep", "vectors[0].direction=0:180 deg:3")
+    table = swept["results"]["sweep"]
+    assert table["magnitude"] == {"value": pytest.approx([7.0, 5.0, 1.0], rel=LAST_BITS), "unit": "N"}
+    sized = answer("vec", "angle", "3 N @ 20 deg", "4, 0 N", "--sweep", "first.magnitude=1:2 N:2")["results"]["sweep"]
+    assert sized["angle"]["value"] == pytest.approx([20.0, 20.0], rel=LAST_BITS)
