@@ -114,25 +114,25 @@ def lines(*, first: Item, second: Item) -> Lines:
     order = ("point", "line", "plane")
     swapped = order.index(one.shape) > order.index(other.shape)
     a, b = (other, one) if swapped else (one, other)
-    made = _CASES[a.shape, b.shape](a, b)
-    feet = made.pop("feet", (None, None))
+    pose = _CASES[a.shape, b.shape](a, b)
+    feet = pose.pop("feet", (None, None))
     if swapped:
         feet = feet[::-1]
 
     def point(parts: "Vector | None") -> "Any":
         return None if parts is None else kinds.vector(parts, one.kind)
 
-    distance = made["distance"]
+    distance = pose["distance"]
     return Lines(
-        relation=made["relation"],
+        relation=pose["relation"],
         distance=kinds.number(distance, one.kind),
-        angle=made.get("angle"),
+        angle=pose.get("angle"),
         first_foot=point(feet[0]),
         second_foot=point(feet[1]),
-        intersection=point(made.get("meet")),
-        common_direction=kinds.direction(made["common"]) if "common" in made else None,
+        intersection=point(pose.get("meet")),
+        common_direction=kinds.direction(pose["common"]) if "common" in pose else None,
         checks=_feet_apart(feet, distance, one.point, other.point) if feet[0] is not None else (),
-        advice=_nearly_parallel(made),
+        advice=_nearly_parallel(pose),
     )
 
 
@@ -199,9 +199,9 @@ def _two_lines(a: _Read, b: _Read) -> "dict[str, Any]":
     t = dot(cross(gap, u), product) / square
     feet = _moved(a.point, s, u), _moved(b.point, t, v)
     meet = _is_small(distance, reach)
-    made = {"distance": distance, "angle": angle, "feet": feet, "sine": plain(sine) / size}
-    return {**made, "relation": _touch("intersecting", distance), "meet": feet[0]} if meet else {
-        **made, "relation": "skew"}  # fmt: skip
+    pose = {"distance": distance, "angle": angle, "feet": feet, "sine": plain(sine) / size}
+    return {**pose, "relation": _touch("intersecting", distance), "meet": feet[0]} if meet else {
+        **pose, "relation": "skew"}  # fmt: skip
 
 
 def _line_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
@@ -217,8 +217,8 @@ def _line_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
         relation = _touch("the line is in the plane" if inside else "parallel", distance if inside else along)
         return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
     meet = _moved(a.point, -height / along, u)
-    made = {"distance": 0.0 * height, "relation": "intersecting", "angle": angle, "meet": meet}
-    return {**made, "sine": abs(plain(along)) / size}
+    pose = {"distance": 0.0 * height, "relation": "intersecting", "angle": angle, "meet": meet}
+    return {**pose, "sine": abs(plain(along)) / size}
 
 
 def _two_planes(a: _Read, b: _Read) -> "dict[str, Any]":
@@ -237,8 +237,8 @@ def _two_planes(a: _Read, b: _Read) -> "dict[str, Any]":
     way = cross(product, m)
     meet = _moved(a.point, -height / dot(way, n), way)
     common = tuple(part / sine for part in product)
-    made = {"distance": 0.0 * height, "relation": "intersecting in a line", "angle": angle, "meet": meet}
-    return {**made, "common": common, "sine": plain(sine) / size}
+    pose = {"distance": 0.0 * height, "relation": "intersecting in a line", "angle": angle, "meet": meet}
+    return {**pose, "common": common, "sine": plain(sine) / size}
 
 
 _CASES: "dict[tuple[str, str], Any]" = {
@@ -251,8 +251,8 @@ _CASES: "dict[tuple[str, str], Any]" = {
 }
 
 
-def _nearly_parallel(made: "dict[str, Any]") -> "tuple[Advice, ...]":
-    sine = made.get("sine")
+def _nearly_parallel(pose: "dict[str, Any]") -> "tuple[Advice, ...]":
+    sine = pose.get("sine")
     if sine is None or sine > NEARLY:
         return ()
     message = worded("the two are nearly parallel (sine {sine:2}): where they meet or come nearest moves by "

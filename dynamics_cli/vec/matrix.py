@@ -73,7 +73,6 @@ def matrix(
     determinant, reduced, rank = _eliminated(matrix, _identity(size))
     regular = square and rank == size
     inverse = reduced if regular else None
-    # a doctest or a caller may give bare pairs; sizes are refused here, with both
     added = _added(matrix, plus) if plus is not None else None
     multiplied = _multiplied(matrix, times) if times is not None else None
     solution = _solution(matrix, right_hand) if right_hand is not None else None
@@ -132,7 +131,9 @@ def _eliminated(left: "Rows", right: "Rows") -> "tuple[Pair, Rows, int]":
         for i, row in enumerate(rows):
             if i != rank and row[column][0]:
                 up, down = row[column]
-                rows[i] = [total((cell, product((-up, down), own))) for cell, own in zip(row, chosen, strict=True)]
+                rows[i] = [
+                    total((cell, product((-up, down), reduced))) for cell, reduced in zip(row, chosen, strict=True)
+                ]
         rank += 1
     return determinant, tuple(tuple(row[width:]) for row in rows), rank
 

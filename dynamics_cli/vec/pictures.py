@@ -156,12 +156,12 @@ def resolve(made: "Any", vector: "Any", **_: "Any") -> Picture:
 
     def drawn(view: "Any") -> "list[tuple[Pair, Pair, str, int]]":
         at = (0.0, 0.0)
-        made_: list[tuple[Pair, Pair, str, int]] = []
+        arrows: list[tuple[Pair, Pair, str, int]] = []
         for nth, (part, name) in enumerate(parts):
             way = view(part)
-            made_.append((at, way, name, nth % COLOURS))
+            arrows.append((at, way, name, nth % COLOURS))
             at = at[0] + way[0], at[1] + way[1]
-        return [*made_, ((0.0, 0.0), view(value), size, SUM)]
+        return [*arrows, ((0.0, 0.0), view(value), size, SUM)]
 
     if flat:
         return Picture((_panel(drawn(lambda part: (part[0], part[1])), kind, ("x", "y")),), "a vector and its parts")

@@ -89,13 +89,13 @@ def polygon(
     for size in sizes:
         require(size >= 0.0, "a magnitude is below zero", code="negative", hint="turn the vector round")
     if sizes:
-        own = getattr(magnitudes, "kind", kinds.NUMBER)
-        kind = own if kind is None else kind
+        sized = getattr(magnitudes, "kind", kinds.NUMBER)
+        kind = sized if kind is None else kind
         require(
-            own.unit == kind.unit,
+            sized.unit == kind.unit,
             "vectors of unlike kinds have no sum: a {first} and a {other}",
             first=kind.name,
-            other=own.name,
+            other=sized.name,
             code="mixed-kinds",
             hint="give all vectors and magnitudes in one kind",
         )
@@ -225,16 +225,16 @@ def _sine_of(one: float, other: float) -> "tuple[float, float]":
 def _solution(p: "Pair", q: "Pair", kind: "Any", sizes: "list[float]", direction: "tuple[float, ...]") -> Solution:
     # vectors of given magnitude come first, as the options are read
     given = [None] * len(sizes) + list(direction)
-    made = []
+    sides = []
     for nth, (parts, angle) in enumerate(zip((p, q), given, strict=True)):
         size = sizes[nth] if angle is None else norm((*parts, 0.0))
-        own = atan2(parts[1], parts[0])
+        angle_of = atan2(parts[1], parts[0])
         if angle is not None:
             cosine, sine = turned(angle)
             forward = plain(parts[0]) * plain(cosine) + plain(parts[1]) * plain(sine) >= 0.0
-            size, own = (size if forward else -size), angle
-        made.append((kinds.vector((*parts, 0.0), kind, planar=True), kinds.number(size, kind), own))
-    (first, a, alpha), (second, b, beta) = made
+            size, angle_of = (size if forward else -size), angle
+        sides.append((kinds.vector((*parts, 0.0), kind, planar=True), kinds.number(size, kind), angle_of))
+    (first, a, alpha), (second, b, beta) = sides
     return Solution(first, a, alpha, second, b, beta)
 
 

@@ -184,10 +184,10 @@ def _directed(size: "Any", direction: "tuple[float, ...]", address: str, context
 
 
 def _certain(raw: "Any", address: str, context: "Context") -> VectorValue:
-    made = _components(raw, address, context)
-    if type(made) is not VectorValue or len(made.si) == 1:
+    vector = _components(raw, address, context)
+    if type(vector) is not VectorValue or len(vector.si) == 1:
         raise UsageError("a direction is given by 2 or 3 certain numbers", code="direction", hint=HINT)
-    return made
+    return vector
 
 
 def _between(start: str, end: str, address: str, context: "Context") -> "tuple[float, ...]":
