@@ -230,3 +230,14 @@ def test_a_direction_is_swept() -> None:
     assert table["magnitude"] == {"value": pytest.approx([7.0, 5.0, 1.0], rel=LAST_BITS), "unit": "N"}
     sized = answer("vec", "angle", "3 N @ 20 deg", "4, 0 N", "--sweep", "first.magnitude=1:2 N:2")["results"]["sweep"]
     assert sized["angle"]["value"] == pytest.approx([20.0, 20.0], rel=LAST_BITS)
+
+
+def test_other_families_read_the_vectors(tmp_path: Any) -> None:
+    file = tmp_path / "turn.json"
+    assert run("vec", "resultant", "2 rad/s along 0, 3, 4", "1, 0, 0 rad/s", "--output", str(file)).status == 0
+    tensor = "[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2"
+    given_ = answer("inertia", "torque", "--tensor", tensor, "--angular-velocity", f"@{file}:resultant")
+    typed = answer("inertia", "torque", "--tensor", tensor, "--angular-velocity", "1, 1.2, 1.6 rad/s")
+    names = ("inertia_torque", "angular_momentum")
+    for name in names:
+        assert given_["results"][name]["value"] == pytest.approx(typed["results"][name]["value"], rel=1e-15)
