@@ -106,11 +106,11 @@ def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size:
         return clearance(geometry, s[None], points * np.exp(1j * geometry.turn * theta))
 
     count = len(motion.zones)
-    made = proxies(depth, np.zeros(count), np.ones(count))
+    interpolants = proxies(depth, np.zeros(count), np.ones(count))
     return [
         crossing
         for index, crossing in enumerate(found)
-        if extremes(made, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
+        if extremes(interpolants, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
     ]
 
 

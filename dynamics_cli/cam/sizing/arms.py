@@ -115,15 +115,15 @@ def size_arm(
     """Base circle of a rocker: the least angle of the arm that keeps both limits and the curvature."""
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     turn, side = signs(rotation, flank)
-    found = reach(motion, arm, pivot, limits, turn)
-    start, binding, method = found.least, found.binding, "closed form on certified extremes"
-    require_reach(found, start)
-    error = found.error
+    reached = reach(motion, arm, pivot, limits, turn)
+    start, binding, method = reached.least, reached.binding, "closed form on certified extremes"
+    require_reach(reached, start)
+    error = reached.error
     if least_radius is not None:
         curved, off = round_start(motion, arm, pivot, start, least_radius + roller, turn, side)
         if curved > start:
             start, binding, method, error = curved, CURVATURE, "bisection on certified extremes", off
-            require_round(found, start)
+            require_round(reached, start)
     radius = distance(arm, pivot, start)
     slip = moved(arm, pivot, start, error)
     if radius < roller:

@@ -48,8 +48,8 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
     slip += UNIT * max(base, floor)
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
-    found = analyse(geometry, motion)
-    low_kept = found.curvature.smallest()[0]
+    analysis = analyse(geometry, motion)
+    low_kept = analysis.curvature.smallest()[0]
     return CamSize(
         base_radius=base, offset=None, start_radius=None, arm_start_angle=None, binding=binding,
         largest_pressure_angle=0.0, least_pressure_angle=0.0, least_convex_radius=low_kept,
@@ -118,10 +118,10 @@ def size_slide(
     base = radius - roller
     offset = turn * e + 0.0
     follows = followers.Roller(base, roller, offset)
-    found = analyse(Geometry(follows, rotation), motion)
-    high, low = found.pressure.largest()[0], found.pressure.smallest()[0]
-    least, _ = convex(Geometry(follows, rotation), found)
-    hollow, _ = concave(Geometry(follows, rotation, flank), found) if side < 0.0 else (None, None)
+    analysis = analyse(Geometry(follows, rotation), motion)
+    high, low = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
+    least, _ = convex(Geometry(follows, rotation), analysis)
+    hollow, _ = concave(Geometry(follows, rotation, flank), analysis) if side < 0.0 else (None, None)
     in_line, curved = max(wedge.a, wedge.b, wedge.floor) - roller, binding.startswith(CURVATURE)
     # a base radius and an offset of doubles fix a height far below them no better
     lever = 1.0 + 1e-4 * (radius / d) ** 2 if d > 0.0 else inf

@@ -177,30 +177,32 @@ class _Point:
 
 def _solved(point: _Point) -> float:
     """η in plain numbers within its bracket, and one Newton step in the numbers that came in."""
-    own = point.bare()
-    least = own.at(0.0)[0]
+    doubles = point.bare()
+    least = doubles.at(0.0)[0]
     require(
         least > 0.0,
         "a wheel pitch angle of {wheel:6} leaves no pinion at this shaft angle",
-        wheel=(plain(own.wheel), Angle),
+        wheel=(plain(doubles.wheel), Angle),
         code="wheel-pitch-angle",
     )
-    sign = 1.0 if own.offset >= 0.0 else -1.0
+    sign = 1.0 if doubles.offset >= 0.0 else -1.0
     high = 0.0
     step = 0.01
-    while sign * own.residual(sign * high) < 0.0:
+    while sign * doubles.residual(sign * high) < 0.0:
         high += step
-        first, turned, _ = own.at(sign * high)
+        first, turned, _ = doubles.at(sign * high)
         require(
-            high < 0.5 * pi and first > 0.0 and abs(own.spiral - turned) < 0.5 * pi,
+            high < 0.5 * pi and first > 0.0 and abs(doubles.spiral - turned) < 0.5 * pi,
             "no pinion reaches an offset of {offset:6} on this wheel: its cone closes at an angle of {closing_angle}",
-            offset=(own.offset, Size),
+            offset=(doubles.offset, Size),
             closing_angle=(high, Angle),
             code="offset",
             hint="a smaller offset, or another pitch angle of the wheel",
         )
-    found = sign * bisect(lambda eta: -sign * own.residual(sign * eta), high - step, high) if own.offset else 0.0
-    slope = (own.residual(found + 1e-6) - own.residual(found - 1e-6)) / 2e-6
+    found = (
+        sign * bisect(lambda eta: -sign * doubles.residual(sign * eta), high - step, high) if doubles.offset else 0.0
+    )
+    slope = (doubles.residual(found + 1e-6) - doubles.residual(found - 1e-6)) / 2e-6
     # Among tracked numbers, so that the rounding of its sine and cosine counts.
     start = point.offset * 0.0 + found
     return start - point.residual(start) / slope

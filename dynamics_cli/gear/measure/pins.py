@@ -157,8 +157,8 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     chosen = pin
     if chosen is None:
         near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
-        own = bare(gear)
-        chosen = next((one for one in standard_pins(near) if _serves(own, one)), None)
+        doubles = bare(gear)
+        chosen = next((one for one in standard_pins(near) if _serves(doubles, one)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:

@@ -74,9 +74,9 @@ def tight_involute(first: Gear, second: Gear) -> float:
 def _require_tight(first: Gear, second: Gear) -> float:
     """The involute of α_w; refused where it is negative."""
     total = first.teeth + second.teeth
-    own = involute(first.transverse_angle)
+    inv = involute(first.transverse_angle)
     value = tight_involute(first, second)
-    least = plain(-own * total / (2.0 * tan(first.rack.pressure_angle)))
+    least = plain(-inv * total / (2.0 * tan(first.rack.pressure_angle)))
     require(
         value >= 0.0,
         "inv α_w would be {involute:6}, below 0: the profile shifts sum to {shifts:6}, and these gears mesh "

@@ -132,11 +132,11 @@ def envelope(
     require(law != "all", "an envelope is of one law", code="one-law", hint="--law stronge")
     ends = (least_restitution, greatest_restitution), (least_friction, greatest_friction)
     _require_region(ends, (restitution_points, friction_points), map_points)
-    one = solid(first, contact_point, axes, gravity, "the first body")
+    body = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
-    meeting = meeting_of(one, two, inward, closing_speed, 0.0, 0.0, 1.0)
+    meeting = meeting_of(body, two, inward, closing_speed, 0.0, 0.0, 1.0)
     size = max(absolute(meeting.approach), absolute(meeting.slip))
     require_finite(8.0 * size * size / meeting.mobility.normal, "the energy of the impact")
     e = np.linspace(least_restitution, greatest_restitution, restitution_points)
@@ -151,7 +151,7 @@ def envelope(
         code="no-push",
         hint="--law stronge",
     )
-    return _report(region, one, two, map_points)
+    return _report(region, body, two, map_points)
 
 
 def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[EnvelopePoint]":

@@ -64,15 +64,15 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
     >>> principal(((1.0, 0.0, 0.0), (0.0, 3.0, 0.0), (0.0, 0.0, 1.0))).degeneracy
     'axes 2 and 3 are any two in the plane across axis 1: their moments are equal'
     """
-    found = eigen(second_moments)
-    norm = max(abs(value) for value in found.values)
-    a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in found.values)
+    system = eigen(second_moments)
+    norm = max(abs(value) for value in system.values)
+    a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in system.values)
     tolerance = EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b)
-    vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
+    vectors = system.vectors if frame is None else _in_input_axes(system.vectors, frame)
     upper, lower = a - b <= max(tolerance, errors[0] + errors[1]), b - c <= max(tolerance, errors[1] + errors[2])
     beyond = (upper and a - b > tolerance) or (lower and b - c > tolerance)
     axes, words = _axes(vectors, upper, lower, beyond=beyond)
-    return Principal(seconds, axes, words, found.vectors)  # type: ignore[arg-type]
+    return Principal(seconds, axes, words, system.vectors)  # type: ignore[arg-type]
 
 
 def principal_of_many_digits(second_moments: "Matrix") -> Principal:
