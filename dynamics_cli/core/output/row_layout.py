@@ -250,8 +250,12 @@ class Layout:
 
     def values(self, record: "Any") -> "list[Any]":
         """What a row shows of a record; refuses numbers that are not finite, as a single call does."""
-        check_numbers(record, self.result, "")
+        self.check(record)
         return [part.value(record) for part in self.parts]
+
+    def check(self, record: "Any") -> None:
+        """Refuse numbers that are not finite, and a check of ours that failed."""
+        check_numbers(record, self.result, "")
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
         """The results as an object, results that do not exist left out."""
