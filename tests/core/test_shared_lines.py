@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from dynamics_cli.core.inputs.uncertain.distributions import Normal, Uniform
+from dynamics_cli.core.inputs.uncertain.distributions import Empirical, Normal, Uniform
 from dynamics_cli.core.uncertainty.methods.shared_lines import Found, SharedLines
 from dynamics_cli.core.uncertainty.propagation import propagate
 from dynamics_cli.core.uncertainty.space import Space
@@ -113,3 +113,22 @@ def test_one_bounded_input_through_many_results_that_turn() -> None:
     # |a| is uniform from 0 to 1
     assert made.spreads["r0"].interval == pytest.approx((0.025**2, 0.975**2), abs=1e-5)
     assert made.spreads["r0"].estimate < 1e-4
+
+
+def test_listed_values_among_normal_inputs_are_a_mixture() -> None:
+    def total(inputs: dict) -> tuple[dict, None]:
+        return {"sum": inputs["a"] + inputs["b"] + inputs["c"]}, None
+
+    values = (0.0, 0.7, 3.0)
+    given = {"a": Normal(1.0, 0.3), "b": Empirical(values), "c": Normal(0.0, 0.4)}
+    spread = propagate(total, given).spreads["sum"]
+    assert "listed values" in spread.method
+
+    def below(v: float) -> float:
+        return sum(normal.upper((1.0 + value - v) / 0.5) for value in values) / 3.0
+
+    for found, p in ((spread.interval[0], 0.025), (spread.median, 0.5), (spread.interval[1], 0.975)):
+        assert below(found) == pytest.approx(p, abs=1e-5)
+    mean = sum(values) / 3.0
+    assert spread.mean == pytest.approx(1.0 + mean, rel=1e-9)
+    assert spread.std == pytest.approx(math.sqrt(0.25 + sum((x - mean) ** 2 for x in values) / 3.0), rel=1e-6)

@@ -11,6 +11,8 @@ import numpy as np
 from dynamics_cli.core.uncertainty.methods.grids import grids
 from dynamics_cli.core.uncertainty.methods.lattices import lattices
 from dynamics_cli.core.uncertainty.methods.lines import Lines
+from dynamics_cli.core.uncertainty.methods.listed_grids import listed_grids
+from dynamics_cli.core.uncertainty.methods.listed_grids import suits as suits_listed_grids
 from dynamics_cli.core.uncertainty.methods.nested import nested
 from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome
@@ -84,6 +86,8 @@ WAYS = (
     Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
     Way(grids, lambda p: p.asked != "lattice" and not p.space.stepped),
+    # 1e3 to 1e5: lists of values among inputs that are smooth
+    Way(listed_grids, lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
     # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
     Way(shared_lines, lambda p: p.sharing and not p.space.slow, above=ACCURACY),
     # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line

@@ -251,8 +251,8 @@ class Found:
             steep = dense / self.admissible * self.std
             # Where the density vanishes a probability says nothing of the quantile.
             errors.append(own / steep if steep > 1e-3 else own)
-        share = OF_PARTS if self.share.size == PARTS else 1.0
-        return share * REPLICATE_FACTOR * max(errors) / float(np.sqrt(self.share.size))
+        factor = OF_PARTS if self.share.size == PARTS else 1.0
+        return factor * REPLICATE_FACTOR * max(errors) / float(np.sqrt(self.share.size))
 
     def apart(self, other: Cells) -> float:
         """How far these numbers are from those of coarser cells, in deviations."""
