@@ -46,15 +46,16 @@ class Method:
         places = code.co_varnames[: code.co_posonlyargcount] if code else ()
         leaves = {field.name: field.node for field in self.fields if isinstance(field.node, Leaf)}
         choices = {name: leaf.choice for name, leaf in leaves.items() if leaf.choice is not None}
-        if not places and not choices:
+        several = code.co_varnames[code.co_argcount + code.co_kwonlyargcount] if code and code.co_flags & 0x04 else ""
+        if not places and not choices and not several:
             return function
 
         def called(**given: "Any") -> "Any":
             for name, choice in choices.items():
                 if isinstance(given.get(name), str):
                     given[name] = choice(given[name])
-            first = [given.pop(name) for name in places]
-            return function(*first, **given)
+            first = [given.pop(name) for name in places if name in given]
+            return function(*first, *given.pop(several, ()), **given)
 
         return called
 

@@ -36,6 +36,10 @@ if TYPE_CHECKING:
     Mask = NDArray[Any]
 
 
+# What such a result is shown in depends on its numbers.
+OWN_UNITS = ("measured", "components")
+
+
 def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
     """Whether the call itself gives what a column at this address would."""
     inner: Any = fixed
@@ -151,6 +155,8 @@ class Plan:
         columns: list[tuple[Part, str, Any]] = []
         for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
             value = layout.of(record)
+            if layout.how in OWN_UNITS and value is not None:
+                raise Unsuited("results with units of their own are written one by one")
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
                 continue
@@ -186,7 +192,7 @@ class Plan:
         for part, factor, absent, values in zip(
             self.case.layout.parts, self._scales, missing, zip(*lists, strict=True), strict=True
         ):
-            if part.how == "measured":
+            if part.how in OWN_UNITS and not absent:
                 raise Unsuited("results with units of their own are written one by one")
             if absent:
                 columns.append((part, "all", None))
