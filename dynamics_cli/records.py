@@ -207,6 +207,24 @@ class ExactQuantity:
     text: str = ""
 
 
+@record
+class Formula:
+    """A formula as written, without the unit at its end, and how many of the SI unit one of that unit is."""
+
+    text: str
+    factor: float
+    unit: str
+
+
+@record
+class Let:
+    """A variable of formulas: its name, its value in SI, and the unit it was written in."""
+
+    name: str
+    value: float
+    unit: str
+
+
 def docstring(thing: "type | Callable[..., Any]") -> str:
     """What is documented of a class or a function, from its source where the interpreter has dropped it (-OO)."""
     # This module's own tells whether the interpreter did so.

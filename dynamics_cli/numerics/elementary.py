@@ -109,6 +109,21 @@ def log(x: float) -> float:
     return math.log(x) if type(x) is float else _apply("log", math.log, x)
 
 
+def sinh(x: float) -> float:
+    """Hyperbolic sine."""
+    return math.sinh(x) if type(x) is float else _apply("sinh", math.sinh, x)
+
+
+def cosh(x: float) -> float:
+    """Hyperbolic cosine."""
+    return math.cosh(x) if type(x) is float else _apply("cosh", math.cosh, x)
+
+
+def tanh(x: float) -> float:
+    """Hyperbolic tangent."""
+    return math.tanh(x) if type(x) is float else _apply("tanh", math.tanh, x)
+
+
 def atan2(y: float, x: float) -> float:
     """Angle of the point (x, y), in radians."""
     return _apply("atan2", math.atan2, y, x)  # type: ignore[no-any-return]

@@ -2,7 +2,7 @@
 
 from dynamics_cli.core.documents import quote
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
-from dynamics_cli.core.output.record_checks import check_numbers
+from dynamics_cli.core.output.soundness import check_numbers
 from dynamics_cli.core.units.display import Display, Shown
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.records import Advice, Check, Measured, Numerics, Quantity

@@ -1,4 +1,4 @@
-"""Whether a result record may be shown: its numbers are finite, and our own checks have passed."""
+"""No result goes out with a number that is not finite, or after a check of our own that failed."""
 
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.errors import FaultError, InadmissibleError
@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 INFINITY = float("inf")
+
 # What is to be checked below a record, by its specification: of each field its name, its key and how.
 _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 
