@@ -67,10 +67,10 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
     try:
         return model.call()(*args, **kwargs)
     except DynamicsError as error:
-        from dynamics_cli.core.answering.messages import FEWEST_TO_GIVE, in_written_units
+        from dynamics_cli.core.answering.messages import in_written_units
 
         error.message = in_written_units(error.message, bound)
-        error.hint = in_written_units(error.hint, bound, FEWEST_TO_GIVE) if error.hint else None
+        error.hint = in_written_units(error.hint, bound) if error.hint else None
         raise
     except ArithmeticError as error:
         raise InadmissibleError(
