@@ -48,6 +48,9 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         return [{**value, "value": item} for item in value["value"]]
     if isinstance(value, str) and not isinstance(value, Token):
         form = getattr(getattr(node.item, "kind", None), "form", "")
+        text = value.strip()
+        if form == "vector" and text.startswith("[[") and text.endswith("]]"):
+            value = text[1:-1]
         items = split_list(value)
         return _share_unit(items) if form in ("scalar", "slope") else items
     return [value]
@@ -274,6 +277,8 @@ def _items(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
+    if text.startswith("[") and text.endswith("]"):
+        text = text[1:-1]
     return _share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
 
 
