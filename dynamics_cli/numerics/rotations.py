@@ -1,7 +1,8 @@
 """Rotations as people write them: an axis and an angle, Euler angles in a named order, a quaternion, a matrix."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import sin, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, sin, sqrt, where
+from dynamics_cli.numerics.number import single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, Direction, Quaternion, Ratio, Text, Vector
 from dynamics_cli.records import record
@@ -160,18 +161,33 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
     )
     # Newton's iteration for the polar factor squares the departure; three steps end at rounding
     for _ in range(4):
-        if departure(matrix) < 4e-16:
+        done = departure(matrix) < 4e-16
+        if done is True or getattr(done, "all", bool)():
             break
         excess = product(transposed(matrix), matrix)
         half = tuple(tuple((1.5 if i == j else 0.0) - 0.5 * excess[i][j] for j in range(3)) for i in range(3))
-        matrix = product(matrix, half)  # type: ignore[arg-type]
+        better = product(matrix, half)  # type: ignore[arg-type]
+        matrix = _chosen(done, matrix, better)
     return matrix
+
+
+def _chosen(first: bool, a: Matrix, b: Matrix) -> Matrix:
+    """The first matrix where that is to be, the second elsewhere."""
+    if first is False:
+        return b
+    return tuple(tuple(where(first, x, y) for x, y in zip(p, q, strict=True)) for p, q in zip(a, b, strict=True))  # type: ignore[return-value]
 
 
 def departure(matrix: Matrix) -> float:
     """The greatest element of R Rᵀ − 1."""
     grown = product(matrix, transposed(matrix))
-    return max(abs(grown[i][j] - (1.0 if i == j else 0.0)) for i in range(3) for j in range(3))
+    off = [abs(grown[i][j] - (1.0 if i == j else 0.0)) for i in range(3) for j in range(3)]
+    if single(*off):
+        return max(off)
+    largest = off[0]
+    for other in off[1:]:
+        largest = maximum(largest, other)
+    return largest
 
 
 def determinant(m: Matrix) -> float:
