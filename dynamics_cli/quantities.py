@@ -160,6 +160,7 @@ if TYPE_CHECKING:
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
+    AngularRate = float
     AngularAcceleration = float
     # angles and pure numbers
     Angle = float
@@ -329,6 +330,7 @@ else:
     AngularSpeed = Kind(
         "angular velocity", "rad/s", si="deg/s", us="deg/s", example="1500 rpm", about="an angular velocity"
     )
+    AngularRate = Kind("angular velocity", "rad/s", example="2 rad/s", about="an angular velocity")
     ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
     AngularAcceleration = Kind(
         "angular acceleration",

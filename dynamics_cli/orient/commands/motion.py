@@ -56,8 +56,8 @@ ADDITION = Task(
     plot="dynamics_cli.orient.pictures.motion:addition",
     examples=(
         'dynamics orient addition --link "axis=(0, 0, 1), rate=12 rpm, name=mast" '
-        '--link "axis=(0, 1, 0), rate=-2 deg/s, angle=-30 deg, name=boom" '
-        '--link "axis=(1, 0, 0), rate=1500 rpm, name=drum"',
+        '--link "axis=(0, 1, 0), rate=-40 deg/s, angle=-30 deg, name=boom" '
+        '--link "axis=(1, 0, 0), rate=20 rpm, name=drum"',
     ),
 )
 
@@ -157,8 +157,12 @@ DISK = Task(
         "thin disk rolling without slip",
         "dynamics_cli.orient.contact.disk:disk",
         source=BOOK + "section 4.12",
-        formula="v_G = (−r·u, 0, r·θ̇), u = ψ̇ + φ̇·cos θ; components along the line of nodes, up the disk, along its axis",
-        assumptions=("the disk is thin and the floor level", "it rolls without slipping"),
+        formula="v_G = (−r·u, 0, r·θ̇), u = ψ̇ + φ̇·cos θ",
+        assumptions=(
+            "components are along the line of nodes, up the disk, and along its axis",
+            "the disk is thin and the floor level",
+            "it rolls without slipping",
+        ),
     ),
     headline=(
         "angular_velocity: angular velocity ω",
@@ -176,7 +180,8 @@ DISK = Task(
     examples=(
         'dynamics orient disk --radius "350 mm" --tilt "60 deg" --heading-rate "1.5 rad/s" --spin-rate "-6 rad/s" '
         '--tilt-rate "0.4 rad/s"',
-        'dynamics orient disk --radius "13 in" --tilt "75 deg" --heading-rate "40 deg/s" --spin-rate "-90 rpm" --units us',
+        'dynamics orient disk --radius "13 in" --tilt "75 deg" --heading-rate "40 deg/s" --spin-rate "-90 rpm" '
+        "--units us",
     ),
 )
 

@@ -145,7 +145,7 @@ ALIGN = Task(
         'dynamics orient align --pair "before=(1, 0, 0), after=(0.1, 0.99, 0)" '
         '--pair "before=(0, 0, 1), after=(0, 0.02, 1)"',
         'dynamics orient align --pair "before=(1, 0, 0), after=(0, 1, 0), name=edge" '
-        '--pair "before=(0, 1, 0), after=(-1, 0, 0.1), name=face" --method triad',
+        '--pair "before=(0, 1, 0), after=(-1, 0, 0.1), name=face" --fit triad',
     ),
 )
 

@@ -1,6 +1,6 @@
 """A ball between a fixed race and a conical shaft: where it rolls without spin, and how fast all turns."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.quaternions import opposite
@@ -11,6 +11,8 @@ from dynamics_cli.records import Advice, Check, record
 RIGHT_ANGLE_HALF = 0.7853981633974483
 ROOT_TWO = 1.4142135623730951
 TOLERANCE = 1e-13
+# Less spin than this share of the shaft's speed goes unsaid.
+SLIGHT = 1e-6
 
 
 @record
@@ -102,7 +104,7 @@ def bearing(
         ball_speed=None if turning is None else ball * turning,
         spin_speed=None if shaft_speed is None else spin * shaft_speed,
         checks=_checks(*map(plain, (w, cage, ball_radius, radius, contact, c, s))) if alone else (),
-        advice=_advice(centre_radius) if alone else (),
+        advice=_advice(spin, best) if alone else (),
     )
 
 
@@ -117,8 +119,12 @@ def _checks(w: float, cage: float, a: float, b: float, contact: float, c: float,
     )
 
 
-def _advice(centre_radius: float | None) -> tuple[Advice, ...]:
-    if centre_radius is None:
+def _advice(spin: float, best: float) -> tuple[Advice, ...]:
+    if abs(plain(spin)) < SLIGHT:
         return ()
-    message = "with a radius given, the balls spin on the shaft unless it is the rolling radius"
+    message = worded(
+        "the balls spin on the shaft at {share:3} of its speed; without spin the radius is {best:6}",
+        share=(abs(plain(spin)), Ratio),
+        best=(best, Size),
+    )
     return (Advice("spin", message, severity="note"),)

@@ -6,7 +6,7 @@ from dynamics_cli.numerics.quaternions import length, unit
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
 from dynamics_cli.quantities import (
     AngularAccelerationVector,
-    AngularSpeed,
+    AngularRate,
     AngularVelocity,
     Annotated,
     Direction,
@@ -45,9 +45,9 @@ GROUND = Roller()
 class RollerMotion:
     """Motion of one of the bodies."""
 
-    rate: Annotated[AngularSpeed | None, "The rate that was unknown [rad/s]."]
+    rate: Annotated[AngularRate | None, "The rate that was unknown [rad/s]."]
     angular_velocity: Annotated[AngularVelocity, "Angular velocity [rad/s]."]
-    angular_speed: Annotated[AngularSpeed, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
     angular_acceleration: Annotated[
         AngularAccelerationVector, "Angular acceleration at constant rates: the known part × the rest [rad/s^2]."
     ]
@@ -63,9 +63,9 @@ class Rolling:
     slip: Annotated[Velocity, "Velocity of the first body's point of contact over the second's [m/s]."]
     slip_speed: Annotated[Speed, "Its size along the surfaces: zero when they roll [m/s]."]
     closing_speed: Annotated[Speed, "Its part along the normal: not zero when they separate or press in [m/s]."]
-    spin: Annotated[AngularSpeed, "Relative angular velocity about the normal [rad/s]."]
+    spin: Annotated[AngularRate, "Relative angular velocity about the normal [rad/s]."]
     roll: Annotated[AngularVelocity, "Relative angular velocity along the surfaces [rad/s]."]
-    roll_speed: Annotated[AngularSpeed, "Its size [rad/s]."]
+    roll_speed: Annotated[AngularRate, "Its size [rad/s]."]
     advice: tuple[Advice, ...] = ()
 
 

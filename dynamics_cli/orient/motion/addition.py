@@ -9,7 +9,7 @@ from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
     AngularAccelerationVector,
-    AngularSpeed,
+    AngularRate,
     AngularVelocity,
     Annotated,
     Direction,
@@ -26,7 +26,7 @@ class Link:
     """A body of the chain, turning about an axis fixed in the body before it."""
 
     axis: Annotated[Direction, "Axis of the turn by components in the body before, of any length, e.g. 0, 0, 1."]
-    rate: Annotated[AngularSpeed, "Rate of the turn, e.g. 1500 rpm."]
+    rate: Annotated[AngularRate, "Rate of the turn, e.g. 1500 rpm."]
     acceleration: Annotated[AngularAcceleration, "Second rate of the turn, e.g. 3 rad/s^2."] = 0.0
     angle: Annotated[Angle, "Angle of the turn now, e.g. 30 deg."] = 0.0
     name: Annotated[Text | None, "Its name, e.g. rotor."] = None
@@ -52,7 +52,7 @@ class Chain:
     """Angular velocity and acceleration of the last body, and of each."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity of the last body, by fixed components [rad/s]."]
-    angular_speed: Annotated[AngularSpeed, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration of the last body [rad/s^2]."]
     angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
     links: Annotated[tuple[LinkMotion, ...], "Each body in its turn."]

@@ -1,14 +1,14 @@
 """Points of a rigid body: their velocities and accelerations, or the body's motion from theirs."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.elementary import maximum, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.quaternions import length
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,
-    AngularSpeed,
+    AngularRate,
     AngularVelocity,
     Annotated,
     Direction,
@@ -26,19 +26,8 @@ COLLINEAR = 1e-9
 # A departure from rigidity above this share of the velocities is worth a word.
 RIGID = 1e-6
 TOLERANCE = 1e-12
-
-
-@record
-class ByTurning:
-    """The body's angular velocity, and one point's motion."""
-
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity of the body, e.g. 0, 0, 2 rad/s."]
-    angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration, e.g. 0, 0, 5 rad/s^2."] = (
-        NOTHING
-    )
-    base: Annotated[Position, "The point whose motion is known; the origin unless given."] = NOTHING
-    base_velocity: Annotated[Velocity, "Its velocity, e.g. 3, 0, 1 m/s."] = NOTHING
-    base_acceleration: Annotated[AccelerationVector, "Its acceleration, e.g. 0, 0, 3 m/s^2."] = NOTHING
+# A misfit below this share of the fastest velocity is rounding.
+EXACT = 1e-14
 
 
 @record
@@ -58,7 +47,7 @@ class PointMotion:
     position: Annotated[Position, "Where it is [m]."]
     velocity: Annotated[Velocity, "Its velocity [m/s]."]
     speed: Annotated[Speed, "Its size [m/s]."]
-    acceleration: Annotated[AccelerationVector, "Its acceleration, of a body whose angular acceleration is known."]
+    acceleration: Annotated[AccelerationVector | None, "Its acceleration, where the body's motion is given [m/s^2]."]
     misfit: Annotated[Speed, "How far a measured velocity is from the rigid body's [m/s]."]
 
 
@@ -67,7 +56,7 @@ class Points:
     """Motion of a body and of its points."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity of the body [rad/s]."]
-    angular_speed: Annotated[AngularSpeed, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
     axis: Annotated[Direction | None, "Direction of the instantaneous screw axis; without turning none [-]."]
     axis_point: Annotated[Position | None, "Its point nearest to the origin [m]."]
     slide: Annotated[Speed, "Speed along the axis [m/s]."]
@@ -80,9 +69,15 @@ class Points:
 
 def points(
     *,
-    motion: Annotated[
-        ByTurning | None, "The body's motion; without it, it is found from the velocities of points."
+    angular_velocity: Annotated[
+        AngularVelocity | None, "Angular velocity of the body, where it is known, e.g. 0, 0, 2 rad/s."
     ] = None,
+    angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration, e.g. 0, 0, 5 rad/s^2."] = (
+        NOTHING
+    ),
+    base: Annotated[Position, "The point whose motion is known; the origin unless given."] = NOTHING,
+    base_velocity: Annotated[Velocity, "Its velocity, e.g. 3, 0, 1 m/s."] = NOTHING,
+    base_acceleration: Annotated[AccelerationVector, "Its acceleration, e.g. 0, 0, 3 m/s^2."] = NOTHING,
     points: Annotated[BodyPoint | tuple[BodyPoint, ...], "Points of the body."],
 ) -> Points:
     """Velocities and accelerations of points of a rigid body, or the body's motion from velocities of three or more.
@@ -108,24 +103,21 @@ def points(
 
     Examples
     --------
-    >>> answer = points(motion=ByTurning(angular_velocity=(0.0, 0.0, 2.0)), points=BodyPoint(position=(1.0, 0.0, 0.0)))
+    >>> answer = points(angular_velocity=(0.0, 0.0, 2.0), points=BodyPoint(position=(1.0, 0.0, 0.0)))
     >>> answer.points[0].velocity, answer.points[0].acceleration
     ((0.0, 2.0, 0.0), (-4.0, 0.0, 0.0))
     """
     each = points if isinstance(points, tuple) else (points,)
-    measured = motion is None
-    if motion is None:
+    measured = angular_velocity is None
+    velocity, alpha, omega = base_velocity, angular_acceleration, angular_velocity
+    if omega is None:
         base, velocity, omega = _from_velocities(each)
-        alpha, acceleration = NOTHING, NOTHING
-    else:
-        base, velocity, omega = motion.base, motion.base_velocity, motion.angular_velocity
-        alpha, acceleration = motion.angular_acceleration, motion.base_acceleration
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
         r = subtract(point.position, base)
         turning = cross(omega, r)
         v = add(velocity, turning)
-        a = add(acceleration, add(cross(alpha, r), cross(omega, turning)))
+        a = None if measured else add(base_acceleration, add(cross(alpha, r), cross(omega, turning)))
         off = length(subtract(point.velocity, v)) if point.velocity is not None else 0.0
         total = total + off * off
         moved.append(PointMotion(point.name or f"P{nth}", point.position, v, length(v), a, off))
@@ -135,6 +127,10 @@ def points(
     known = all(point.velocity is not None for point in each)
     foot = _axis_point(base, velocity, omega) if turns else None
     root = sqrt(total / len(each))
+    fastest = moved[0].speed
+    for point in moved[1:]:
+        fastest = maximum(fastest, point.speed)
+    root = where(root <= EXACT * fastest, 0.0 * fastest, root)
     return Points(
         angular_velocity=omega,
         angular_speed=spin,
@@ -145,7 +141,7 @@ def points(
         misfit=root if known else None,
         points=tuple(moved),
         checks=_checks(foot, base, velocity, omega) if foot is not None and single(spin) else (),
-        advice=_advice(turns, root if known else 0.0, moved, measured) if single(spin) else (),
+        advice=_advice(turns, root if known else 0.0, moved) if single(spin) else (),
     )
 
 
@@ -215,7 +211,7 @@ def _checks(foot: Vector, base: Vector, velocity: Vector, omega: Vector) -> tupl
     return (Check("points of the axis move along it", off <= TOLERANCE * size, off / size, TOLERANCE),)
 
 
-def _advice(turns: bool, misfit: float, moved: "list[PointMotion]", measured: bool) -> tuple[Advice, ...]:
+def _advice(turns: bool, misfit: float, moved: "list[PointMotion]") -> tuple[Advice, ...]:
     advice = []
     if not turns:
         advice.append(Advice("translation", "the body does not turn: it has no axis", severity="note", result="axis"))
@@ -225,7 +221,4 @@ def _advice(turns: bool, misfit: float, moved: "list[PointMotion]", measured: bo
             "the velocities are not those of one rigid body: they depart from it by {misfit}", misfit=(misfit, Speed)
         )
         advice.append(Advice("not-rigid", message, remedy="check the point with the largest misfit"))
-    if measured:
-        message = "accelerations are without angular acceleration, which velocities do not tell"
-        advice.append(Advice("no-acceleration", message, severity="note"))
     return tuple(advice)

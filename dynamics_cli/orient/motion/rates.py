@@ -12,7 +12,7 @@ from dynamics_cli.quantities import (
     AngleTriple,
     AngularAcceleration,
     AngularAccelerationVector,
-    AngularSpeed,
+    AngularRate,
     AngularVelocity,
     Annotated,
     Direction,
@@ -70,7 +70,7 @@ class Rates:
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity ω by fixed components [rad/s]."]
     body_angular_velocity: Annotated[AngularVelocity, "The same by body components [rad/s]."]
-    angular_speed: Annotated[AngularSpeed, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α by fixed components [rad/s^2]."]
     body_angular_acceleration: Annotated[AngularAccelerationVector, "The same by body components [rad/s^2]."]
     angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]

@@ -42,7 +42,7 @@ def disk(answer: "Any", *, radius: float, tilt: float, heading: float = 0.0, **_
         v=(answer.centre_speed, Speed),
         a=(hypot(*a), Acceleration),
     )
-    return Picture((scene(items),), "disk rolling on a floor", subtitle=subtitle)
+    return Picture((scene(items, subtitle),), "disk rolling on a floor")
 
 
 def bearing(answer: "Any", *, cone_angle: float, ball_radius: float, **_: "Any") -> Picture:
@@ -65,15 +65,15 @@ def bearing(answer: "Any", *, cone_angle: float, ball_radius: float, **_: "Any")
         Curve([0.0, 0.0], [-2.2 * a, 2.4 * a], style="centre", role=GREY),
         Curve([b - 0.8 * a, b + 1.8 * a], [-1.8 * a, 0.8 * a], style="centre", role=2),
         Curve([b, b + a, touch], [-a, 0.0, a * s], style="points", role=6),
-        Label(b + 1.45 * a, 0.95 * a, "axis of the ball", 2),
+        Label(b + 1.1 * a, -0.5 * a, "axis of the ball", 2, left=True),
         Mark(b, 0.0, "b", role=1),
         Label(0.4 * touch, 1.9 * a, "shaft", 0),
     ]
-    panel = Panel(Axis("radius", Size), Axis("height", Size), tuple(items), equal=True)
-    subtitle = worded(
+    title = worded(
         "cone of half-angle {angle}; no spin at b = {b:5}", angle=(theta, Angle), b=(answer.rolling_radius, Size)
     )
-    return Picture((panel,), "ball between a race and a conical shaft", subtitle=subtitle)
+    panel = Panel(Axis("radius", Size), Axis("height", Size), tuple(items), title, equal=True)
+    return Picture((panel,), "ball between a race and a conical shaft")
 
 
 def joint(
@@ -98,6 +98,7 @@ def joint(
         x,
         Axis("speed ratio", Ratio),
         (Curve(angles, [row.ratio for row in rows], role=0), Mark(at, float(plain(answer.ratio)), "here")),
+        worded("bent by {angle}", angle=(bend, Angle)),
     )
     lead = Panel(
         x,
@@ -105,4 +106,4 @@ def joint(
         (Curve(angles, [row.lead for row in rows], role=1), Mark(at, float(plain(answer.lead)), "here")),
     )
     title = "universal joint" if second is None else "two universal joints"
-    return Picture((ratio, lead), title, subtitle=worded("bent by {angle}", angle=(bend, Angle)))
+    return Picture((ratio, lead), title)

@@ -6,7 +6,7 @@ from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.orient.pictures.space import GREY, arrow, curve, numbers, scene, seen, triad, view_of, words
 from dynamics_cli.pictures import Panel, Picture
-from dynamics_cli.quantities import Acceleration, AngularAcceleration, AngularSpeed, Speed
+from dynamics_cli.quantities import Acceleration, AngularAcceleration, AngularRate, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -61,10 +61,10 @@ def rates(answer: "Any", **_: "Any") -> Picture:
             items += [arrow(n, "", role), words(tuple(1.12 * part for part in n), name, role)]
     subtitle = worded(
         "directions of ω ({w}) and α ({a}); u₁ u₂ u₃ are the axes of the angles",
-        w=(answer.angular_speed, AngularSpeed),
+        w=(answer.angular_speed, AngularRate),
         a=(answer.angular_acceleration_size, AngularAcceleration),
     )
-    return Picture((scene(items, room=ROOM),), "angular velocity and acceleration", subtitle=subtitle)
+    return Picture((scene(items, subtitle, room=ROOM),), "angular velocity and acceleration")
 
 
 def addition(answer: "Any", **_: "Any") -> Picture:
@@ -74,7 +74,7 @@ def addition(answer: "Any", **_: "Any") -> Picture:
     for link in answer.links:
         terms += [(link.name, link.relative_acceleration), (f"ω × {link.name}", link.carried)]
     panels = [
-        _polygon(velocities, answer.angular_velocity, "ω", worded("ω {v}", v=(answer.angular_speed, AngularSpeed))),
+        _polygon(velocities, answer.angular_velocity, "ω", worded("ω {v}", v=(answer.angular_speed, AngularRate))),
         _polygon(
             terms,
             answer.angular_acceleration,
@@ -132,7 +132,7 @@ def points(answer: "Any", **_: "Any") -> Picture:
         else:
             items += [curve([foot], "points", 3, view), words(tuple(f - 0.08 * reach for f in foot), "axis", 3, view)]
     subtitle = worded("velocities, the fastest {v}; screw axis dash-dotted", v=(fastest, Speed))
-    return Picture((scene(items),), "points of a rigid body", subtitle=subtitle)
+    return Picture((scene(items, subtitle),), "points of a rigid body")
 
 
 def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
@@ -154,14 +154,17 @@ def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
         curve(plane, "filled", GREY),
         curve([(0.0, 0.0, 0.0), tuple(0.9 * part for part in n)], "centre", GREY),
         words(tuple(part for part in n), "normal", GREY),
-        arrow(tuple(part / size for part in roll), "roll", 2),
-        arrow(tuple(spin / size * part for part in n), "spin", 1),
-        arrow(tuple(part / size for part in whole), "ω₁ − ω₂", 0),
     ]
+    if abs(spin) > 1e-12 * size and any(roll):
+        items += [
+            arrow(tuple(part / size for part in roll), "roll", 2),
+            arrow(tuple(spin / size * part for part in n), "spin", 1),
+        ]
+    items.append(arrow(tuple(part / size for part in whole), "ω₁ − ω₂", 0))
     subtitle = worded(
         "roll {r}, spin {s}, slip {v}",
-        r=(answer.roll_speed, AngularSpeed),
-        s=(answer.spin, AngularSpeed),
+        r=(answer.roll_speed, AngularRate),
+        s=(answer.spin, AngularRate),
         v=(answer.slip_speed, Speed),
     )
-    return Picture((scene(items, room=ROOM),), "relative motion at the contact", subtitle=subtitle)
+    return Picture((scene(items, subtitle, room=ROOM),), "relative motion at the contact")

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 AZIMUTH, ELEVATION = radians(32.0), radians(24.0)
 STEPS = 48
 FLAT = 1e-12
-GREY = 7
+GREY = 6
 
 
 def numbers(v: "Any") -> "Vector":
@@ -75,7 +75,8 @@ def triad(matrix: "Any", mark: str, role: int, *, size: float = 1.0, dashed: boo
     for k, name in enumerate("xyz"):
         tip = numbers(tuple(size * plain(row[k]) for row in matrix))
         items.append(arrow(tip, "", role, dashed=dashed))
-        items.append(words(tuple(1.1 * part for part in tip), name + mark, role))
+        # primed names farther out, for axes that fall together
+        items.append(words(tuple((1.2 if mark in ("′", "₂") else 1.08) * part for part in tip), name + mark, role))
     return items
 
 
@@ -93,7 +94,7 @@ def circle(centre: "Vector", first: "Vector", second: "Vector", radius: float) -
     ]
 
 
-def scene(items: "Sequence[Any]", title: str = "", *, room: float = 0.0) -> Panel:
+def scene(items: "Sequence[Any]", title: "Any" = "", *, room: float = 0.0) -> Panel:
     """A panel without axes, on one scale; `room` is half its width and height."""
     if not room:
         return Panel(Axis(""), Axis(""), tuple(items), title, equal=True, bare=True)

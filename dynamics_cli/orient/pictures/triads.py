@@ -39,7 +39,7 @@ def converted(answer: "Any", **_: "Any") -> Picture:
         *triad(answer.rotation_matrix, "′", 0),
     ]
     subtitle = worded("fixed axes dashed; body axes x′ y′ z′ after {angle} about n", angle=(angle, Angle))
-    return Picture((scene(items, room=ROOM),), "orientation", subtitle=subtitle)
+    return Picture((scene(items, subtitle, room=ROOM),), "orientation")
 
 
 def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
@@ -58,7 +58,7 @@ def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
         *triad(after, "₂", 0),
     ]
     subtitle = worded("first orientation dashed; the second after {angle} about n", angle=(angle, Angle))
-    return Picture((scene(items, room=ROOM),), "from one orientation to another", subtitle=subtitle)
+    return Picture((scene(items, subtitle, room=ROOM),), "from one orientation to another")
 
 
 def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
@@ -72,7 +72,7 @@ def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
         items += [arrow(given, "", 1), words(tuple(1.12 * part for part in given), fit.name, 1)]
         items.append(arrow(rotated(matrix, unit(numbers(pair.before))), "", 0, dashed=True))  # type: ignore[arg-type]
     subtitle = worded("measured, and turned (dashed); {off} left", off=(answer.residual, Angle))
-    return Picture((scene(items, room=ROOM),), "directions and the rotation that fits", subtitle=subtitle)
+    return Picture((scene(items, subtitle, room=ROOM),), "directions and the rotation that fits")
 
 
 def screw(answer: "Any", **_: "Any") -> Picture:
@@ -100,4 +100,4 @@ def screw(answer: "Any", **_: "Any") -> Picture:
     for unit, name in zip(UNITS, "xyz", strict=True):
         items.append(arrow(tuple(0.3 * size * part for part in unit), name, GREY))
     title = worded("{angle} about the axis, {travel} along it", angle=(angle, Angle), travel=(travel, Length))
-    return Picture((scene(items),), "displacement as a screw", subtitle=title)
+    return Picture((scene(items, title),), "displacement as a screw")

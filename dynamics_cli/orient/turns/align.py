@@ -68,7 +68,7 @@ class Aligned:
 def align(
     *,
     pairs: Annotated[Pair | tuple[Pair, ...], "Pairs of directions, two or more."],
-    method: Annotated[Method, "least-squares, or triad: of two pairs the first exactly."] = LEAST_SQUARES,
+    fit: Annotated[Method, "least-squares, or triad: of two pairs the first exactly."] = LEAST_SQUARES,
     sequence: Annotated[Text, "Angles wanted: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Aligned:
     """Rotation that takes directions to measured ones, by least squares or with the first exact.
@@ -106,7 +106,7 @@ def align(
         code="undetermined",
         hint='give --pair "before=…, after=…" twice or more',
     )
-    require(method == "least-squares" or len(given) == 2, "triad is of two pairs; there are {count}", count=len(given))
+    require(fit == "least-squares" or len(given) == 2, "triad is of two pairs; there are {count}", count=len(given))
     total = sum(pair.weight for pair in given)
     before = [unit(pair.before) for pair in given]
     after = [unit(pair.after) for pair in given]
@@ -114,7 +114,7 @@ def align(
     k = _davenport(before, after, shares)
     _, q, gap, residual = largest(k)
     _require_spread(before, gap)
-    if method == "triad":
+    if fit == "triad":
         q = of_rotation(product(_triad(after), transposed(_triad(before))))
     q = upright(q)
     matrix = from_quaternion(q)

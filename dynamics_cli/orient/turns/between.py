@@ -49,7 +49,7 @@ class Between:
     rotation_matrix: Annotated[RotationMatrixKind, "R₁ᵀ·R₂ [-]."]
     part_about: Annotated[Angle | None, "The part of it about the axis given [rad]."] = None
     rest: Annotated[Angle | None, "What the rest tilts that axis by [rad]."] = None
-    steps: Annotated[tuple[Step, ...], "Orientations on the way."] = ()
+    steps: Annotated[tuple[Step, ...] | None, "Orientations on the way, where they were asked for."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -117,7 +117,7 @@ def between(
         rotation_matrix=from_quaternion(q),
         part_about=part,
         rest=rest,
-        steps=tuple(steps) if alone else (),
+        steps=tuple(steps) if alone and count else None,
         checks=_checks(start.matrix, q, end.matrix) if alone else (),
         advice=_advice(q) if alone else (),
     )

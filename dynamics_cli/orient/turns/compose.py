@@ -101,10 +101,12 @@ def compose(
     """
     chain = turns if isinstance(turns, tuple) else (turns,)
     frames: list[Matrix] = [IDENTITY]
+    steps: list[Matrix] = []
     whole: Quaternion = (1.0, 0.0, 0.0, 0.0)
     for turn in chain:
         axis = "xyz".index(turn.axis)
         step = about_axis(axis, turn.angle)
+        steps.append(step)
         frames.append(product(frames[-1], step) if about == "body" else product(step, frames[-1]))
         cosine, sine = turned(0.5 * turn.angle)
         one = (cosine, *(sine if k == axis else 0.0 for k in range(3)))
@@ -118,17 +120,20 @@ def compose(
         rotation_axis=rotation_axis,
         quaternion=whole,
         rotation_matrix=frames[-1],
-        cosines=_table(frames, names) if alone else (),
+        cosines=_table(frames, steps if about == "body" else [], names) if alone else (),
         frames=" → ".join(names),
         checks=_checks(frames[-1], whole) if alone else (),
     )
 
 
-def _table(frames: "list[Matrix]", names: "list[str]") -> tuple[Cosines, ...]:
+def _table(frames: "list[Matrix]", steps: "list[Matrix]", names: "list[str]") -> tuple[Cosines, ...]:
     rows = []
     for first, earlier in enumerate(frames):
+        between = IDENTITY
         for last in range(first + 1, len(frames)):
-            cosines = product(transposed(earlier), frames[last])
+            # step by step, which keeps the zeros of simple turns
+            between = product(between, steps[last - 1]) if steps else product(transposed(earlier), frames[last])
+            cosines = between
             rows += [Cosines(names[first], "xyz"[k], names[last], *cosines[k]) for k in range(3)]
     return tuple(rows)
 

@@ -1,7 +1,7 @@
 """A rotation in every notation, from any of them."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import is_many, plain, single
 from dynamics_cli.numerics.quaternions import axis_and_angle, normalized, vector_of
 from dynamics_cli.numerics.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.rotations import from_quaternion as matrix_of
@@ -126,6 +126,7 @@ def convert(
     q = read.quaternion
     axis, angle = axis_and_angle(q)
     alone = single(*q)
+    tabled = alone and not is_many(q[0])
     unknown = ROUNDING if read.departure is None else ROUNDING + 2.0 * read.departure
     locked = angles.margin * UNDETERMINED < unknown
     w, x, y, z = q
@@ -148,7 +149,7 @@ def convert(
         names=names_of(wanted),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
         departure=read.departure,
-        sequences=_all_sequences(read) if alone else (),
+        sequences=_all_sequences(read) if tabled else (),
         checks=_checks(read, angles, wanted) if alone else (),
         advice=_advice(turn, read, angles, zero) if alone else (),
     )
