@@ -62,6 +62,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.orient.commands",
         GROUPS[3],
         "Orientation in every notation, turning motion, rolling.",
+        references=("orient.json",),
     ),
     "cam": Entry(
         "dynamics_cli.cam.commands",

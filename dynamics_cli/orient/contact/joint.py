@@ -35,7 +35,7 @@ class Joint:
 def joint(
     *,
     joint_angle: Annotated[Angle, "Angle β between the shafts, e.g. 30 deg."],
-    input_angle: Annotated[Angle, "Angle of the driving fork from the normal of the shafts' plane, e.g. 50 deg."] = 0.0,
+    input_angle: Annotated[Angle, "Angle of the driving fork from the plane of the shafts, e.g. 50 deg."] = 0.0,
     speed: Annotated[ShaftSpeed | None, "Speed of the driving shaft, e.g. 1500 rpm."] = None,
     acceleration: Annotated[AngularAcceleration, "Its angular acceleration, e.g. 3 rad/s^2."] = 0.0,
     second_joint_angle: Annotated[
