@@ -13,6 +13,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from found_cases import numbered
 from mpmath import mp, mpf
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -589,7 +592,7 @@ def main() -> None:
                 }
             )
     about = "Answers of the orient tasks to 40 digits; see tests/references/generate_orient_references.py"
-    lines = ",\n".join(json.dumps(case) for case in found)
+    lines = ",\n".join(json.dumps(case) for case in numbered(found))
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "orient.json"
     target.write_text(f'{{"about": {json.dumps(about)}, "cases": [\n{lines}\n]}}\n', encoding="utf-8")
 
