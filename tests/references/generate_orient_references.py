@@ -225,7 +225,7 @@ def converts(g: random.Random) -> Iterator[Case]:
         "hard",
         "O4 near a half turn",
         {"record": "AxisAngle", "rotation_axis": [1.0, 2.0, -2.0], "rotation_angle": float(mp.pi) - 1e-9},
-        "zyx",
+        "xyz",
     )
     angles = [float(mp.radians(x)) for x in (30, 20, -40)]
     for sequence in ("zyx", "xyz", "zxz"):

@@ -91,7 +91,7 @@ FILES: dict[str, Origin] = {
         ),
         "turns as exponentials of matrices, angles by arc sines and arc cosines, velocities and accelerations as "
         "derivatives of motions, contacts as linear equations",
-        "130 digits", "", r"angles|quaternion to|any|matrix in|two directions|Rodrigues|\d+ |apart|turn of|two rates|from",
+        "130 digits", "", r"angles|quaternion to|any|matrix in|two dir|Rodrigues|\d+ |apart|turn of|two rates|from",
     ),
     "inertia_mesh": Origin(
         "inertia", {"mesh": "mesh", "large mesh": "mesh", "overlapping mesh": "mesh"},
