@@ -96,21 +96,10 @@ def disk(
         tilt=(tilt if single(tilt) else 0.0, Angle),
     )
     u = spin_rate + heading_rate * c
-    omega: Vector = (tilt_rate, heading_rate * s, u)
-    # rates of these components, and what the turning of their axes adds
-    turning: Vector = (tilt_rate, heading_rate * s, heading_rate * c)
-    rates: Vector = (
-        tilt_acceleration,
-        heading_acceleration * s + heading_rate * tilt_rate * c,
-        spin_acceleration + heading_acceleration * c - heading_rate * tilt_rate * s,
-    )
-    alpha = add(rates, cross(turning, omega))
-    velocity: Vector = (opposite(radius * u), 0.0 * absolute(u), radius * tilt_rate)
-    acceleration: Vector = (
-        opposite(radius * (rates[2] - heading_rate * tilt_rate * s)),
-        opposite(radius * (heading_rate * u * c + tilt_rate * tilt_rate)),
-        radius * (tilt_acceleration + heading_rate * u * s),
-    )
+    first = (tilt_rate, heading_rate, spin_rate)
+    second = (tilt_acceleration, heading_acceleration, spin_acceleration)
+    omega, alpha = _turning(c, s, first, second)
+    velocity, acceleration = _centre(radius, c, s, first, second)
 
     def at(x: float, y: float) -> "tuple[Vector, Vector]":
         """Velocity and acceleration of a point of the disk, from its centre."""
@@ -140,6 +129,28 @@ def disk(
         centre_path_radius=absolute(radius * u / heading_rate) if circles else None,
         contact_path_radius=absolute(radius * spin_rate / heading_rate) if circles else None,
         checks=_checks(velocity, omega, radius) if alone else (),
+    )
+
+
+def _turning(c: float, s: float, first: Vector, second: Vector) -> "tuple[Vector, Vector]":
+    """Angular velocity and acceleration from rates of tilt, heading and spin."""
+    tilt, heading, spin = first
+    omega = (tilt, heading * s, spin + heading * c)
+    # rates of these components, and what the turning of their axes adds
+    rates = (second[0], second[1] * s + heading * tilt * c, second[2] + second[1] * c - heading * tilt * s)
+    return omega, add(rates, cross((tilt, heading * s, heading * c), omega))
+
+
+def _centre(radius: float, c: float, s: float, first: Vector, second: Vector) -> "tuple[Vector, Vector]":
+    """Velocity and acceleration of the centre."""
+    tilt, heading, spin = first
+    u = spin + heading * c
+    velocity = (opposite(radius * u), 0.0 * absolute(u), radius * tilt)
+    change = second[2] + second[1] * c - 2.0 * (heading * tilt * s)
+    return velocity, (
+        opposite(radius * change),
+        opposite(radius * (heading * u * c + tilt * tilt)),
+        radius * (second[0] + heading * u * s),
     )
 
 

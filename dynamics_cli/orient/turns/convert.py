@@ -195,56 +195,48 @@ def _checks(read: Orientation, angles: Angles, sequence: Sequence) -> tuple[Chec
 
 
 def _advice(turn: Attitude, read: Orientation, angles: Angles, zero: Zeroed) -> tuple[Advice, ...]:
-    advice = []
-    if isinstance(turn, ByMatrix):
-        rows = tuple(tuple(plain(element) for element in row) for row in turn.rotation_matrix)
-        digits = given_digits(rows)  # type: ignore[arg-type]
-        if read.departure is not None and read.departure > TOLERANCE:
-            rounded = f", as of elements rounded to {digits} decimals" if digits else ""
-            advice.append(
-                Advice(
-                    "repaired",
-                    worded(
-                        "the matrix departs from a rotation by {departure}{rounded}; the nearest rotation was taken",
-                        departure=(read.departure, Ratio),
-                        rounded=rounded,
-                    ),
-                    remedy="give more digits",
-                )
-            )
+    advice = [*_repair(turn, read), *_lock(angles, zero)]
+    w, *rest = map(plain, read.quaternion)
+    if w == 0.0:
+        message = "a half turn: the axis and its opposite give the same rotation, and Rodrigues parameters do not exist"
+        advice.append(Advice("half-turn", message, severity="note", result="rodrigues"))
+    elif not any(rest):
+        advice.append(Advice("no-turn", "no turn at all: any axis would do, and z is shown", severity="note"))
+    return tuple(advice)
+
+
+def _repair(turn: Attitude, read: Orientation) -> "list[Advice]":
+    """What was done to a matrix that is not quite a rotation."""
+    if not isinstance(turn, ByMatrix) or read.departure is None or read.departure <= TOLERANCE:
+        return []
+    rows = tuple(tuple(plain(element) for element in row) for row in turn.rotation_matrix)
+    digits = given_digits(rows)  # type: ignore[arg-type]
+    message = worded(
+        "the matrix departs from a rotation by {departure}{rounded}; the nearest rotation was taken",
+        departure=(read.departure, Ratio),
+        rounded=f", as of elements rounded to {digits} decimals" if digits else "",
+    )
+    return [Advice("repaired", message, remedy="give more digits")]
+
+
+def _lock(angles: Angles, zero: Zeroed) -> "list[Advice]":
+    """What lock, or its nearness, means for the angles."""
     margin = plain(angles.margin)
     if margin == 0.0:
-        advice.append(
+        return [
             Advice(
                 "lock",
                 "gimbal lock: only the sum or difference of first and third angle is determined; "
                 f"the {zero} was set to 0",
                 remedy="choose a sequence that is far from lock (table sequences), or --zero third",
             )
-        )
-    elif margin < 1.0 / SENSITIVE:
-        advice.append(
-            Advice(
-                "near-lock",
-                worded(
-                    "{distance} from gimbal lock: first and third angle are {times:3} times as sensitive as the "
-                    "rotation",
-                    distance=(angles.distance, Angle),
-                    times=(1.0 / margin, Ratio),
-                ),
-                severity="note",
-                remedy="the rotation they give is right; another sequence is better placed (table sequences)",
-            )
-        )
-    if plain(read.quaternion[0]) == 0.0:
-        advice.append(
-            Advice(
-                "half-turn",
-                "a half turn: the axis and its opposite give the same rotation, and Rodrigues parameters do not exist",
-                severity="note",
-                result="rodrigues",
-            )
-        )
-    elif plain(read.quaternion[0]) == 1.0 and not any(map(plain, read.quaternion[1:])):
-        advice.append(Advice("no-turn", "no turn at all: any axis would do, and the third is shown", severity="note"))
-    return tuple(advice)
+        ]
+    if margin >= 1.0 / SENSITIVE:
+        return []
+    message = worded(
+        "{distance} from gimbal lock: first and third angle are {times:3} times as sensitive as the rotation",
+        distance=(angles.distance, Angle),
+        times=(1.0 / margin, Ratio),
+    )
+    remedy = "the rotation they give is right; another sequence is better placed (table sequences)"
+    return [Advice("near-lock", message, severity="note", remedy=remedy)]
