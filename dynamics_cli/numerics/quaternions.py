@@ -65,8 +65,8 @@ def normalized(q: Quaternion, what: str = "the quaternion has no length") -> Qua
 def upright(q: Quaternion) -> Quaternion:
     """The one of q and −q with w ≥ 0; of a half turn, that whose first component off zero is positive."""
     w, x, y, z = q
-    first = where(x != 0.0, x, where(y != 0.0, y, z))  # type: ignore[comparison-overlap]
-    turn = where(w != 0.0, w, first) < 0.0  # type: ignore[comparison-overlap]
+    first = where(x != 0.0, x, where(y != 0.0, y, z))
+    turn = where(w != 0.0, w, first) < 0.0
     return _flipped(turn, w), _flipped(turn, x), _flipped(turn, y), _flipped(turn, z)
 
 

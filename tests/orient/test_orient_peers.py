@@ -20,7 +20,7 @@ def test_angles_agree_under_the_name_that_is_printed(order: str) -> None:
     named = names_of(sequence_of(order)).partition('scipy "')[2].partition('"')[0]
     quaternions = generator.normal(size=(40, 4))
     columns = tuple(quaternions.T)
-    ours = np.transpose(convert(turn=ByQuaternion(quaternion=columns), sequence=order).euler_angles)  # type: ignore[arg-type]
+    ours = np.transpose(convert(turn=ByQuaternion(quaternion=columns), sequence=order).euler_angles)
     theirs = Rotation.from_quat(quaternions, scalar_first=True).as_euler(named)
     far = np.abs(np.sin(0.5 * (ours - theirs)))
     assert far.max() <= SCIPY

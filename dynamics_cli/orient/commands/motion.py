@@ -218,7 +218,7 @@ JOINT = Task(
     Model(
         "universal joint",
         "dynamics_cli.orient.contact.joint:joint",
-        source=BOOK + "section 1.4; VDI 2722",
+        source=BOOK + "section 1.4",
         formula="{ratio|i} = cos{joint_angle|β}/(1 − sin²{joint_angle|β}·cos²{input_angle|θ})",
         assumptions=("axes meet at the centre of the joint", "of two joints, all shafts are in one plane"),
     ),

@@ -95,9 +95,9 @@ SCREW = Task(
     "screw",
     "Screw axis, turn and travel of a displacement.",
     Model(
-        "Chasles",
+        "screw axis",
         "dynamics_cli.orient.turns.screw:screw",
-        source="Chasles' theorem; Bottema & Roth, Theoretical Kinematics, North-Holland 1979",
+        source="Chasles' theorem",
         formula="{travel|s} = n·d, p = ½·(d⊥ + cot ½{rotation_angle|θ}·n × d⊥)",
         assumptions=(SENSE, "d is the displacement of the body's point that was at the origin"),
     ),

@@ -64,7 +64,7 @@ def joint(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.4; VDI 2722 (two joints).
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.4.
 
     Examples
     --------

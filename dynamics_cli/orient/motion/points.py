@@ -128,8 +128,8 @@ def points(
     foot = _axis_point(base, velocity, omega) if turns else None
     root = sqrt(total / len(each))
     fastest = moved[0].speed
-    for point in moved[1:]:
-        fastest = maximum(fastest, point.speed)
+    for other in moved[1:]:
+        fastest = maximum(fastest, other.speed)
     root = where(root <= EXACT * fastest, 0.0 * fastest, root)
     return Points(
         angular_velocity=omega,

@@ -127,7 +127,7 @@ def points(answer: "Any", **_: "Any") -> Picture:
     if answer.axis is not None:
         foot, n = numbers(answer.axis_point), numbers(answer.axis)
         if view is seen:
-            ends = [_sum(foot, tuple(k * reach * part for part in n)) for k in (-0.3, 0.9)]  # type: ignore[arg-type]
+            ends = [_sum(foot, tuple(k * reach * part for part in n)) for k in (-0.3, 0.9)]
             items += [curve(ends, "centre", 3), words(ends[1], "axis", 3)]
         else:
             items += [curve([foot], "points", 3, view), words(tuple(f - 0.08 * reach for f in foot), "axis", 3, view)]
@@ -140,7 +140,7 @@ def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
     n = _unit(numbers(normal))
     spin = float(plain(answer.spin))
     roll = numbers(answer.roll)
-    whole = _sum(roll, tuple(spin * part for part in n))  # type: ignore[arg-type]
+    whole = _sum(roll, tuple(spin * part for part in n))
     size = _size(whole) or 1.0
     first = _unit(roll) if any(roll) else _unit((n[1] - n[2], n[2] - n[0], n[0] - n[1]))
     across = (

@@ -89,7 +89,7 @@ def align(
 
     References
     ----------
-    Wahba, SIAM Review 7, 409 (1965); Davenport's q-method as in Markley & Crassidis, Springer 2014.
+    Wahba's problem (1965), by Davenport's q-method.
 
     Examples
     --------

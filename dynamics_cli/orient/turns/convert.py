@@ -111,7 +111,7 @@ def convert(
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 4.2, 18.5 and 18.7; Bernardes & Viollet,
-    PLoS ONE 17(11) e0276302, 2022 (quaternion to angles).
+    2022 (quaternion to angles).
 
     Examples
     --------

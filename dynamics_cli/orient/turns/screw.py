@@ -54,7 +54,7 @@ def screw(
 
     References
     ----------
-    Chasles' theorem; Bottema & Roth, Theoretical Kinematics, North-Holland 1979.
+    Chasles' theorem.
 
     Examples
     --------
