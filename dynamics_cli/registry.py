@@ -63,6 +63,7 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[3],
         "Orientation in every notation, turning motion, rolling.",
         references=("orient.json",),
+        questions="dynamics_cli.accuracy.alternatives.orient",
     ),
     "cam": Entry(
         "dynamics_cli.cam.commands",

@@ -194,7 +194,7 @@ def converts(g: random.Random) -> Iterator[Case]:
             yield convert_case(
                 "hard", f"{order}, {off} from lock", euler([0.7, at - off if at else off, 0.3], order), order
             )
-    for angle in (1e-20, 1e-12, 1e-8, 1e-4, 0.1, 3.1, float(mp.pi) - 1e-6, float(mp.pi) - 1e-9, float(mp.pi)):
+    for angle in (1e-20, 1e-12, 1e-8, 1e-4, 0.1, 3.1, float(mp.pi) - 1e-6, float(mp.pi) - 1e-9, 3.1415926535897927):
         axis = {"record": "AxisAngle", "rotation_axis": [1.0, 2.0, -2.0], "rotation_angle": angle}
         yield convert_case("hard", f"{angle} about an axis", axis, "zyx")
         vector = {"record": "RotationVector", "rotation_vector": [angle * x / 3 for x in (1.0, 2.0, -2.0)]}

@@ -125,7 +125,7 @@ def points(
     turns = not single(spin) or plain(spin) > 0.0
     axis = (omega[0] / spin, omega[1] / spin, omega[2] / spin) if turns else None
     known = all(point.velocity is not None for point in each)
-    foot = _axis_point(base, velocity, omega) if turns else None
+    foot = _axis_point(base, velocity, axis, spin) if axis is not None else None
     root = sqrt(total / len(each))
     fastest = moved[0].speed
     for other in moved[1:]:
@@ -137,7 +137,7 @@ def points(
         axis=axis,
         axis_point=foot,
         slide=dot(axis, velocity) if axis is not None else length(velocity),
-        pitch=dot(omega, velocity) / dot(omega, omega) if turns else None,
+        pitch=dot(axis, velocity) / spin if axis is not None else None,
         misfit=root if known else None,
         points=tuple(moved),
         checks=_checks(foot, base, velocity, omega) if foot is not None and single(spin) else (),
@@ -195,11 +195,10 @@ def _total(vectors: "list[Vector]") -> Vector:
     return whole
 
 
-def _axis_point(base: Vector, velocity: Vector, omega: Vector) -> Vector:
-    """The point of the screw axis nearest to the origin."""
-    square = dot(omega, omega)
-    beside = add(base, scale(1.0 / square, cross(omega, velocity)))
-    return subtract(beside, scale(dot(beside, omega) / square, omega))
+def _axis_point(base: Vector, velocity: Vector, axis: Vector, spin: float) -> Vector:
+    """The point of the screw axis nearest to the origin: base + ω × v/ω², without squares that vanish."""
+    beside = add(base, scale(1.0 / spin, cross(axis, velocity)))
+    return subtract(beside, scale(dot(beside, axis), axis))
 
 
 def _checks(foot: Vector, base: Vector, velocity: Vector, omega: Vector) -> tuple[Check, ...]:

@@ -125,14 +125,14 @@ def convert(
     angles = read.angles(wanted, zero_third=zero == "third")
     q = read.quaternion
     axis, angle = axis_and_angle(q)
-    alone = single(*q)
-    tabled = alone and not is_many(q[0])
+    # words, tables and checks are about one case in doubles
+    alone = single(*q) and not is_many(q[0])
     unknown = ROUNDING if read.departure is None else ROUNDING + 2.0 * read.departure
     locked = angles.margin * UNDETERMINED < unknown
     w, x, y, z = q
     whole = 1.0 + w
     # a half turn has no Rodrigues parameters; rows of which one is such are answered one by one
-    parameters = None if alone and w == 0.0 else (x / w, y / w, z / w)
+    parameters = None if single(*q) and w == 0.0 else (x / w, y / w, z / w)
     return Converted(
         rotation_angle=angle,
         rotation_axis=axis,
@@ -149,7 +149,7 @@ def convert(
         names=names_of(wanted),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
         departure=read.departure,
-        sequences=_all_sequences(read) if tabled else (),
+        sequences=_all_sequences(read) if alone else (),
         checks=_checks(read, angles, wanted) if alone else (),
         advice=_advice(turn, read, angles, zero) if alone else (),
     )
