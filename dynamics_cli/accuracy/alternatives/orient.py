@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.accuracy.questions import Method, Question
-from dynamics_cli.numerics.sequences import sequence_of
+from dynamics_cli.numerics.orientation.sequences import sequence_of
 from dynamics_cli.orient.turns.attitude import orientation
 
 TYPE_CHECKING = False

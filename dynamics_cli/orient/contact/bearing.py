@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.quaternions import opposite
+from dynamics_cli.numerics.orientation.quaternions import opposite
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, Ratio, ShaftSpeed, Size
 from dynamics_cli.records import Advice, Check, record

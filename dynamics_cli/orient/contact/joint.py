@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan2, pi_beside
 from dynamics_cli.numerics.number import single
-from dynamics_cli.numerics.sequences import wrapped
+from dynamics_cli.numerics.orientation.sequences import wrapped
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, AngularAcceleration, Annotated, Ratio, ShaftSpeed
 from dynamics_cli.records import Advice, record

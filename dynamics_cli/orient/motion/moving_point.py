@@ -1,6 +1,6 @@
 """A point that moves on a moving body: its velocity and acceleration, term by term."""
 
-from dynamics_cli.numerics.quaternions import length
+from dynamics_cli.numerics.orientation.quaternions import length
 from dynamics_cli.numerics.vectors import add, cross, scale
 from dynamics_cli.quantities import (
     Acceleration,

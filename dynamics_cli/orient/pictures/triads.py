@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.quaternions import multiply, rotated
+from dynamics_cli.numerics.orientation.quaternions import multiply, rotated
 from dynamics_cli.numerics.rotations import IDENTITY, from_quaternion
 from dynamics_cli.orient.pictures.space import GREY, arrow, curve, numbers, scene, swept, triad, words
 from dynamics_cli.pictures import Picture
@@ -63,7 +63,7 @@ def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
 
 def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
     """Directions as measured, and as the rotation gives them."""
-    from dynamics_cli.numerics.quaternions import unit
+    from dynamics_cli.numerics.orientation.quaternions import unit
 
     matrix = tuple(numbers(row) for row in answer.rotation_matrix)
     items: list[Any] = triad(matrix, "′", GREY, dashed=True)

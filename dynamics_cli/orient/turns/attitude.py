@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import atan2, sqrt
-from dynamics_cli.numerics.quaternions import (
+from dynamics_cli.numerics.orientation.quaternions import (
     Quaternion,
     between_directions,
     normalized,
@@ -10,6 +10,14 @@ from dynamics_cli.numerics.quaternions import (
     of_rotation,
     of_vector,
     upright,
+)
+from dynamics_cli.numerics.orientation.sequences import (
+    Angles,
+    Sequence,
+    angles_of_quaternion,
+    angles_of_rotation,
+    quaternion_of_angles,
+    sequence_of,
 )
 from dynamics_cli.numerics.rotations import (
     AxisAngle,
@@ -22,14 +30,6 @@ from dynamics_cli.numerics.rotations import (
     from_quaternion,
     from_rows,
     product,
-)
-from dynamics_cli.numerics.sequences import (
-    Angles,
-    Sequence,
-    angles_of_quaternion,
-    angles_of_rotation,
-    quaternion_of_angles,
-    sequence_of,
 )
 from dynamics_cli.quantities import Annotated, Direction, Vector
 from dynamics_cli.quantities import RotationVector as RotationVectorKind

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.quaternions import (
+from dynamics_cli.numerics.orientation.quaternions import (
     axis_and_angle,
     conjugate,
     multiply,
@@ -11,8 +11,8 @@ from dynamics_cli.numerics.quaternions import (
     unit,
     upright,
 )
+from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
 from dynamics_cli.numerics.rotations import from_quaternion, product
-from dynamics_cli.numerics.sequences import angles_of_quaternion, sequence_of
 from dynamics_cli.orient.turns.attitude import Attitude, orientation, part_about
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Count, Direction, Fraction, Quaternion, Text

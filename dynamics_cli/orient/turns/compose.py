@@ -1,7 +1,7 @@
 """A chain of turns about coordinate axes: the total turn, and direction cosines between all frames."""
 
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.quaternions import Quaternion, axis_and_angle, multiply, upright
+from dynamics_cli.numerics.orientation.quaternions import Quaternion, axis_and_angle, multiply, upright
 from dynamics_cli.numerics.rotations import IDENTITY, Matrix, about_axis, product, transposed
 from dynamics_cli.numerics.rotations import from_quaternion as matrix_of
 from dynamics_cli.numerics.turns import turned

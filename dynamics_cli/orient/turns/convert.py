@@ -2,10 +2,10 @@
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import is_many, plain, single
-from dynamics_cli.numerics.quaternions import axis_and_angle, normalized, vector_of
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, normalized, vector_of
+from dynamics_cli.numerics.orientation.sequences import Angles, Sequence, names_of, nearest, sequence_of
 from dynamics_cli.numerics.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.rotations import from_quaternion as matrix_of
-from dynamics_cli.numerics.sequences import Angles, Sequence, names_of, nearest, sequence_of
 from dynamics_cli.orient.turns.attitude import Attitude, Orientation, given_digits, orientation
 from dynamics_cli.quantities import (
     Angle,

@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from dynamics_cli.numerics.quaternions import Quaternion
+from dynamics_cli.numerics.orientation.quaternions import Quaternion
 
 SWEEPS = 30
 PAIRS = tuple((p, q) for p in range(4) for q in range(p + 1, 4))

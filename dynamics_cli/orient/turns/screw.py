@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.quaternions import axis_and_angle, length, rotated, unit
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, length, rotated, unit
 from dynamics_cli.numerics.rotations import from_quaternion
 from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract
 from dynamics_cli.orient.turns.attitude import Attitude, orientation

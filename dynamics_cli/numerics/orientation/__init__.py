@@ -1,0 +1,1 @@
+"""Orientation in numbers: quaternions, and angles in the 24 sequences."""
