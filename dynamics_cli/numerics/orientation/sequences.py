@@ -27,6 +27,9 @@ NAMES = {
     "ros": "XYZ",
 }
 
+# What a sequence may be called, for completion.
+ALL = (*ORDERS, *(order.upper() for order in ORDERS), *NAMES)
+
 
 @record
 class Sequence:

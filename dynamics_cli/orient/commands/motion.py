@@ -27,6 +27,7 @@ RATES = Task(
         "angle_accelerations: second rates",
         "condition",
     ),
+    names={"euler-order": "dynamics_cli.numerics.orientation.sequences:ALL"},
     plot="dynamics_cli.orient.pictures.motion:rates",
     examples=(
         'dynamics orient rates --euler-angles "30, 20, -40 deg" --angle-rates "0.1, 0.2, 0.3 rad/s" '

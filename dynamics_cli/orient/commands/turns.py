@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+NAMES = "dynamics_cli.numerics.orientation.sequences:ALL"
 SENSE = "axes are right-handed, angles counter-clockwise seen from the tip of the axis"
 
 CONVERT = Task(
@@ -26,6 +27,7 @@ CONVERT = Task(
         "lock_distance: distance from lock",
     ),
     table="sequences",
+    names={"sequence": NAMES, "euler-order": NAMES},
     plot="dynamics_cli.orient.pictures.triads:converted",
     examples=(
         'dynamics orient convert --euler-angles "30, 20, -40 deg" --euler-order zyx',
@@ -83,6 +85,7 @@ BETWEEN = Task(
         "steps: on the way",
     ),
     table="steps",
+    names={"sequence": NAMES},
     plot="dynamics_cli.orient.pictures.triads:between",
     examples=(
         'dynamics orient between --first-euler-angles "0, 0, 0 deg" --first-euler-order zyx '
@@ -140,6 +143,7 @@ ALIGN = Task(
     arrays=False,
     tracked=False,
     table="pairs",
+    names={"sequence": NAMES},
     plot="dynamics_cli.orient.pictures.triads:aligned",
     examples=(
         'dynamics orient align --pair "before=(1, 0, 0), after=(0.1, 0.99, 0)" '
