@@ -39,7 +39,7 @@ def speeds() -> None:
             lambda c: convert(turn=ByQuaternion(quaternion=tuple(c))),
             lambda c: (
                 (r := Rotation.from_quat(c.T, scalar_first=True)).as_euler("ZYX"), r.as_matrix(), r.as_rotvec(),
-                r.as_mrp(), r.magnitude(),
+                r.magnitude(),
             ),
         ),
         "quaternion to angles": (

@@ -32,7 +32,6 @@ def test_other_notations_agree() -> None:
         peer = Rotation.from_quat(q, scalar_first=True)
         assert np.asarray(answer.rotation_matrix) == pytest.approx(peer.as_matrix(), abs=1e-15)
         assert answer.rotation_vector == pytest.approx(peer.as_rotvec(), abs=SCIPY)
-        assert answer.modified_rodrigues == pytest.approx(peer.as_mrp(), abs=SCIPY)
 
 
 def test_near_lock_scipy_gives_another_rotation_and_we_do_not() -> None:

@@ -173,7 +173,7 @@ def convert_case(kind: str, name: str, record: dict[str, Any], sequence: str) ->
     results = {
         "rotation_angle": angle, **addresses("rotation_axis", n), **addresses("quaternion", q),
         **addresses("rotation_vector", n * angle), **addresses("euler_angles", angles_of(r, sequence)),
-        **addresses("modified_rodrigues", n * mp.tan(angle / 4)),
+        **addresses("rodrigues", n * mp.tan(angle / 2)),
     }  # fmt: skip
     return "convert", kind, name, {"turn": record, "sequence": {"word": sequence}}, results
 

@@ -25,6 +25,7 @@ CONVERT = Task(
         "rotation_axis: axis of the turn n",
         "rotation_matrix: matrix",
         "lock_distance: distance from lock",
+        "lock: gimbal lock",
     ),
     table="sequences",
     names={"sequence": NAMES, "euler-order": NAMES},

@@ -68,10 +68,9 @@ class Converted:
     rotation_matrix: Annotated[RotationMatrix, "Takes body components to fixed ones; its columns are the body axes."]
     alternative_angles: Annotated[AngleTriple, "The other three angles of the sequence for the same rotation [rad]."]
     lock_distance: Annotated[Angle, "How far the middle angle is from lock [rad]."]
-    locked: Annotated[bool, "Whether first and third angle are not determined by the input as it is known."]
-    modified_rodrigues: Annotated[Vector, "The axis times tan(θ/4) [-]."]
     rodrigues: Annotated[Vector | None, "The axis times tan(θ/2); of a half turn none [-]."]
     euler_order: Annotated[Text, "The sequence: small letters about the body's axes, capitals about fixed ones."]
+    lock: Annotated[Text, "Gimbal lock: none, near, or locked, where the input does not determine two of the angles."]
     names: Annotated[Text, "What others call these angles."]
     convention: Annotated[Text, "What the numbers mean."]
     departure: Annotated[Ratio | None, "How far a given matrix is from the rotation nearest to it [-]."] = None
@@ -127,10 +126,7 @@ def convert(
     axis, angle = axis_and_angle(q)
     # words, tables and checks are about one case in doubles
     alone = single(*q) and not is_many(q[0])
-    unknown = ROUNDING if read.departure is None else ROUNDING + 2.0 * read.departure
-    locked = angles.margin * UNDETERMINED < unknown
     w, x, y, z = q
-    whole = 1.0 + w
     # a half turn has no Rodrigues parameters; rows of which one is such are answered one by one
     parameters = None if single(*q) and w == 0.0 else (x / w, y / w, z / w)
     return Converted(
@@ -142,10 +138,9 @@ def convert(
         rotation_matrix=read.matrix,
         alternative_angles=angles.alternative,
         lock_distance=angles.distance,
-        locked=locked,
-        modified_rodrigues=(x / whole, y / whole, z / whole),
         rodrigues=parameters,
         euler_order=wanted.text,
+        lock=_state(read, angles) if alone else "",
         names=names_of(wanted),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
         departure=read.departure,
@@ -153,6 +148,15 @@ def convert(
         checks=_checks(read, angles, wanted) if alone else (),
         advice=_advice(turn, read, angles, zero) if alone else (),
     )
+
+
+def _state(read: Orientation, angles: Angles) -> str:
+    """Whether what is unknown of the rotation leaves first and third angle open."""
+    unknown = ROUNDING + 2.0 * (plain(read.departure) if read.departure is not None else 0.0)
+    margin = plain(angles.margin)
+    if margin * UNDETERMINED < unknown:
+        return "locked"
+    return "near" if margin < 1.0 / SENSITIVE else "none"
 
 
 def _bare(read: Orientation) -> Orientation:
