@@ -6,7 +6,7 @@ trap 'rm -rf "$work"' EXIT
 
 # A drop-out of the sensor costs only its own row: it is reported there, and the others are answered.
 dynamics orient convert --rows log.csv --sequence rpy > "$work/angles.csv" || echo "exit status $?"
-cut -d, -f1,10-12,41 "$work/angles.csv"
+awk -F, -v OFS=, '{ print $1, $10, $11, $12, $NF }' "$work/angles.csv"
 
 # The turn from the first to the last reading, and its part about the body's own vertical axis.
 dynamics orient between --first-quaternion "0.93949, 0.00712, -0.01955, 0.34195" \
