@@ -8,6 +8,7 @@ velocities and accelerations are derivatives of motions, contacts are systems of
 
 import json
 import random
+import re
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -560,6 +561,44 @@ def written(tree: Any) -> Any:
     return [written(part) for part in tree] if isinstance(tree, list) else tree
 
 
+# Why hard cases are so, by the names that they begin with or hold.
+WHY = (
+    (r"zyx, .* from lock", "yaw, pitch and roll near a pitch of 90°: yaw and roll turn about nearly one axis"),
+    (r"xyz, .* from lock", "Bryan angles near lock: an arc sine of the middle angle keeps half of its digits"),
+    (r"XYZ, .* from lock", "turns about fixed axes near lock: the sensitive angles come in reverse order"),
+    (r"zxz, .* from lock", "Euler angles of a small nutation: an arc cosine near 1 keeps half of its digits"),
+    (r"ZXZ, .* from lock", "Euler angles about fixed axes, small in the middle: their sum is known, not each"),
+    (r"(1e-20|1e-12|1e-08) about", "a tiny turn: the arc cosine of the trace gives an angle of zero"),
+    (r"vector of (1e-20|1e-12|1e-08)", "a tiny rotation vector: dividing by its sine or its angle must not lose it"),
+    (r"(0.0001|0.1|3.1) (about|$)", "a turn on the far side of where series would take over from closed forms"),
+    (r"vector of (0.0001|0.1|3.1)", "a rotation vector where (θ − sin θ)/θ³ by its closed form loses digits"),
+    (
+        r"^3.1415\d+ about",
+        "a turn near 180°: the antisymmetric part of the matrix, which holds the axis, all but vanishes",
+    ),
+    (r"O4", "a turn 1e-9 short of 180°: the quaternion's scalar is a difference of nearly equal numbers"),
+    (r"size 1e-200", "the squares of so small a quaternion's components underflow, so that its length would be zero"),
+    (
+        r"size 1e\+200",
+        "the squares of so large a quaternion's components overflow, so that its length would be infinite",
+    ),
+    (r"O11", "a matrix printed with four decimals is no rotation, and the nearest one is wanted"),
+    (r"nearly the same", "the angle between nearly equal directions vanishes in the arc cosine of their product"),
+    (r"nearly opposite", "the axis of the shortest turn is the product of directions that are nearly parallel"),
+    (r"apart by 1e-09", "two orientations nearly alike: their turn is what is left of products that cancel"),
+    (r"apart by 3.14", "two orientations nearly half a turn apart: the other way round is nearly as short"),
+    (r"turn of 0.001", "a small turn's screw axis is far away: the point is divided by the tangent of half the angle"),
+    (r"turn of 1e-06", "a tiny turn's screw axis is a million times as far away as the displacement is long"),
+    (r"near lock", "rates near lock: two of the axes that the angles turn about are nearly parallel"),
+    (r"straight", "a nearly straight joint: its ratio differs from 1 by the square of the angle"),
+)
+
+
+def why(name: str) -> str:
+    """Why a case is hard."""
+    return next(sentence for pattern, sentence in WHY if re.search(pattern, name))
+
+
 def digits(x: Any) -> str:
     """40 digits; what is left of a zero by derivatives is zero."""
     return "0.0" if abs(x) < mpf(10) ** -70 else mp.nstr(x, 40)
@@ -588,12 +627,13 @@ def main() -> None:
                     "task": task,
                     "kind": kind,
                     "name": name,
+                    **({"why": why(name)} if kind == "hard" else {}),
                     "inputs": written(inputs),
                     "results": {k: digits(v) for k, v in results.items()},
                 }
             )
     about = "Answers of the orient tasks to 40 digits; see tests/references/generate_orient_references.py"
-    lines = ",\n".join(json.dumps(case) for case in numbered(found))
+    lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in numbered(found))
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "orient.json"
     target.write_text(f'{{"about": {json.dumps(about)}, "cases": [\n{lines}\n]}}\n', encoding="utf-8")
 
