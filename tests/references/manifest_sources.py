@@ -77,6 +77,13 @@ FILES: dict[str, Origin] = {
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
+    "path": Origin(
+        "path",
+        _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
+        | {"moving_frame": "moving-frame"},
+        "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
+        "90 digits", BOUNDS, "drawn|motion",
+    ),
     "inertia_bodies": Origin(
         "inertia", _same("body", "compare", "shape", "tensor", "torque"),
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
