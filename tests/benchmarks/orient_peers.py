@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from dynamics_cli.numerics.orientation import quaternions, sequences
-from dynamics_cli.numerics.rotations import ByMatrix, ByQuaternion, euler, from_quaternion
+from dynamics_cli.numerics.orientation.rotations import ByMatrix, ByQuaternion, euler, from_quaternion
 from dynamics_cli.orient.turns.convert import convert, distance_of
 
 ROWS, BLOCK = 200_000, 2048

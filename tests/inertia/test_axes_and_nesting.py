@@ -19,7 +19,7 @@ from dynamics_cli.inertia.shapes import Block, Sphere
 from dynamics_cli.inertia.tensors.tensor import Whole, tensor
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.eigen3.residual import tilt_bounds
-from dynamics_cli.numerics.rotations import ByQuaternion
+from dynamics_cli.numerics.orientation.rotations import ByQuaternion
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import over_parts
 

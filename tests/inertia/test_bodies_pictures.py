@@ -14,7 +14,7 @@ from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.shapes.wires import wires
-from dynamics_cli.numerics.rotations import AxisAngle
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 from dynamics_cli.pictures import Curve, Mark
 
 SIZES: dict[str, Any] = {

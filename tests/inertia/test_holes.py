@@ -11,7 +11,7 @@ from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Block, Cylinder, Sphere
-from dynamics_cli.numerics.rotations import AxisAngle
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 
 def body_of(*items: Part) -> MassProperties:

@@ -58,7 +58,7 @@ from dynamics_cli.inertia.shapes.listing import shapes as listed
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
 from dynamics_cli.inertia.shapes.task import shape
-from dynamics_cli.numerics.rotations import AxisAngle
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 SIZE = st.floats(0.05, 5.0)
 ONE = OfMass(1.0)

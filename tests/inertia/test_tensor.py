@@ -21,7 +21,7 @@ from dynamics_cli.inertia.shapes import QuarterDisk, Wedge
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.tensors.tensor import Parts, Whole, tensor
 from dynamics_cli.inertia.tensors.torque import torque
-from dynamics_cli.numerics.rotations import AxisAngle
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 ROOT = Path(__file__).parents[2]
 FULL = ((10.0, -2.0, 1.0), (-2.0, 12.0, 3.0), (1.0, 3.0, 14.0))

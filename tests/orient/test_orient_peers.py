@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, ByQuaternion, euler
 from dynamics_cli.numerics.orientation.sequences import names_of, sequence_of
-from dynamics_cli.numerics.rotations import ORDERS, ByMatrix, ByQuaternion, euler
 from dynamics_cli.orient.turns.convert import convert, distance_of
 
 # scipy's own error away from lock.

@@ -9,9 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.numerics import rotations
-from dynamics_cli.numerics.orientation import quaternions, sequences
-from dynamics_cli.numerics.rotations import ORDERS, AxisAngle, ByMatrix, ByQuaternion, Euler
+from dynamics_cli.numerics.orientation import quaternions, rotations, sequences
+from dynamics_cli.numerics.orientation.rotations import ORDERS, AxisAngle, ByMatrix, ByQuaternion, Euler
 from dynamics_cli.orient.contact.joint import joint
 from dynamics_cli.orient.motion.points import BodyPoint, points
 from dynamics_cli.orient.motion.rates import ByBody, ByRates, rates

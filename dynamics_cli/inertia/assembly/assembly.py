@@ -8,7 +8,7 @@ from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, Product
 from dynamics_cli.inertia.bodies.records import Shaft
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import is_carrier, plain
-from dynamics_cli.numerics.rotations import IDENTITY, Turn
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn
 from dynamics_cli.quantities import Annotated, PartPosition, Text
 from dynamics_cli.records import record
 

@@ -10,7 +10,7 @@ from dynamics_cli.inertia.bodies.mass_moments import less, tensor_of
 from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.rotations import product, transposed
+from dynamics_cli.numerics.orientation.rotations import product, transposed
 from dynamics_cli.quantities import (
     Angle,
     Annotated,

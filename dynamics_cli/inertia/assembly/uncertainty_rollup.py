@@ -3,7 +3,7 @@
 from dynamics_cli.inertia.bodies.mass_moments import less
 from dynamics_cli.inertia.bodies.records import Deviation
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.rotations import IDENTITY, product
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
     tilts_of,
 )
 from dynamics_cli.numerics.number import is_tracked, plain
-from dynamics_cli.numerics.rotations import IDENTITY, departure, product
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, departure, product
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False

@@ -5,7 +5,7 @@ is any matrix without a negative eigenvalue, so laminae, rods and needles need n
 """
 
 from dynamics_cli.numerics.number import is_array, is_tracked
-from dynamics_cli.numerics.rotations import IDENTITY, product
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False

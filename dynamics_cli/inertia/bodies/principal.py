@@ -2,7 +2,7 @@
 
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
-from dynamics_cli.numerics.rotations import IDENTITY
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from dynamics_cli.inertia.bodies.records import (
 )
 from dynamics_cli.inertia.mesh.surface import Surface
 from dynamics_cli.numerics.elementary import only_in_doubles
-from dynamics_cli.numerics.rotations import IDENTITY, Turn, matrix_of, transposed
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn, matrix_of, transposed
 from dynamics_cli.quantities import (
     Annotated,
     Area,

@@ -12,7 +12,7 @@ from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import is_carrier, is_tracked
-from dynamics_cli.numerics.rotations import Turn
+from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import Annotated, InputFile, PartPosition, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 

@@ -1,1 +1,1 @@
-"""Orientation in numbers: quaternions, and angles in the 24 sequences."""
+"""Orientation in numbers: rotations, quaternions, and angles in the 24 sequences."""

@@ -6,7 +6,7 @@ Every function takes numbers, arrays and tracked numbers, and keeps its digits a
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, maximum, sin, sqrt, where
 from dynamics_cli.numerics.number import is_tracked
-from dynamics_cli.numerics.rotations import Matrix
+from dynamics_cli.numerics.orientation.rotations import Matrix
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.numerics.vectors import Vector
 

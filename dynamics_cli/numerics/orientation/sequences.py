@@ -7,7 +7,7 @@ fixed axes are those about the body's in reverse order, so one kernel serves all
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside, where
 from dynamics_cli.numerics.orientation.quaternions import Quaternion, multiply, opposite
-from dynamics_cli.numerics.rotations import ORDERS, Matrix
+from dynamics_cli.numerics.orientation.rotations import ORDERS, Matrix
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.records import record

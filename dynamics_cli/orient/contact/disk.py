@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import length, opposite, rotated
-from dynamics_cli.numerics.rotations import about_axis, product
+from dynamics_cli.numerics.orientation.rotations import about_axis, product
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.numerics.vectors import Vector, add, cross
 from dynamics_cli.quantities import (

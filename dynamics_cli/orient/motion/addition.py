@@ -2,7 +2,7 @@
 
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import length, rotated, unit
-from dynamics_cli.numerics.rotations import IDENTITY, axis_angle, product
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, axis_angle, product
 from dynamics_cli.numerics.vectors import Vector, add, cross, scale
 from dynamics_cli.orient.turns.compose import letter
 from dynamics_cli.quantities import (

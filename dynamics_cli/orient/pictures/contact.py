@@ -4,7 +4,7 @@ from math import cos, hypot, pi, sin
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.rotations import IDENTITY, about_axis, product
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, about_axis, product
 from dynamics_cli.orient.pictures.space import GREY, arrow, circle, curve, numbers, scene, words
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Acceleration, Angle, Ratio, Size, Speed

@@ -4,7 +4,7 @@ from math import cos, pi, radians, sin
 
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import of_axis_angle, rotated
-from dynamics_cli.numerics.rotations import from_quaternion
+from dynamics_cli.numerics.orientation.rotations import from_quaternion
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Panel
 
 TYPE_CHECKING = False

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import multiply, rotated
-from dynamics_cli.numerics.rotations import IDENTITY, from_quaternion
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, from_quaternion
 from dynamics_cli.orient.pictures.space import GREY, arrow, curve, numbers, scene, swept, triad, words
 from dynamics_cli.pictures import Picture
 from dynamics_cli.quantities import Angle, Length

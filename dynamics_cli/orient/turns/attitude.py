@@ -11,15 +11,7 @@ from dynamics_cli.numerics.orientation.quaternions import (
     of_vector,
     upright,
 )
-from dynamics_cli.numerics.orientation.sequences import (
-    Angles,
-    Sequence,
-    angles_of_quaternion,
-    angles_of_rotation,
-    quaternion_of_angles,
-    sequence_of,
-)
-from dynamics_cli.numerics.rotations import (
+from dynamics_cli.numerics.orientation.rotations import (
     AxisAngle,
     ByMatrix,
     ByQuaternion,
@@ -30,6 +22,14 @@ from dynamics_cli.numerics.rotations import (
     from_quaternion,
     from_rows,
     product,
+)
+from dynamics_cli.numerics.orientation.sequences import (
+    Angles,
+    Sequence,
+    angles_of_quaternion,
+    angles_of_rotation,
+    quaternion_of_angles,
+    sequence_of,
 )
 from dynamics_cli.quantities import Annotated, Direction, Vector
 from dynamics_cli.quantities import RotationVector as RotationVectorKind

@@ -11,8 +11,8 @@ from dynamics_cli.numerics.orientation.quaternions import (
     unit,
     upright,
 )
+from dynamics_cli.numerics.orientation.rotations import from_quaternion, product
 from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
-from dynamics_cli.numerics.rotations import from_quaternion, product
 from dynamics_cli.orient.turns.attitude import Attitude, orientation, part_about
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Count, Direction, Fraction, Quaternion, Text
@@ -86,7 +86,7 @@ def between(
 
     Examples
     --------
-    >>> from dynamics_cli.numerics.rotations import ByQuaternion
+    >>> from dynamics_cli.numerics.orientation.rotations import ByQuaternion
     >>> one = Oriented(turn=ByQuaternion(quaternion=(1.0, 0.0, 0.0, 0.0)))
     >>> two = Oriented(turn=ByQuaternion(quaternion=(1.0, 1.0, 1.0, 1.0)))
     >>> round(between(first=one, second=two).rotation_angle, 9)

@@ -2,8 +2,8 @@
 
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import Quaternion, axis_and_angle, multiply, upright
-from dynamics_cli.numerics.rotations import IDENTITY, Matrix, about_axis, product, transposed
-from dynamics_cli.numerics.rotations import from_quaternion as matrix_of
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Matrix, about_axis, product, transposed
+from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
 from dynamics_cli.quantities import Angle, Annotated, Direction, Ratio, RotationMatrix, Text

@@ -3,9 +3,9 @@
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import is_many, plain, single
 from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, normalized, vector_of
+from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
+from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
 from dynamics_cli.numerics.orientation.sequences import Angles, Sequence, names_of, nearest, sequence_of
-from dynamics_cli.numerics.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
-from dynamics_cli.numerics.rotations import from_quaternion as matrix_of
 from dynamics_cli.orient.turns.attitude import Attitude, Orientation, given_digits, orientation
 from dynamics_cli.quantities import (
     Angle,
@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.numerics.rotations import Matrix
+    from dynamics_cli.numerics.orientation.rotations import Matrix
 
 # What a double's rounding leaves unknown of a rotation.
 ROUNDING = 4e-16
@@ -114,7 +114,7 @@ def convert(
 
     Examples
     --------
-    >>> from dynamics_cli.numerics.rotations import ByMatrix
+    >>> from dynamics_cli.numerics.orientation.rotations import ByMatrix
     >>> answer = convert(turn=ByMatrix(rotation_matrix=((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))))
     >>> answer.quaternion
     (0.5, 0.5, 0.5, 0.5)
@@ -184,7 +184,7 @@ def distance_of(a: "Matrix", b: "Matrix") -> float:
 
 
 def _checks(read: Orientation, angles: Angles, sequence: Sequence) -> tuple[Check, ...]:
-    from dynamics_cli.numerics.rotations import IDENTITY
+    from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
     bare = _bare(read)
     triple = tuple(plain(angle) for angle in angles.angles)

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, length, rotated, unit
-from dynamics_cli.numerics.rotations import from_quaternion
+from dynamics_cli.numerics.orientation.rotations import from_quaternion
 from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract
 from dynamics_cli.orient.turns.attitude import Attitude, orientation
 from dynamics_cli.quantities import Angle, Annotated, Direction, Length, Position
@@ -58,7 +58,7 @@ def screw(
 
     Examples
     --------
-    >>> from dynamics_cli.numerics.rotations import AxisAngle
+    >>> from dynamics_cli.numerics.orientation.rotations import AxisAngle
     >>> half = AxisAngle(rotation_axis=(0.0, 0.0, 1.0), rotation_angle=3.141592653589793)
     >>> screw(turn=half, displacement=(2.0, 0.0, 0.5)).point
     (1.0, 0.0, 0.0)
