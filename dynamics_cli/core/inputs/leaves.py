@@ -49,9 +49,7 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
     if isinstance(value, str) and not isinstance(value, Token):
         form = getattr(getattr(node.item, "kind", None), "form", "")
         text = value.strip()
-        if form == "vector" and text.startswith("[[") and text.endswith("]]"):
-            value = text[1:-1]
-        items = split_list(value)
+        items = split_list(text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else value)
         return share_unit(items) if form in ("scalar", "slope") else items
     return [value]
 
@@ -277,8 +275,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
-    if text.startswith("[") and text.endswith("]"):
-        text = text[1:-1]
+    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
     return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
 
 
