@@ -4,13 +4,13 @@ from math import pi
 
 import numpy as np
 
-from dynamics_cli.cam.export.approximation import controls, fit
 from dynamics_cli.cam.export.path import Path
 from dynamics_cli.cam.export.records import LiftPoint, PolarPoint, SwingPoint
 from dynamics_cli.cam.geometry.contact import Geometry, check_speed, turned_back
 from dynamics_cli.cam.program.pieces import sample
 from dynamics_cli.cam.proof.deviation import proved
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.fitting.pieces import controls, fit
 from dynamics_cli.outlines import Arc, Cubic, Outline, Points
 from dynamics_cli.quantities import Angle, Size
 from dynamics_cli.records import Columns

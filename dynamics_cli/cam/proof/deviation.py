@@ -12,9 +12,9 @@ with every rounding inside; |b″| of a cubic is that of its control points, of 
 
 import numpy as np
 
-from dynamics_cli.cam.export.approximation import bezier
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import UP, Disc
+from dynamics_cli.numerics.fitting.pieces import bezier
 from dynamics_cli.quantities import Angle, Size
 
 TYPE_CHECKING = False

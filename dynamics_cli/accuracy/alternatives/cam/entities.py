@@ -27,7 +27,7 @@ FEW = 2
 
 def alike(form: str, path: "Path", tolerance: float) -> "Pieces":
     """The program's own: as few pieces as keep the tolerance, all erring alike."""
-    from dynamics_cli.cam.export.approximation import fit
+    from dynamics_cli.numerics.fitting.pieces import fit
 
     return [(places, shape) for _, places, shape in fit(path, form, FIT * tolerance)]
 

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.export.path import OnPiece, Path
+    from dynamics_cli.cam.export.path import Path
+    from dynamics_cli.numerics.fitting.path import OnPiece
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]
@@ -57,7 +58,7 @@ def measured(path: "OnPiece", form: str, places: "Any", shape: "Any") -> float:
     """The largest distance of points of the exact curve from their pieces."""
     import numpy as np
 
-    from dynamics_cli.cam.export.approximation import circle_distance, controls, foot
+    from dynamics_cli.numerics.fitting.pieces import circle_distance, controls, foot
 
     between = (np.arange(BETWEEN) + 0.5) / BETWEEN
     theta = places[:-1, None] + np.diff(places)[:, None] * between
@@ -77,8 +78,8 @@ def own(form: str) -> "Callable[[Path, int], Made]":
     def made(path: "Path", _: int) -> "Made":
         import numpy as np
 
-        from dynamics_cli.cam.export.approximation import controls, fit
         from dynamics_cli.cam.proof.deviation import proved
+        from dynamics_cli.numerics.fitting.pieces import controls, fit
 
         count, worst, bound = 0, 0.0, 0.0
         for piece, places, shape in fit(path, form, FIT * TOLERANCE):
@@ -123,7 +124,7 @@ def equal_arcs(path: "Path", count: int) -> "Made":
     """Pairs of arcs at equal steps of cam angle, tangent to the curve; dwells are arcs anyway."""
     import numpy as np
 
-    from dynamics_cli.cam.export.approximation import _pairs
+    from dynamics_cli.numerics.fitting.pieces import _pairs
 
     worst, total = 0.0, int(path.still.sum())
     for piece, places in _shares(path, (count - total) // 2, still=False):
