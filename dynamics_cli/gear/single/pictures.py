@@ -265,6 +265,7 @@ def _profile(teeth: int, internal: bool, shown: "int | None", given: "dict[str, 
             profile_shift=given["profile_shift"],
             internal=internal,
             only_teeth=None if shown is None else min(shown, teeth),
+            form="lines",  # type: ignore[arg-type]
             tolerance=FINE * module_of(given["pitch"], helix),
             **taken,
         )
