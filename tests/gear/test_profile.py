@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.gear.flank_arcs import flank_arcs
 from dynamics_cli.gear.pitch import NormalModule
-from dynamics_cli.gear.single.flank_arcs import flank_arcs
 from dynamics_cli.gear.single.flanks import ToothForm, flank, trochoid_points
 from dynamics_cli.gear.single.gear import Sign
 from dynamics_cli.gear.single.outline import chain_points

@@ -80,7 +80,7 @@ def gear_outline(
 
 def _chain(shape: ToothForm, tolerance: float, *, arcs: bool) -> Chain:
     if arcs:
-        from dynamics_cli.gear.single.flank_arcs import flank_arcs
+        from dynamics_cli.gear.flank_arcs import flank_arcs
 
         found = flank_arcs(shape, tolerance)
         if found is not None:

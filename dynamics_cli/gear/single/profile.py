@@ -137,7 +137,7 @@ def profile(
     >>> from dynamics_cli.gear.pitch import NormalModule
     >>> drawn = profile(teeth=20, pitch=NormalModule(0.002))
     >>> (drawn.pieces, drawn.deviation <= 1e-6)
-    (120, True)
+    (520, True)
     """
     require(
         tolerance >= FINEST,
