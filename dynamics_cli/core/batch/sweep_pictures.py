@@ -61,7 +61,7 @@ def _numbers(column: "list[Any]") -> bool:
 def _swept(table: "dict[str, Any]", axes: "list[str]", name: str) -> Panel:
     def titled(key: str) -> Axis:
         unit = table[key].get("unit", "")
-        words = key.replace("_", " ")
+        words = key.replace("_", " ").replace(".", " ")
         return Axis(f"{words} [{unit}]" if unit else words)
 
     first = table[axes[0]]["value"]

@@ -266,7 +266,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     width = 0 if settings.output else terminal.columns
     digits = settings.digits or task.digits
     if settings.only:
-        return only(document, settings.only, digits, settings.format)
+        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
     if settings.table:
         return whole_table(document, settings.table, digits, settings.format)
     if settings.format != "table":
@@ -279,7 +279,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         return to_full_table(document, digits)
     from dynamics_cli.core.output.answer import to_answer
 
-    return to_answer(document, task, settings.digits or task.digits, width or 80, quiet=settings.quiet)
+    return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:

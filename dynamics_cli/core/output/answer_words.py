@@ -2,8 +2,11 @@
 
 from math import log10
 
+from dynamics_cli.core.documents import is_quantity, quantity
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
     from dynamics_cli.core.answering.task import Task
@@ -39,6 +42,42 @@ def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "l
 def in_words(address: str) -> str:
     """`first.exit_speed` as words."""
     return address.replace("_", " ").replace(".", " ")
+
+
+def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
+    """Inputs by address with the items of one list, `stations[0]`, `stations[1]` …, as one entry of several values."""
+    made: list[tuple[str, Any, str]] = []
+    for name, value, unit in entries:
+        base, opened, _ = name.rpartition("[")
+        whole = base if opened and name.endswith("]") else name
+        if opened and made and made[-1][0] == whole and made[-1][2] == unit and isinstance(made[-1][1], list):
+            made[-1][1].append(value)
+        else:
+            made.append((whole, [value] if whole != name else value, unit))
+    return made
+
+
+def value_in_words(value: "Any", unit: str) -> str:
+    """An input with its unit in full; a list of one as its value."""
+    if isinstance(value, list) and len(value) == 1 and not isinstance(value[0], list):
+        value = value[0]
+    return quantity(value, unit, 17)
+
+
+def node_at(results: "Any", address: str) -> "Any":
+    """The node of a result under an address without indices, or None."""
+    node = results
+    for key in address.split("."):
+        if not isinstance(node, dict) or is_quantity(node):
+            return None
+        node = node.get(key)
+    return node
+
+
+def deviation(results: "Any", address: str) -> float:
+    """The standard deviation of an uncertain result; 0 for another."""
+    node = node_at(results, address)
+    return (node.get("std") or 0.0) if isinstance(node, dict) else 0.0
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
