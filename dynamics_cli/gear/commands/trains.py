@@ -28,6 +28,7 @@ TRAIN = Task(
     arrays=False,
     tracked=False,
     plot="dynamics_cli.gear.trains.pictures:train_picture",
+    scene={"stages": "20:60, 18:54", "speed": "1500 rpm", "torque": "12 N*m"},
     headline=(
         "ratio: ratio i",
         "input_power: input power",
@@ -176,6 +177,14 @@ IDENTIFY = Task(
         assumptions=("the gear is a standard one with teeth of full depth or stub teeth",),
     ),
     plot="dynamics_cli.gear.measure.pictures:candidates",
+    scene={
+        "teeth": "24",
+        "tip_diameter": "80.4 mm",
+        "spans[0].over": "3",
+        "spans[0].length": "23.97 mm",
+        "spans[1].over": "4",
+        "spans[1].length": "32.83 mm",
+    },
     examples=(
         'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
         '--tip-diameter "80.4 mm"',
