@@ -17,8 +17,8 @@ from dynamics_cli.cam.export.records import Curve, Form
 from dynamics_cli.cam.geometry import followers
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.program.reading import motion_of
-from dynamics_cli.cam.proof.deviation import proved
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.fitting.deviation import proved
 from dynamics_cli.numerics.fitting.pieces import controls, fit
 from dynamics_cli.outlines import Arc, Cubic
 

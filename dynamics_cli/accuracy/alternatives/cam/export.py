@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.export.path import Path
-    from dynamics_cli.numerics.fitting.path import OnPiece
+    from dynamics_cli.cam.export.path import OnPiece, Path
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]
@@ -78,7 +77,7 @@ def own(form: str) -> "Callable[[Path, int], Made]":
     def made(path: "Path", _: int) -> "Made":
         import numpy as np
 
-        from dynamics_cli.cam.proof.deviation import proved
+        from dynamics_cli.numerics.fitting.deviation import proved
         from dynamics_cli.numerics.fitting.pieces import controls, fit
 
         count, worst, bound = 0, 0.0, 0.0

@@ -21,7 +21,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.export.path import Path
+    from dynamics_cli.numerics.fitting.path import Path
 
 SHARE = 0.02
 """What the second-order term of a cell may add to the tolerance."""
@@ -45,9 +45,9 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     path : Path
         The curve.
     piece : int
-        Which smooth piece of the motion.
+        Which smooth piece of the curve.
     places : array (n + 1,)
-        Cam angles of the ends.
+        Parameters of the ends.
     shape : array
         Bulges (n,), or the inner control points (n, 2, 2) of cubics.
     form : str
@@ -120,10 +120,10 @@ def _coarse(path: "Path", piece: int, places: "Any") -> "tuple[Any, ...]":
         low = np.repeat(low, parts) + np.repeat((high - low) / parts, parts) * number
     require(
         not bad.any(),
-        "the curve bends too sharply at a cam angle of {place:6} for a deviation to be proved",
+        f"the curve bends too sharply at a {path.parameter} of {{place:6}} for a deviation to be proved",
         place=(low[int(np.argmax(bad))], Angle),
         code="not-proved",
-        hint="the contact nearly stops there: raise the base radius",
+        hint=path.sharp,
     )
     return owner, low, high, bend, fast
 
