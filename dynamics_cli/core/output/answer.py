@@ -7,6 +7,7 @@ from math import log10
 
 from dynamics_cli.core.documents import (
     bound_text,
+    decimals,
     flatten,
     given_inputs,
     is_table,
@@ -16,7 +17,6 @@ from dynamics_cli.core.documents import (
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
     body_names,
-    decimals,
     deviation,
     headline_labels,
     in_words,

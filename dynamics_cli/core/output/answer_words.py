@@ -1,7 +1,5 @@
 """The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
 
-from math import log10
-
 from dynamics_cli.core.documents import is_quantity, quantity
 
 TYPE_CHECKING = False
@@ -90,19 +88,6 @@ def with_name(label: str, names: "dict[str, str]") -> str:
     """A label with the name of the body it begins with."""
     word, _, rest = label.partition(" ")
     return f"{names[word]} {rest}" if word in names else label
-
-
-def decimals(value: float, deviation: float) -> str:
-    """A number to the place of the second significant digit of its standard deviation."""
-    from math import floor
-
-    place = 1 - floor(log10(abs(deviation)))
-    # a deviation of 9.96 is 10
-    place = 1 - floor(log10(float(f"{abs(deviation):.1e}"))) if deviation else place
-    if -9 <= place <= 12:
-        rounded = round(value, place)
-        return f"{rounded + 0.0:.{max(place, 0)}f}"
-    return f"{value:.6g}"
 
 
 def without_rounding(value: "list[Any]") -> "list[Any]":

@@ -3,7 +3,17 @@
 Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables the digits asked for.
 """
 
-from dynamics_cli.core.documents import bound_text, columns, flatten, is_table, number, quantity, quote, to_json
+from dynamics_cli.core.documents import (
+    bound_text,
+    columns,
+    decimals,
+    flatten,
+    is_table,
+    number,
+    quantity,
+    quote,
+    to_json,
+)
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
@@ -250,7 +260,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
 
     An uncertain result has the digits that its deviation leaves, unless digits were `asked` for.
     """
-    from dynamics_cli.core.output.answer_words import decimals, deviation
+    from dynamics_cli.core.output.answer_words import deviation
 
     results = document["results"]
     flat = {name: (value, unit) for name, value, unit in flatten(results)}
