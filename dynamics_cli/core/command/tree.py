@@ -11,7 +11,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from typer.exceptions import Exit
 
 from dynamics_cli.core.answering.task import Family, Task
-from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
+from dynamics_cli.core.command.completion import POWERSHELL, completer_of, result_completer, words_that_fit
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     Finder = Callable[[str], Family]
 
-SHELLS = ("bash", "zsh", "fish")
+SHELLS = ("bash", "zsh", "fish", "powershell")
 
 
 def run_tree(
@@ -303,8 +303,8 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         if value and not context.resilient_parsing:
             if value not in SHELLS:
                 raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
-            script = get_completion_script(prog_name="dynamics", complete_var="_DYNAMICS_COMPLETE", shell=value)
-            terminal.write(script + "\n")
+            given = {"prog_name": "dynamics", "complete_var": "_DYNAMICS_COMPLETE", "shell": value}
+            terminal.write(POWERSHELL if value == "powershell" else get_completion_script(**given) + "\n")
             context.exit()
 
     return TyperOption(
@@ -314,7 +314,7 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         is_eager=True,
         expose_value=False,
         callback=show,
-        help="Print the completion script of bash, zsh or fish.",
+        help="Print the completion script of bash, zsh, fish or powershell.",
     )
 
 
