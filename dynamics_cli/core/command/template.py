@@ -4,6 +4,8 @@ As it is printed it is a case with an answer: required fields, or the values of 
 and the others are commented out.
 """
 
+from dynamics_cli.core.command.help import written_default
+from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged
 from dynamics_cli.core.output.wrapping import wrapped
 
@@ -63,6 +65,9 @@ def example(field: "Field") -> str:
     said = description(field.text).partition(EXAMPLE)[2]
     if said:
         return said
+    usual = written_default(Option(field.key, (), node, default=field.default, required=field.required))
+    if usual and node.kind.form in ("scalar", "slope", "whole") and node.choice is None:
+        return usual
     if node.choice is not None:
         return str(field.default if field.default in node.choice.names else node.choice.names[0])
     if node.kind.form == "flag":
