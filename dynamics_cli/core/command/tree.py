@@ -15,6 +15,7 @@ from dynamics_cli.core.command.completion import POWERSHELL, completer_of, resul
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
+from dynamics_cli.core.command.unknown import extra_words, unknown_option
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
 from dynamics_cli.core.inputs.specification import Tagged
@@ -53,8 +54,9 @@ def run_tree(
         return error.exit_code
     except click.exceptions.NoSuchOption as error:
         task = getattr(getattr(error.ctx, "command", None), "task", None)
-        near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
-        hint = near if task is None else _near_option(task, error.option_name)
+        if task is not None:
+            raise unknown_option(task, error.option_name, argv) from None
+        hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
         name = error.option_name.lstrip("-")
         raise UsageError(
             f"there is no option {error.option_name}", code="unknown-option", parameter=name or None, hint=hint
@@ -64,6 +66,9 @@ def run_tree(
         return 0
     except click.exceptions.ClickException as error:
         message = error.format_message().rstrip(".")
+        task = getattr(getattr(getattr(error, "ctx", None), "command", None), "task", None)
+        if task is not None and message.startswith("Got unexpected extra"):
+            raise extra_words(task, message) from None
         raise UsageError(message[:1].lower() + message[1:], hint=_try_help(error)) from None
     return status if isinstance(status, int) else 0
 
@@ -179,7 +184,7 @@ def _call(task: Task, given: "dict[str, Any]") -> Call:
     call.words = list(given.pop("words__", None) or ())
     for word in call.words:
         if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
-            raise UsageError(f"there is no option {word}", code="unknown-option", hint=_near_option(task, word))
+            raise unknown_option(task, word, call.words)
     for name in UNIVERSAL_OPTIONS:
         value = given.pop(_variable("setting", name), None)
         if value:
@@ -206,17 +211,6 @@ def _single(name: str, value: "Any", how: str) -> "Any":
     if len(value) > 1:
         raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
     return value[0]
-
-
-def _near_option(task: Task, word: str) -> str:
-    from dynamics_cli.core.inputs.suggestions import suggestions
-
-    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
-    return (
-        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
-        if near
-        else f"try: dynamics {task.path} --help"
-    )
 
 
 def _arguments(task: Task) -> "list[TyperArgument]":
