@@ -117,7 +117,7 @@ def candidates(made: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
     worst = [float(one.disagreement) for one in made.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)
     title = f"Which gear of {teeth} teeth it may be" if teeth else "Which gear it may be"
-    axis = Axis("worst disagreement with a reading, in accuracies of that reading; below 1 it fits")
+    axis = Axis("worst disagreement with a reading; below 1 it fits")
     return Picture(
         (Panel(axis, Axis(""), (bars,)),), title, subtitle="Size of the teeth and pressure angle, best first"
     )
