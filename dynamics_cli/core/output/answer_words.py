@@ -43,15 +43,22 @@ def in_words(address: str) -> str:
 
 
 def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
-    """Inputs by address with the items of one list, `stations[0]`, `stations[1]` …, as one entry of several values."""
+    """Inputs by address with the numbers of one list, `stations[0]`, `stations[1]` …, as one entry of several values.
+
+    Vectors in a list stay apart, counted from one.
+    """
     made: list[tuple[str, Any, str]] = []
     for name, value, unit in entries:
-        base, opened, _ = name.rpartition("[")
-        whole = base if opened and name.endswith("]") else name
-        if opened and made and made[-1][0] == whole and made[-1][2] == unit and isinstance(made[-1][1], list):
+        base, opened, rest = name.rpartition("[")
+        place = rest.removesuffix("]")
+        if not (opened and rest.endswith("]") and place.isdigit()):
+            made.append((name, value, unit))
+        elif isinstance(value, list) or "@" in str(value):
+            made.append((f"{base.removesuffix('s')} {int(place) + 1}:", value, unit))
+        elif made and made[-1][0] == base and made[-1][2] == unit and isinstance(made[-1][1], list):
             made[-1][1].append(value)
         else:
-            made.append((whole, [value] if whole != name else value, unit))
+            made.append((base, [value], unit))
     return made
 
 
