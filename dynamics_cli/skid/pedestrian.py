@@ -71,7 +71,7 @@ def pedestrian(
     *,
     throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
     friction: Annotated[Friction, "Coefficient of friction between the body and the ground [-]."],
-    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal [rad]."] = None,
+    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal, e.g. 10 deg [rad]."] = None,
     launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.terminal import Terminal
 
 
+TEMPERATURES = ("F", "C", "K", "R", "°F", "°C", "degF", "degC")
 # Words between a quantity and the unit it is to be converted to, among the first few.
 CONNECTIVES = ("to", "into", "->", "→")
 MOST_WORDS = 4
@@ -151,6 +152,10 @@ def _at_connective(words: "list[str]") -> "list[str]":
         quantity, found, unit = words[0].partition(f" {connective} ")
         if found:
             return [quantity, unit, *words[1:]]
+    parts = words[0].split()
+    # farad times coulomb is nothing that anyone converts
+    if len(words) == 1 and len(parts) > 1 and all(part in TEMPERATURES for part in parts[-2:]):
+        return [" ".join(parts[:-1]), parts[-1]]
     return words
 
 

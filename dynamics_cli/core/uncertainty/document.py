@@ -82,7 +82,7 @@ def add_uncertainty(
         return None
     from dynamics_cli.core.uncertainty.pictures import of_spread
 
-    return of_spread(task.path, made, kinds, wanted)
+    return of_spread(task, document["inputs"], made, kinds, wanted)
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":

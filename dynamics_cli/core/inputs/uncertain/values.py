@@ -131,7 +131,7 @@ def _bind(kind: Kind, address: str, name: str, parts: "list[Any]", scale: Scale)
     si = made(*_column(parts, 0))
     units = set(scale.units)
     shown, unit = si, "rad" if scale.angular else kind.unit
-    if len(units) == 1 and (scale.angular or kind.form != "slope"):
+    if len(units) == 1:
         shown, unit = made(*_column(parts, 1)), units.pop()
     return UncertainValue(address, kind, d.Tangent(si) if scale.angular else si, shown, unit)
 
