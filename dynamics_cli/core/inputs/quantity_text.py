@@ -132,7 +132,7 @@ def _amount(body: str, text: str) -> Amount:
             numerator, denominator, end = with_fraction(body, at, end, numerator)
             plain = denominator == 1
         at = _unit_end(body, end)
-        parts.append((-abs(numerator) if negative else numerator, denominator, body[end:at].strip()))
+        parts.append((-abs(numerator) if negative else numerator, denominator, " ".join(body[end:at].split())))
     if not parts:
         raise UsageError("the quantity is empty", code="syntax")
     return Amount(tuple(parts), text, plain)
@@ -251,6 +251,10 @@ def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
         _mismatch(unit, wanted, amount)
     else:
         si = to_si(numerator, denominator, unit)
+        if kind.exact and not unit.pi:
+            from dynamics_cli.numerics.exact.typed import TypedNumber
+
+            si = TypedNumber(numerator * unit.numerator, denominator * unit.denominator)
     if limit := kind.outside(si):
         raise UsageError(f"it must be {limit}{kind.unit and ' '}{kind.unit}", code="bounds")
     if kind.form == "whole":
