@@ -66,7 +66,7 @@ class InadmissibleError(DynamicsError):
     """Well-formed input that physics cannot answer.
 
     `refused` is the array of refused rows when the inputs were arrays, else None. `judged` names the results that a
-    judgement calls undetermined; their numbers exist.
+    judgement calls undetermined; their numbers exist, and `left` says what uncertain inputs leave of them.
     """
 
     status = ExitStatus.INADMISSIBLE
@@ -78,6 +78,7 @@ class InadmissibleError(DynamicsError):
         super().__init__(message, code=code, hint=hint)
         self.refused = refused
         self.judged: tuple[str, ...] = ()
+        self.left = ""
 
 
 class OutputError(DynamicsError):
