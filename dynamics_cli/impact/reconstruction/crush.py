@@ -1,6 +1,6 @@
 """Energy of deformation from crush profiles, and the change of velocity that goes with it."""
 
-from dynamics_cli.errors import judge, require, worded
+from dynamics_cli.errors import judge, require, require_given, worded
 from dynamics_cli.impact.conventions import mass_of
 from dynamics_cli.impact.diagnostics import balance, require_sizes
 from dynamics_cli.impact.particles.central import reduced_mass, struck_mass
@@ -174,13 +174,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
             hint="leave out one of them",
         )
         return _given_damage(vehicle.damage, mass, share, name), ()
-    require(
-        vehicle.profile is not None and vehicle.stiffness is not None,
-        "the {name} vehicle: its damage is missing or incomplete",
-        name=name,
-        code="half-damage",
-        hint="give a stiffness and a crush profile, or the energy of deformation, or EES",
-    )
+    _require_damage(vehicle, name)
     assert vehicle.stiffness is not None and vehicle.profile is not None  # noqa: PT018
     a, b = coefficients(vehicle.stiffness, name)
     width = vehicle.profile.width
@@ -218,6 +212,26 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
     return damage, _advice(vehicle, mean, name)
 
 
+def _require_damage(vehicle: Damaged | Opponent, name: str) -> None:
+    """Both the stiffness and the crush, or neither of them but an energy."""
+    profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
+    stiffness = ("stiffness_a", "stiffness_b")
+    missing, ways = "damage", (("energy",), ("ees",), stiffness + profiles[0])
+    if vehicle.stiffness is not None:
+        missing, ways = "crush profile", profiles
+    elif vehicle.profile is not None:
+        test = ("test_speed", "test_crush", "no_damage_speed", "test_mass", "test_width")
+        missing, ways = "stiffness", (stiffness, test)
+    require_given(
+        vehicle.profile is not None and vehicle.stiffness is not None,
+        "the {name} vehicle: its {missing} is missing",
+        *(tuple(f"{name}.{part}" for part in way) for way in ways),
+        name=name,
+        missing=missing,
+        code="half-damage",
+    )
+
+
 def _given_damage(given: GivenEnergy | GivenSpeed, mass: float, share: float, name: str) -> VehicleDamage:
     """Damage by its energy E or by E = ½ m EES²."""
     if isinstance(given, GivenEnergy):
@@ -251,12 +265,12 @@ def _effective_share(vehicle: Damaged | Opponent, mass: float, name: str) -> flo
     lever = vehicle.lever_arm
     if lever is None and vehicle.offset is None:
         return 1.0
-    require(
+    require_given(
         vehicle.yaw_inertia is not None,
-        "the {name} vehicle has a lever arm or an offset but no yaw inertia",
+        "the {name} vehicle has a lever arm or an offset but no yaw inertia (dynamics impact yaw-inertia estimates it)",
+        (f"{name}.yaw_inertia",),
         name=name,
         code="no-inertia",
-        hint="give its yaw inertia; `dynamics impact yaw-inertia` estimates it",
     )
     assert vehicle.yaw_inertia is not None
     require(

@@ -1,6 +1,6 @@
 """360° momentum reconstruction: motion of the vehicles before the impact from their motion after it."""
 
-from dynamics_cli.errors import judge, require
+from dynamics_cli.errors import judge, require, require_given
 from dynamics_cli.impact.conventions import (
     AXES,
     PDOF_ZERO,
@@ -166,9 +166,13 @@ def momentum_and_energy(
     masses = _masses(first, second, gravity)
     energy = _deformation(damage, masses)
     terms = _terms(first, second, masses)
-    require(
-        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
+    lacking = [t.heading_name for t in terms if t.heading is None] + [
+        t.speed_name for t in terms[2:] if t.speed is None
+    ]
+    require_given(
+        not lacking,
         "the energy route needs of both vehicles the heading before, and the speed and heading after",
+        tuple(lacking),
         code="not-enough",
     )
     require(
