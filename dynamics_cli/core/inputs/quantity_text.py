@@ -273,14 +273,14 @@ def _as_written(numerator: int, denominator: int, amount: Amount) -> float:
 
 
 def _tangent(numerator: int, denominator: int, unit: Unit) -> float:
-    from dynamics_cli.numerics.elementary import tan
+    from dynamics_cli.numerics.turns import tangent
 
     radians = to_si(numerator, denominator, unit)
     # 90 degrees rounds to a double just below the right angle, so degrees are compared exactly.
     upright = 2 * abs(numerator) * unit.numerator >= denominator * unit.denominator if unit.pi == 1 else False
     if upright or abs(radians) > 1.5707963267948966:
         raise UsageError("a slope of 90 deg or more has no rise over run", code="bounds")
-    return tan(radians)
+    return tangent(radians)
 
 
 def _mismatch(unit: Unit, wanted: Unit, amount: Amount) -> "NoReturn":
