@@ -155,3 +155,17 @@ class TestMissingMembers:
         outcome = run(*argv, stdin=stdin)
         assert outcome.status == 2
         assert said in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (("--friction", "0.02", "--grade", "-5 %"), "the drag factor of -0.02996 is"),
+        (("--friction", "2 %", "--grade", "-3 deg"), "the drag factor of -0.03236 is"),
+        (("--friction", "0.05", "--grade", "-4.9 %"), "friction of 0.05 hardly exceeds the falling grade of 4.9 %"),
+        (("--friction", "5 %", "--grade", "-0.049"), "friction of 5 % hardly exceeds the falling grade of 0.049"),
+    ],
+)
+def test_pure_numbers_are_written_as_those_of_their_kind(argv: tuple[str, ...], said: str) -> None:
+    outcome = run("skid", "speed", "--distance", "20 m", *argv)
+    assert said in " ".join((outcome.out + outcome.err).split())

@@ -10,7 +10,7 @@ left as it is.
 from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.display import pretty
 from dynamics_cli.core.units.lookup import parse_unit
-from dynamics_cli.core.units.unit import Unit, conformable
+from dynamics_cli.core.units.unit import NUMBER, Unit, conformable
 from dynamics_cli.errors import Wording, filled
 
 TYPE_CHECKING = False
@@ -71,10 +71,13 @@ def in_written_units(text: str, bound: Bound, digits: int = FEWEST_DIGITS) -> st
 def _filled(wording: Wording, bound: Bound) -> str:
     """A sentence with its values in the unit of the input that has the value, or else of an input of that kind."""
     written = list(_written(bound))
+    shares = list(_shares(bound))
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         unit = parse_unit(kind.unit)
-        alike = [entry for entry in written if conformable(entry[2], unit)]
+        # pure numbers are alike in nothing but their kind: a grade in % makes no drag factor one
+        alike = [entry for entry in written if conformable(entry[2], unit)] if kind.unit else []
+        alike = alike or [entry for name, *entry in shares if name == kind.name]  # type: ignore[misc]
         for si, shown, own in alike:
             if si == value and isinstance(shown, int | float):
                 return f"{shown:.9g} {pretty(own.text)}".rstrip()
@@ -155,6 +158,15 @@ def _is_decimal(unit: Unit) -> bool:
     """Whether a unit is SI, or a power of ten of it."""
     whole = unit.numerator * unit.denominator
     return unit.pi == 0 and str(whole).strip("0") == "1"
+
+
+def _shares(bound: Bound) -> "Iterator[tuple[str, float, object, Unit]]":
+    """Every pure number by its kind."""
+    if isinstance(bound, Fields | Several):
+        for part in bound.fields.values() if isinstance(bound, Fields) else bound.items:
+            yield from _shares(part)
+    elif isinstance(bound, Value) and not bound.kind.unit and conformable(unit := parse_unit(bound.unit), NUMBER):
+        yield bound.kind.name, bound.si, bound.shown, unit
 
 
 def _written(bound: Bound) -> "Iterator[_Written]":

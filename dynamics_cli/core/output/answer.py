@@ -108,8 +108,8 @@ class _Answer:
         """A result with its unit, in the digits that it deserves."""
         value, unit = self.flat[address]
         node = _node(self.results, address)
-        if isinstance(node, dict) and node.get("std") and not isinstance(value, list):
-            return f"{decimals(value, node['std'])} {unit}".rstrip()
+        if isinstance(node, dict) and _deviation(node) and not isinstance(value, list):
+            return f"{decimals(value, _deviation(node))} {unit}".rstrip()
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
         if isinstance(value, list):
@@ -126,7 +126,8 @@ class _Answer:
         remarks = []
         node = _node(self.results, address)
         if isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
-            low, high = (decimals(end, node["std"]) if node["std"] else number(end, 6) for end in node["interval"])
+            spread = _deviation(node)
+            low, high = (decimals(end, spread) if spread else number(end, 6) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
         asked = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
@@ -273,6 +274,14 @@ def _node(results: "Any", address: str) -> "Any":
             return None
         node = node.get(key)
     return node
+
+
+def _deviation(node: "dict[str, Any]") -> float:
+    """How far an uncertain result spreads: its deviation, a quarter of its interval where it has none."""
+    if node.get("std"):
+        return float(node["std"])
+    low, high = node.get("interval") or (0.0, 0.0)
+    return 0.25 * (high - low) if "std" in node and not isinstance(low, list) else 0.0
 
 
 def _limit(entry: "dict[str, Any]") -> str:

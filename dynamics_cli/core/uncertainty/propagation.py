@@ -5,6 +5,8 @@ deviation and interval with an error estimate of its own; variance shares; covar
 and, labelled apart, the range over the corners of all the inputs' intervals.
 """
 
+import math
+
 import numpy as np
 
 from dynamics_cli.core.deadline import Reached, stop
@@ -41,6 +43,11 @@ CURVE_POINTS = 121
 MOST_MISSED = 0.1
 
 
+# An error of the moments, in deviations, above which they are not settled; and deviations beside that of a normal
+# distribution of the same interval which the tails alone make, and which the mean does not survive either.
+UNSETTLED, LONG_TAILED, TAILS_ALONE = 0.02, 1.5, 10.0
+
+
 class Spread:
     """One result's distribution in numbers."""
 
@@ -52,6 +59,7 @@ class Spread:
         self.mean = float(mean)
         self.std = float(std)
         self.estimate = 0.0
+        self.tails = False
         self.admissible = 1.0
         self.first: list[float] = []
         self.total: list[float] = []
@@ -60,6 +68,18 @@ class Spread:
         self.cumulative: tuple[list[float], list[float]] = ([], [])
         self.corners: tuple[float, float] | None = None
         self.tornado: list[tuple[float, float]] = []
+
+    def drop_moments(self, coverage: float) -> None:
+        """Leave out a deviation, and a mean, that its tails make as large as one likes: their integrals do not settle.
+
+        As beside zero drag, where times and distances have no bound.
+        """
+        score = -normal.quantile(0.5 * (1.0 - coverage))
+        usual = (self.interval[1] - self.interval[0]) / (2.0 * score)
+        if self.estimate > UNSETTLED and self.std > LONG_TAILED * usual:
+            self.mean = self.mean if self.std < TAILS_ALONE * usual else math.nan
+            self.std = math.nan
+            self.tails = True
 
     @property
     def varies(self) -> bool:
