@@ -98,11 +98,7 @@ class Settings:
         if self.columns and not self.rows:
             raise UsageError("--column is for --rows", parameter="column", code="exclusive")
         self.references, self.bounds = bool(given.get("references")), bool(given.get("bounds"))
-        if self.references and not self.rows:
-            raise UsageError("--references is for --rows", parameter="references", code="exclusive")
-        if self.bounds and not (self.rows or given.get("sweep")):
-            hint = "--all and --explain show the bounds of one case"
-            raise UsageError("--bounds is for --rows and --sweep", parameter="bounds", code="exclusive", hint=hint)
+        self._require_many(given)
         self.jobs = self._jobs(given)
         self.sweep = _pairs("sweep", given)
         self.limit = self._limits(given)
@@ -131,6 +127,14 @@ class Settings:
             raise UsageError("--plot is for one case and --rows for many", parameter="plot", code="exclusive")
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
+
+    def _require_many(self, given: "Mapping[str, str | bool | list[str]]") -> None:
+        """Refuse what is for many cases where there is one."""
+        if self.references and not self.rows:
+            raise UsageError("--references is for --rows", parameter="references", code="exclusive")
+        if self.bounds and not (self.rows or given.get("sweep")):
+            hint = "--all and --explain show the bounds of one case"
+            raise UsageError("--bounds is for --rows and --sweep", parameter="bounds", code="exclusive", hint=hint)
 
     @staticmethod
     def _text(given: "Mapping[str, str | bool | list[str]]", name: str) -> str:

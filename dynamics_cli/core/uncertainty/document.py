@@ -310,6 +310,12 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
             }
         )
+    return out + _no_deviations(made)
+
+
+def _no_deviations(made: Propagation) -> "list[dict[str, Any]]":
+    """Results whose distribution has no standard deviation."""
+    out: list[dict[str, Any]] = []
     if long := [s.name for s in made.spreads.values() if s.tails]:
         message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
         remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"

@@ -13,15 +13,22 @@ from dynamics_cli.impact.reconstruction.crush_records import (
     Opponent,
     Stations,
     VehicleDamage,
+    require_damage,
 )
 from dynamics_cli.impact.reconstruction.crush_stiffness import coefficients
+from dynamics_cli.impact.reconstruction.crush_verdict import (
+    damage_verdict,
+    restitution_advice,
+    restitution_tolerance,
+    share_advice,
+    verdict_advice,
+)
 from dynamics_cli.numerics.elementary import absolute, cos, sin, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
     Annotated,
-    Fraction,
     Gravity,
     Inertia,
     Restitution,
@@ -87,7 +94,7 @@ def crush(
         advice += (
             Advice("no-second-body", alone, "note", remedy="give the second mass, or --second-fixed for a barrier"),
         )
-        return CrushResult(one, None, one.energy, None, None, None, _checks(one, first), advice)
+        return CrushResult(one, None, one.energy, None, None, None, None, _checks(one, first), advice)
     mass = struck_mass(second.bulk, gravity, "the second vehicle")
     two: VehicleDamage | None = None
     if _is_damaged(second):
@@ -116,14 +123,15 @@ def crush(
     undamaged: float | None = None
     if two is not None:
         two = VehicleDamage(**{**two.__dict__, "delta_v": impulse / two.mass})
-        advice += _share_advice(first, "first", one.energy, energy) + _share_advice(
-            second, "second", two.energy, energy
-        )
+        advice += share_advice(first.damage is not None, "first", one.energy, energy)
+        advice += share_advice(second.damage is not None, "second", two.energy, energy)
     elif mass is not None:
         undamaged = impulse / mass
     scale = reduced * closing * (1.0 + restitution)
+    tolerance = restitution_tolerance(restitution)
+    advice += restitution_advice(tolerance)
     checks = _checks(one, first) + balance("impulse from the closing speed", impulse, scale, impulse)
-    return CrushResult(one, two, energy, impulse, closing, undamaged, checks, advice)
+    return CrushResult(one, two, energy, impulse, closing, undamaged, tolerance, checks, advice)
 
 
 def _is_damaged(vehicle: Damaged | Opponent) -> bool:
@@ -174,7 +182,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
             hint="leave out one of them",
         )
         return _given_damage(vehicle.damage, mass, share, name), ()
-    _require_damage(vehicle, name)
+    require_damage(vehicle, name)
     assert vehicle.stiffness is not None and vehicle.profile is not None  # noqa: PT018
     a, b = coefficients(vehicle.stiffness, name)
     width = vehicle.profile.width
@@ -208,28 +216,10 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
         effective_mass=mass * share,
         effective_share=share,
         delta_v=None,
+        determined=damage_verdict(normal, width * (a + b * mean), angle),
     )
-    return damage, _advice(vehicle, mean, name)
-
-
-def _require_damage(vehicle: Damaged | Opponent, name: str) -> None:
-    """Both the stiffness and the crush, or neither of them but an energy."""
-    profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
-    stiffness = ("stiffness_a", "stiffness_b")
-    missing, ways = "damage", (("energy",), ("ees",), stiffness + profiles[0])
-    if vehicle.stiffness is not None:
-        missing, ways = "crush profile", profiles
-    elif vehicle.profile is not None:
-        test = ("test_speed", "test_crush", "no_damage_speed", "test_mass", "test_width")
-        missing, ways = "stiffness", (stiffness, test)
-    require_given(
-        vehicle.profile is not None and vehicle.stiffness is not None,
-        "the {name} vehicle: its {missing} is missing",
-        *(tuple(f"{name}.{part}" for part in way) for way in ways),
-        name=name,
-        missing=missing,
-        code="half-damage",
-    )
+    said = verdict_advice(damage.determined, damage.equivalent_barrier_speed, name)
+    return damage, said + _advice(vehicle, mean, name)
 
 
 def _given_damage(given: GivenEnergy | GivenSpeed, mass: float, share: float, name: str) -> VehicleDamage:
@@ -323,20 +313,6 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
             ),
         )
     return advice
-
-
-def _share_advice(vehicle: Damaged | Opponent, name: str, own: float, energy: float) -> tuple[Advice, ...]:
-    """What a given energy does to ΔV: an estimate may be wrong by a factor of two."""
-    if vehicle.damage is None or not single(own, energy):
-        return ()
-    share = plain(own) / plain(energy)
-    text = worded(
-        "the {name} vehicle has {share:3} of the energy: twice its energy would raise ΔV by {change:2}",
-        name=name,
-        share=(share, Fraction),
-        change=((1.0 + share) ** 0.5 - 1.0, Fraction),
-    )
-    return (Advice("energy-share", text, "note"),)
 
 
 def _checks(one: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:

@@ -12,7 +12,7 @@ from dynamics_cli.impact.conventions import (
 )
 from dynamics_cli.impact.diagnostics import require_sizes
 from dynamics_cli.impact.particles.central import reduced_mass
-from dynamics_cli.impact.reconstruction.momentum_evidence import certified, with_verdicts
+from dynamics_cli.impact.reconstruction.momentum_evidence import certified, with_energy_verdicts, with_verdicts
 from dynamics_cli.impact.reconstruction.momentum_exchange import Exchange, change_of_velocity
 from dynamics_cli.impact.reconstruction.momentum_records import (
     CrushEnergies,
@@ -215,7 +215,8 @@ def momentum_and_energy(
     # along the line these are known without a difference of velocities
     known = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
     answer = MomentumResult(**{**answer.__dict__, **known, "restitution": apart / closing})
-    return certified(answer, terms, check=False, along=line)
+    answer = certified(answer, terms, check=False, along=line)
+    return with_energy_verdicts(answer, terms, (after[0], after[1]), energy, side)
 
 
 def energy_suffices(*, damage: object = None, **_: object) -> str | None:
