@@ -11,8 +11,10 @@ class Kind:
     """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
-    "tensor", "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
-    "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
+    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
+    "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
+    exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
+    "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
     A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
 
@@ -125,6 +127,8 @@ STANDARD_GRAVITY = 9.80665
 STANDARD_GRAVITY_TEXT = "9.80665 m/s²"
 
 if TYPE_CHECKING:
+    from dynamics_cli.records import Formula, Let, Quantity
+
     # lengths, areas, volumes
     Length = float
     Distance = float
@@ -202,6 +206,7 @@ if TYPE_CHECKING:
     AngularVelocity = tuple[float, float, float]
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
+    JerkVector = tuple[float, float, float]
     PartPosition = tuple[float, float, float]
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
@@ -215,8 +220,16 @@ if TYPE_CHECKING:
     PlanarVelocity = tuple[float, float]
     PlanarImpulse = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
+    FreeVector = Quantity
+    FreeNumber = Quantity
+    Matrix = tuple[tuple[tuple[int, int], ...], ...]
+    MatrixOfNumbers = tuple[tuple[float, ...], ...]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
+    LengthFormula = Formula
+    AngleFormula = Formula
+    AccelerationFormula = Formula
+    Variable = Let
     Text = str
     Unit = str
     InputFile = str
@@ -446,6 +459,16 @@ else:
         example="0, 0, 3 m/s^2",
         about="an acceleration",
     )
+    JerkVector = Kind(
+        "jerk vector",
+        "m/s^3",
+        form="vector",
+        size=3,
+        si="m/s^3",
+        us="ft/s^3",
+        example="0, 1, 0 m/s^3",
+        about="a rate of change of acceleration",
+    )
     PartPosition = Kind(
         "part position",
         "m",
@@ -567,8 +590,28 @@ else:
         example="[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2",
         about="a symmetric tensor, as its matrix or as moments and products",
     )
+    FreeVector = Kind(
+        "vector", "", form="free vector", example="20 N @ 30 deg", about="a vector of any kind, planar or in space"
+    )
+    FreeNumber = Kind("quantity", "", form="free", about="a number whose kind is that of the inputs")
+    Matrix = Kind("matrix", "", form="matrix", example="2, 1; 1, 3", about="rows of exact numbers, up to six by six")
+    MatrixOfNumbers = Kind("matrix", "", form="matrix", about="rows of numbers")
     ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
     WholeRange = Kind("range", "", form="range", low=0.0, example="12..120", about="whole numbers from one to another")
+    LengthFormula = Kind(
+        "length formula", "m", form="formula", example="20*t - 2*t^2 m", about="a length over time, its unit at its end"
+    )
+    AngleFormula = Kind(
+        "angle formula", "rad", form="formula", example="90*t deg", about="an angle over time, its unit at its end"
+    )
+    AccelerationFormula = Kind(
+        "acceleration formula",
+        "m/s^2",
+        form="formula",
+        example="-0.004*v^2 m/s^2",
+        about="an acceleration, its unit at its end",
+    )
+    Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
     InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")

@@ -42,7 +42,7 @@ def turned(angle: float) -> tuple[float, float]:
 def tangent(angle: float) -> float:
     """Tangent of an angle in radians: 1 at 45 degrees."""
     if getattr(angle, "ndim", 0):
-        return _tangents(angle)
+        return _tangents(angle)  # type: ignore[no-any-return]
     value: float = getattr(angle, "value", angle)
     count = round(value / EIGHTH) if abs(value) <= MOST * EIGHTH else 2
     # half of them are right angles, which have no tangent

@@ -11,15 +11,15 @@ from geometry_cases import CYCLE, NOTHING, SWING
 from mpmath import diff, mp, mpc, mpf
 from references import generate_cam_motion_references as motion_references
 
-from dynamics_cli.cam.export.approximation import controls, fit
 from dynamics_cli.cam.export.export import export
 from dynamics_cli.cam.export.path import Path
 from dynamics_cli.cam.export.records import Curve, Form
 from dynamics_cli.cam.geometry import followers
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.program.reading import motion_of
-from dynamics_cli.cam.proof.deviation import proved
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.fitting.deviation import proved
+from dynamics_cli.numerics.fitting.pieces import controls, fit
 from dynamics_cli.outlines import Arc, Cubic
 
 sys.path.insert(0, str(FilePath(__file__).resolve().parents[1] / "references"))

@@ -298,8 +298,8 @@ def test_a_speed_that_energy_leaves_open_is_warned_of() -> None:
         first=Vehicle(ByMass(1000.0), None, 0.0, 3.0, 0.0), second=Vehicle(ByMass(1000.0), None, 0.0, 3.2, 0.0),
         damage=CrushEnergies(9e3, 0.0),
     )  # fmt: skip
-    assert [slow.first.determined.verdict, slow.second.determined.verdict] == ["good", "undetermined"]
-    assert [(note.code, note.severity) for note in slow.advice] == [("undetermined-speed", "caution")]
+    assert [slow.first.determined.verdict, slow.second.determined.verdict] == ["good", "caution"]
+    assert [(note.code, note.severity) for note in slow.advice] == [("sensitive-speed", "caution")]
 
 
 def test_damage_is_judged_by_differences() -> None:

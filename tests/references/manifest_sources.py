@@ -77,6 +77,13 @@ FILES: dict[str, Origin] = {
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
+    "path": Origin(
+        "path",
+        _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
+        | {"moving_frame": "moving-frame"},
+        "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
+        "90 digits", BOUNDS, "drawn|motion",
+    ),
     "inertia_bodies": Origin(
         "inertia", _same("body", "compare", "shape", "tensor", "torque"),
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
@@ -112,6 +119,12 @@ FILES: dict[str, Origin] = {
         "impact", {"spatial": "spatial", "keller": "spatial"},
         "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
         "56 digits", IMPACTS, ".",
+    ),
+    "vec": Origin(
+        "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),
+        "sums in ratios, angles by arc cosines, the law of cosines, projection by normal equations, Gram–Schmidt, "
+        "Cramer's rule",
+        "exact, then 400 digits", "", r"drawn",
     ),
     "cam_motion": Origin(
         "cam", {"rise": "rise", "polynomial": "rise", "motion": "motion"},

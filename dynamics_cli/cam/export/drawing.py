@@ -4,14 +4,13 @@ from math import pi
 
 import numpy as np
 
-from dynamics_cli.cam.export.approximation import controls, fit
 from dynamics_cli.cam.export.path import Path
 from dynamics_cli.cam.export.records import LiftPoint, PolarPoint, SwingPoint
 from dynamics_cli.cam.geometry.contact import Geometry, check_speed, turned_back
 from dynamics_cli.cam.program.pieces import sample
-from dynamics_cli.cam.proof.deviation import proved
 from dynamics_cli.errors import require
-from dynamics_cli.outlines import Arc, Cubic, Outline, Points
+from dynamics_cli.numerics.fitting.outline import outlined
+from dynamics_cli.outlines import Outline
 from dynamics_cli.quantities import Angle, Size
 from dynamics_cli.records import Columns
 
@@ -19,72 +18,21 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-TRIES = 5
-# What the fit leaves to the proof: its samples miss a little, and its cells cost a little.
-FIT = 0.96
-
 
 def drawn(
     geometry: Geometry, motion: "Any", away: float, start_angle: float, form: str, tolerance: float, name: str
 ) -> Outline:
     """The curve as an outline whose proved deviation keeps the tolerance.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    away : float
-        Distance of the curve from the contact, into the follower [m].
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    form : str
-        "arcs", "cubics" or "lines".
-    tolerance : Size
-        Largest deviation allowed.
-    name : str
-        Name of the outline.
-
-    Returns
-    -------
-    Outline
-        The outline.
-
-    Raises
-    ------
-    InadmissibleError
-        When the curve is undercut or broken, or the tolerance cannot be kept.
+    `motion`: the program; `away`: distance of the curve from the contact, into the follower [m]; `start_angle`: angle
+    by which the cam's frame is turned on; `form`: "arcs", "cubics" or "lines"; `tolerance`: largest deviation allowed;
+    `name`: name of the outline. Raises InadmissibleError when the curve is undercut or broken, or the tolerance cannot
+    be kept.
     """
     path = Path(geometry, motion, away=away, start_angle=start_angle)
     path.require_regular()
     points = _joints(path)
-    size = float(np.abs(points).max())
-    require(
-        tolerance >= 2e-12 * size,
-        "a tolerance of {tolerance} is below the rounding of coordinates of {size}",
-        tolerance=(tolerance, Size),
-        size=(size, Size),
-        least=(2e-12 * size, Size),
-        code="too-fine",
-        hint="take a tolerance of at least {least:2}",
-    )
-    aim = FIT * tolerance
-    for _ in range(TRIES):
-        pieces, bounds = _fitted(path, form, aim, tolerance, points)
-        deviation = float(max(bounds))
-        if deviation <= tolerance:
-            break
-        aim *= 0.8
-    require(
-        deviation <= tolerance,
-        "a deviation of {deviation} could be proved; wanted {tolerance}",
-        deviation=(deviation, Size),
-        tolerance=(tolerance, Size),
-        code="not-proved",
-        hint="allow a wider tolerance",
-    )
-    return Outline(tuple(pieces), True, deviation, name)
+    return outlined(path, form, tolerance, points, name)
 
 
 def _joints(path: Path) -> "Any":
@@ -105,49 +53,12 @@ def _joints(path: Path) -> "Any":
     return after
 
 
-def _fitted(path: Path, form: str, aim: float, tolerance: float, joints: "Any") -> "tuple[list[Any], list[float]]":
-    pieces: list[Any] = []
-    bounds: list[float] = []
-    for index, places, shape in fit(path, form, aim):
-        own = path.on(index)
-        points = np.stack(own.at(places)[:2], axis=1)
-        points[0], points[-1] = joints[index], joints[(index + 1) % len(joints)]
-        if form == "cubics":
-            cx, cy = controls(own, places, shape)
-            shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
-        # what is proved is what is written, to the bit
-        bounds.append(float(proved(path, index, places, shape, form, points, tolerance).max()))
-        ends = points.tolist()
-        if form == "arcs":
-            pieces += [Arc(a, b, bulge) for a, b, bulge in zip(ends, ends[1:], shape.tolist(), strict=False)]
-        elif form == "cubics":
-            inner = shape.tolist()
-            pieces += [Cubic(a, p, q, b) for a, b, (p, q) in zip(ends, ends[1:], inner, strict=False)]
-        else:
-            pieces.append(Points(tuple(map(tuple, ends))))
-    return pieces, bounds
-
-
 def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int) -> "tuple[Any, Any, Any]":
     """Exact points in polar coordinates, and the lift for a controller.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    away : float
-        Distance of the curve from the contact [m].
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    count : int
-        Points of a turn; the controller's table repeats the first at its end.
-
-    Returns
-    -------
-    tuple
-        Columns of points, of lifts or None, of swings or None.
+    `motion`: the program; `away`: distance of the curve from the contact [m]; `start_angle`: angle by which the cam's
+    frame is turned on; `count`: points of a turn; the controller's table repeats the first at its end. Returns columns
+    of points, of lifts or None, of swings or None.
     """
     theta = np.arange(count + 1) * (2.0 * pi / count)
     s, s1, s2 = sample(motion, theta, 2)

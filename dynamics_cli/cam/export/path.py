@@ -9,6 +9,7 @@ from dynamics_cli.cam.program.pieces import Cover, pieces, sample
 from dynamics_cli.cam.proof.motion_enclosures import about_angles
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.fitting.path import OnPiece
 from dynamics_cli.quantities import Angle
 
 TYPE_CHECKING = False
@@ -24,8 +25,12 @@ class Path:
     start height or angle counts with eight roundings.
     """
 
+    parameter = "cam angle"
+    sharp = "the contact nearly stops there: raise the base radius"
+
     def __init__(self, geometry: Geometry, motion: "Any", *, away: float, start_angle: float = 0.0) -> None:
         self.geometry = geometry
+        self.turn = geometry.turn
         self.motion = motion
         self.away = away
         self.start_angle = start_angle
@@ -97,8 +102,8 @@ class Path:
         """Speed g, its derivative g′ and the spin, from enclosures of the lift and three derivatives."""
         f, geometry, away = self.geometry.follower, self.geometry, self.away
         if isinstance(f, FlatFace):
-            one = Disc(np.ones_like(s.centre), np.zeros_like(s.radius))
-            return s + s2 + (geometry.start + away), s1 + s3, one
+            disc = Disc(np.ones_like(s.centre), np.zeros_like(s.radius))
+            return s + s2 + (geometry.start + away), s1 + s3, disc
         if isinstance(f, OscillatingFlat):
             angle, spin = s + geometry.start, s1 + 1.0
             sin, cos, less = angle.sine(), angle.cosine(), spin.inverse()
@@ -137,16 +142,3 @@ class Path:
             g1 * sin + along * cos, g1 * cos - along * sin,
             radial * sin + cross * cos, radial * cos - cross * sin,
         )  # fmt: skip
-
-
-class OnPiece:
-    """A curve on one piece of its motion: what is fitted to it needs no more."""
-
-    def __init__(self, path: Path, piece: int) -> None:
-        self.path = path
-        self.piece = piece
-        self.geometry = path.geometry
-
-    def at(self, theta: "Any") -> "tuple[Any, ...]":
-        """Point, unit direction and speed at cam angles, from within the piece."""
-        return self.path.at(theta, self.piece)

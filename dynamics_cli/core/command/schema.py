@@ -63,7 +63,9 @@ class _Inputs:
                 self._spread((node.item,), prefix, properties)
                 if field.required:
                     plain = {"required": sorted(node.item.required)}
-                    choices.append({"oneOf": [{"required": [field.key]}, plain]})
+                    several = {"required": [field.key]}
+                    # without a required field of its own, one is told by the list's absence
+                    choices.append({"oneOf": [several, plain if node.item.required else {"not": several}]})
             elif field.required and not (isinstance(node, Leaf) and node.kind.default):
                 required.append(field.key)
             properties[field.key] = self.node(node, path)
@@ -107,14 +109,14 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
     if kind is FLAG:
         return {"type": "boolean"}
     examples = {"examples": [kind.example]} if kind.example else {}
-    if kind.form in ("text", "file", "unit", "range"):
+    if kind.form in ("text", "file", "unit", "range", "formula", "let"):
         return {"type": "string", **examples}
     if kind.form == "fraction":
         written = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}
         return {"anyOf": [{"type": "string"}, written], **examples}
     value: dict[str, Any] = {"type": "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":
-        value = {"type": "array"}
+        value = {"type": ["array", "number"]} if kind.form == "free vector" else {"type": "array"}
     pair = {
         "type": "object",
         "properties": {"value": value, "unit": {"type": "string"}},
@@ -161,7 +163,7 @@ def _result(node: object) -> "dict[str, Any]":
         return _drawing_schema(node)
     value = {"type": "number"} if node.kind.form in _NUMBER_FORMS else {}
     properties: dict[str, Any] = {"value": value}
-    if node.kind.si or node.kind.form == "measured":
+    if node.kind.si or node.kind.form in ("measured", "free", "free vector"):
         properties["unit"] = {"type": "string"}
     required = ["value", "unit"] if node.kind.unit else ["value"]
     return {"type": ["object", "null"], "properties": properties, "required": required, "x-kind": node.kind.name}

@@ -2,17 +2,15 @@
 
 from dynamics_cli.core.documents import quote
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.output.soundness import check_numbers
 from dynamics_cli.core.units.display import Display, Shown
-from dynamics_cli.errors import FaultError, InadmissibleError
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics
+from dynamics_cli.records import Advice, Check, Measured, Numerics, Quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from typing import Any
-
-INFINITY = float("inf")
 
 
 def compact(value: "Any") -> str:
@@ -31,7 +29,8 @@ def compact(value: "Any") -> str:
 class Part:
     """One result: where it stands in the record, how it is shown, and the columns it takes.
 
-    `how` is "number", "whole", "flag", "word" or "measured" (a number or several, each with a unit of its own).
+    `how` is "number", "whole", "flag", "word", "measured" (a number or several, each with a unit of its own) or
+    "components" (of a vector with a unit of its own).
     """
 
     __slots__ = ("address", "display", "how", "keys", "several", "shown", "steps", "unit")
@@ -65,6 +64,8 @@ class Part:
         found = self.of(record)
         if found is None:
             return None
+        if isinstance(found, Quantity):
+            return self._of_quantity(found)
         if self.how == "measured":
             show = self.display
             return found if show is None or isinstance(found, tuple) else show.of_measured(self.address, found)
@@ -73,9 +74,19 @@ class Part:
             return number if self.shown is None else self.shown.value(float(number))
         return str(found) if self.how == "word" else found
 
+    def _of_quantity(self, quantity: Quantity) -> Measured:
+        assert self.display is not None
+        shown = self.display.of(self.address, quantity.kind)
+        value = quantity.value
+        several = isinstance(value, tuple)
+        made = [shown.value(float(plain(number))) for number in (value if several else (value,))]
+        return Measured(tuple(made) if several else made[0], shown.text)  # type: ignore[arg-type]
+
     @property
     def names(self) -> "list[tuple[str, str]]":
-        """Its columns: name and unit."""
+        """Its columns: name and unit; a planar vector leaves its third empty."""
+        if self.how == "components":
+            return [(f"{self.address}{end}", "") for end in ("[0]", "[1]", "[2]", ".unit")]
         if self.how == "measured" and not self.unit:
             return [(self.address, ""), (f"{self.address}.unit", "")]
         units = self.unit.split(";")
@@ -87,6 +98,8 @@ class Part:
         """Its cells in CSV."""
         if value is None:
             return [""] * len(self.names)
+        if self.how == "components":
+            return [*(self.numbers(value) + ["", ""])[:3], value.unit]
         if self.how == "measured":
             numbers, units = _measured(value)
             if self.unit:
@@ -100,7 +113,7 @@ class Part:
         """Its numbers in a line of text."""
         if self.how in ("flag", "word"):
             return []
-        if self.how == "measured":
+        if self.how in ("measured", "components"):
             return [compact(number) for number in _measured(value)[0]] if value is not None else []
         return self.cells(value)
 
@@ -108,12 +121,12 @@ class Part:
         """Its entry in JSON."""
         if value is None or self.how in ("flag", "word"):
             return value
-        if self.how != "measured":
+        if self.how not in ("measured", "components"):
             return {"value": value, "unit": self.unit} if self.unit else {"value": value}
         if isinstance(value, tuple):
             return [self.entry(item) for item in value]
         shown = list(value.value) if isinstance(value.value, tuple) else value.value
-        return {"value": shown, "unit": value.unit}
+        return {"value": shown, "unit": value.unit} if value.unit else {"value": shown}
 
 
 class SpreadPart(Part):
@@ -157,9 +170,7 @@ SPREAD = ("mean", "median", "std", "low", "high")
 
 def _measured(value: "Any") -> "tuple[list[float], list[str]]":
     items: Sequence[Measured] = value if isinstance(value, tuple) else (value,)
-    numbers: list[float] = []
-    for item in items:
-        numbers.extend(item.value if isinstance(item.value, tuple) else (item.value,))
+    numbers = [one for item in items for one in (item.value if isinstance(item.value, tuple) else (item.value,))]
     return numbers, [item.unit for item in items]
 
 
@@ -203,8 +214,10 @@ class Layout:
             yield from self._measured(keys, steps, several=False)
         elif form == "flag" or leaf.choice is not None:
             yield Part(keys, steps, "flag" if form == "flag" else "word")
-        elif form in ("text", "unit", "file", "drawing"):
+        elif form in ("text", "unit", "file", "drawing", "matrix"):
             return
+        elif form in ("free", "free vector"):
+            yield from self._measured(keys, steps, several=False, how="measured" if form == "free" else "components")
         elif form == "whole":
             self._known.append(address)
             yield Part(keys, steps, "whole")
@@ -233,9 +246,11 @@ class Layout:
             self._known.append(".".join(keys))
             self.display.of(".".join(keys), item.kind)
 
-    def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
+    def _measured(
+        self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool, how: str = "measured"
+    ) -> "Iterator[Part]":
         if self.targets is None:
-            part = Part(keys, steps, "measured")
+            part = Part(keys, steps, how)
             part.several, part.display = several, self.display
             self._known.append(part.address)
             # `--to` is looked at when there is a value.
@@ -250,8 +265,12 @@ class Layout:
 
     def values(self, record: "Any") -> "list[Any]":
         """What a row shows of a record; refuses numbers that are not finite, as a single call does."""
-        check_numbers(record, self.result, "")
+        self.check(record)
         return [part.value(record) for part in self.parts]
+
+    def check(self, record: "Any") -> None:
+        """Refuse numbers that are not finite, and a check of ours that failed."""
+        check_numbers(record, self.result, "")
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
         """The results as an object, results that do not exist left out."""
@@ -295,39 +314,3 @@ def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
             nest.append([])
         nest = nest[step]
     return nest
-
-
-def check_numbers(record: "Any", spec: Record, address: str) -> None:
-    """Refuse a record that holds a number beyond the range of a double, or a check that failed."""
-    for field in spec.fields:
-        value = getattr(record, field.name)
-        own = f"{address}.{field.key}" if address else field.key
-        node = field.node
-        if value is None or (isinstance(node, Record) and node.cls is Numerics):
-            continue
-        if isinstance(node, Record):
-            check_numbers(value, node, own)
-        elif isinstance(node, Many) and isinstance(node.item, Record) and node.item.cls is Check:
-            for check in value:
-                if not check.passed:
-                    hint = "this is a bug: please report it with the inputs"
-                    raise FaultError(f"our own check failed: {check.name} ({check.value})", code="check", hint=hint)
-        elif isinstance(value, Columns):
-            for name, column in value.arrays.items():
-                _check_number(column.tolist(), f"{own}.{name}")
-        elif isinstance(node, Many) and isinstance(node.item, Record):
-            if node.item.cls is not Advice:
-                for item in value if isinstance(value, tuple | list) else (value,):
-                    check_numbers(item, node.item, own)
-        else:
-            _check_number(value, own)
-
-
-def _check_number(value: "Any", address: str) -> None:
-    if isinstance(value, tuple | list):
-        for item in value:
-            _check_number(item, address)
-    elif isinstance(value, float) and not -INFINITY < value < INFINITY:
-        raise InadmissibleError(
-            f"{address} leaves the range of a double", code="range", hint="check the size of the inputs"
-        )

@@ -19,6 +19,7 @@ from dynamics_cli.core.uncertainty.limits_and_quantiles import (
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.model import TaskModel
 from dynamics_cli.core.uncertainty.propagation import DEFAULT_ACCURACY, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty.tails import drop_moments
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.quadrature.lattice import DEFAULT_SEED
 
@@ -125,7 +126,7 @@ def spread_of(
         **(more or {}),
     )
     for spread in made.spreads.values():
-        spread.drop_moments(made.coverage)
+        drop_moments(spread, made.coverage)
     return made
 
 

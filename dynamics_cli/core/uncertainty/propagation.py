@@ -5,8 +5,6 @@ deviation and interval with an error estimate of its own; variance shares; covar
 and, labelled apart, the range over the corners of all the inputs' intervals.
 """
 
-import math
-
 import numpy as np
 
 from dynamics_cli.core.deadline import Reached, stop
@@ -18,6 +16,7 @@ from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, 
 from dynamics_cli.core.uncertainty.methods.scanned_lines import exceedance
 from dynamics_cli.core.uncertainty.methods.surrogate import StandIn, suits
 from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.core.uncertainty.straight import Straight
 from dynamics_cli.core.uncertainty.variance_shares import Shares, variance_shares
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.numerics.distributions import normal
@@ -43,11 +42,6 @@ CURVE_POINTS = 121
 MOST_MISSED = 0.1
 
 
-# An error of the moments, in deviations, above which they are not settled; and deviations beside that of a normal
-# distribution of the same interval which the tails alone make, and which the mean does not survive either.
-UNSETTLED, LONG_TAILED, TAILS_ALONE = 0.02, 1.5, 10.0
-
-
 class Spread:
     """One result's distribution in numbers."""
 
@@ -68,18 +62,6 @@ class Spread:
         self.cumulative: tuple[list[float], list[float]] = ([], [])
         self.corners: tuple[float, float] | None = None
         self.tornado: list[tuple[float, float]] = []
-
-    def drop_moments(self, coverage: float) -> None:
-        """Leave out a deviation, and a mean, that its tails make as large as one likes: their integrals do not settle.
-
-        As beside zero drag, where times and distances have no bound.
-        """
-        score = -normal.quantile(0.5 * (1.0 - coverage))
-        usual = (self.interval[1] - self.interval[0]) / (2.0 * score)
-        if self.estimate > UNSETTLED and self.std > LONG_TAILED * usual:
-            self.mean = self.mean if self.std < TAILS_ALONE * usual else math.nan
-            self.std = math.nan
-            self.tails = True
 
     @property
     def varies(self) -> bool:
@@ -148,7 +130,8 @@ def propagate(
     every result with a limit, or else of the first that varies; `partly` for what was done when a time limit came.
     """
     if method not in METHODS:
-        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
+        hint = f"the methods are {', '.join(METHODS)}"
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=hint)
     if not 0.0 < coverage < 1.0:
         raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
     space = Space(model, distributions, correlation or {})
@@ -208,14 +191,15 @@ def _distribute(
 ) -> None:
     sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
     limits, levels = wanted
+    straight = Straight(space, probe, goal.seed)
     for row, name in enumerate(space.results):
         # A curve is looked at of the limited results, or of the first that varies.
         curve = goal.curve and (name in limits if limits else not made.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
-        twin = next((space.results[i] for i in range(row) if np.array_equal(probe[i], probe[row], equal_nan=True)), "")
+        twin, scale, shift = straight.of(row)
         more = {name, twin} & (limits.keys() | levels.keys())
-        if twin and not more:
-            made.spreads[name] = _copy(made.spreads[twin], name)
+        if twin and not more and not curve:
+            made.spreads[name] = _copy(made.spreads[twin], name, scale, shift)
         elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
             made.spreads[name] = _constant(name, float(probe[row, 0]), own)
         elif sample is not None:
@@ -241,9 +225,15 @@ def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array"
     return spread
 
 
-def _copy(spread: Spread, name: str) -> Spread:
+def _copy(spread: Spread, name: str, scale: float, shift: float) -> Spread:
+    """The distribution of scale · x + shift."""
     made = Spread.__new__(Spread)
     made.__dict__.update(spread.__dict__, name=name)
+    if (scale, shift) != (1.0, 0.0):
+        low, high = sorted(scale * end + shift for end in spread.interval)
+        made.interval = (low, high)
+        made.median, made.mean = scale * spread.median + shift, scale * spread.mean + shift
+        made.std = abs(scale) * spread.std
     return made
 
 

@@ -174,7 +174,8 @@ def require_damage(vehicle: Damaged | Opponent, name: str) -> None:
     """Both the stiffness and the crush, or neither of them but an energy."""
     profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
     stiffness = ("stiffness_a", "stiffness_b")
-    missing, ways = "damage", (("energy",), ("ees",), stiffness + profiles[0])
+    missing = "damage"
+    ways: tuple[tuple[str, ...], ...] = (("energy",), ("ees",), stiffness + profiles[0])
     if vehicle.stiffness is not None:
         missing, ways = "crush profile", profiles
     elif vehicle.profile is not None:

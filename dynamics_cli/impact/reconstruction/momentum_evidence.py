@@ -19,6 +19,10 @@ from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import Energy, Fraction, Ratio, RoadSpeed
 from dynamics_cli.records import Advice, Check
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 def with_verdicts(
     answer: MomentumResult, terms: list[Term], verdicts: list[tuple[Term, SpeedVerdict]], condition: float | None
@@ -43,9 +47,9 @@ def with_energy_verdicts(
     """
     closing, apart = answer.closing_along_impulse, after[1] - after[0]
     total = terms[0].mass + terms[1].mass
-    sides: dict[str, object] = {}
+    sides: dict[str, Any] = {}
     verdicts = []
-    for name, term, other, way in (("first", *terms[:2], side), ("second", *terms[1::-1], -side)):
+    for name, term, other, way in (("first", terms[0], terms[1], side), ("second", terms[1], terms[0], -side)):
         # by the speeds after, which shift the common speed and the closing one
         turned = way * (other.mass / total) * (apart / closing)
         steep = terms[0].mass / total - turned, terms[1].mass / total + turned
@@ -57,7 +61,7 @@ def with_energy_verdicts(
         sides[name] = Reconstructed(**{**getattr(answer, name).__dict__, "determined": verdict})
     (_, _, one), (_, _, two) = verdicts
     worst = where(one.tolerance <= two.tolerance, one.verdict, two.verdict)  # type: ignore[operator,arg-type]
-    advice = energy_advice(verdicts) + answer.advice  # type: ignore[arg-type]
+    advice = energy_advice(verdicts) + answer.advice
     return MomentumResult(**{**answer.__dict__, **sides, "verdict": worst, "advice": advice})
 
 

@@ -101,10 +101,10 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
 def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
     """The verdict of the speed that is decided least."""
     for other in others:
-        lower = one.heading_tolerance <= other.heading_tolerance
+        lower = one.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
         one = SpeedVerdict(
             where(lower, one.verdict, other.verdict),  # type: ignore[arg-type]
-            where(lower, one.heading_tolerance, other.heading_tolerance),
+            where(lower, one.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
             where(lower, one.worst_heading, other.worst_heading),  # type: ignore[arg-type]
         )
     return one
@@ -114,7 +114,7 @@ def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
     """Refuse two speeds along paths next to one line, unless momentum determines one of them all the same."""
     (one, first), (other, second) = verdicts
     judge(
-        (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),
+        (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),  # type: ignore[operator]
         "the directions of {one} and {other} are too close to one line: their angle condition is {kappa}, above "
         "12, and heading errors of {first:3} and {second:3} change the speeds by a tenth",
         one=one.name,

@@ -59,11 +59,11 @@ class _Strips:
     def strip(self, points: "Array") -> "Array":
         """The number of the strip of each point."""
         share = (points[:, self.across] - self.low[self.across]) / self.extent[self.across]
-        return np.clip((share * self.number).astype(int), 0, self.number - 1)
+        return np.clip((share * self.number).astype(int), 0, self.number - 1)  # type: ignore[no-any-return]
 
     def place(self, points: "Array") -> "Array":
         """How far along the sweep each point is, as a share of the way to the next strip's number."""
-        return HALF * (points[:, self.along] - self.low[self.along]) / self.extent[self.along]
+        return HALF * (points[:, self.along] - self.low[self.along]) / self.extent[self.along]  # type: ignore[no-any-return]
 
     def entries(self, low: "Array", high: "Array") -> "tuple[Array, Array]":
         """Every box once for each strip that it reaches: the box, and the strip."""

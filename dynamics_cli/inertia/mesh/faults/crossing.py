@@ -78,7 +78,7 @@ class _Planes:
         sides = self.clear_sides(number, points)
         flush = np.flatnonzero(sides == 0.0)
         flush = flush[self._hold(number[flush], points[flush])]
-        sides[flush] = _side(*(self.corners[number[flush], k] for k in range(3)), points[flush])
+        sides[flush] = _side(*(self.corners[number[flush], k] for k in range(3)), points[flush])  # type: ignore[call-arg]
         return sides, flush[sides[flush] == 0.0]
 
     def _hold(self, number: "Array", points: "Array") -> "Array":
@@ -96,7 +96,7 @@ class _Planes:
     def may_cross(self, one: "Array", other: "Array") -> "Array":
         """Whether the others' corners are not all clearly on one side of the planes of the first."""
         first, second, third = (self.clear_sides(one, self.corners[other, k]) for k in range(3))
-        return (first == 0.0) | (first != second) | (second != third)
+        return (first == 0.0) | (first != second) | (second != third)  # type: ignore[no-any-return]
 
 
 def _pierced(p: "Array", q: "Array", corners: "Array") -> "Array":
@@ -167,7 +167,7 @@ def _turn(u: "Array", v: "Array", p: "Array", plane: "tuple[int, int]") -> "Arra
     x, y = high[:, i] - low[:, i], high[:, j] - low[:, j]
     value = np.sign(x * (p[:, j] - low[:, j]) - y * (p[:, i] - low[:, i]))
     value = np.where(value == 0.0, np.where(y == 0.0, np.sign(x), -np.sign(y)), value)
-    return np.where(swapped, -value, value)
+    return np.where(swapped, -value, value)  # type: ignore[no-any-return]
 
 
 class Placement:

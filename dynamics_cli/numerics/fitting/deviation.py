@@ -12,16 +12,16 @@ with every rounding inside; |b″| of a cubic is that of its control points, of 
 
 import numpy as np
 
-from dynamics_cli.cam.export.approximation import bezier
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import UP, Disc
+from dynamics_cli.numerics.fitting.pieces import bezier
 from dynamics_cli.quantities import Angle, Size
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.export.path import Path
+    from dynamics_cli.numerics.fitting.path import Path
 
 SHARE = 0.02
 """What the second-order term of a cell may add to the tolerance."""
@@ -40,35 +40,11 @@ SLIVER = 2.0**-48
 def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, points: "Any", tolerance: float) -> "Any":
     """Bounds of the distance between the curve and each of its pieces, both ways.
 
-    Parameters
-    ----------
-    path : Path
-        The curve.
-    piece : int
-        Which smooth piece of the motion.
-    places : array (n + 1,)
-        Cam angles of the ends.
-    shape : array
-        Bulges (n,), or the inner control points (n, 2, 2) of cubics.
-    form : str
-        "arcs", "cubics" or "lines".
-    points : array (n + 1, 2)
-        The ends as they are written.
-    tolerance : float
-        Decides how fine the cells are [m].
+    `path`: the curve; `piece`: which smooth piece of the curve; `places`: parameters of the ends; `shape`: bulges
+    (n,), or the inner control points (n, 2, 2) of cubics; `form`: "arcs", "cubics" or "lines"; `points`: the ends as
+    they are written; `tolerance`: decides how fine the cells are [m]. Returns a bound for each [m]. Raises
+    InadmissibleError when it would take more than four million cells, or nothing is known of the curve's acceleration.
 
-    Returns
-    -------
-    array (n,)
-        A bound for each [m].
-
-    Raises
-    ------
-    InadmissibleError
-        When it would take more than four million cells, or nothing is known of the curve's acceleration.
-
-    Notes
-    -----
     See the module. The ends are those written: that they are on the curve is not assumed.
     """
     coarse = _coarse(path, piece, places)
@@ -120,10 +96,10 @@ def _coarse(path: "Path", piece: int, places: "Any") -> "tuple[Any, ...]":
         low = np.repeat(low, parts) + np.repeat((high - low) / parts, parts) * number
     require(
         not bad.any(),
-        "the curve bends too sharply at a cam angle of {place:6} for a deviation to be proved",
+        f"the curve bends too sharply at a {path.parameter} of {{place:6}} for a deviation to be proved",
         place=(low[int(np.argmax(bad))], Angle),
         code="not-proved",
-        hint="the contact nearly stops there: raise the base radius",
+        hint=path.sharp,
     )
     return owner, low, high, bend, fast
 

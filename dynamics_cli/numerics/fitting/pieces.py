@@ -1,4 +1,4 @@
-"""Arcs, cubics or lines along a path, as few as a tolerance allows, split at every joint of the laws.
+"""Arcs, cubics or lines along a path, as few as a tolerance allows, split at every joint of its smooth pieces.
 
 Pieces touch the exact curve at their ends with its direction. A pair of arcs meets on the curve; a cubic also meets it
 at two places inside, which leaves an error of sixth order. Places are spread so that every piece errs alike.
@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.cam.export.path import OnPiece, Path
+    from dynamics_cli.numerics.fitting.path import OnPiece, Path
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
 # (1 − x²)²(x² − a²) is least at its worst for this a
@@ -33,33 +33,18 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
 
 
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
-    """Places of the pieces' ends on every smooth piece of the motion, and what stands between them.
+    """Places of the pieces' ends on every smooth piece of the curve, and what stands between them.
 
-    Parameters
-    ----------
-    path : Path
-        The curve.
-    form : str
-        "arcs", "cubics" or "lines".
-    tolerance : float
-        What a piece may err, as sampled; the proof is made afterwards [m].
-
-    Returns
-    -------
-    list
-        For each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n, 2).
-
-    Raises
-    ------
-    InadmissibleError
-        When it would take more than 20,000 pieces.
+    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
+    made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
+    2). Raises InadmissibleError when it would take more than 20,000 pieces.
     """
     made = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
         if path.still[index] and form == "arcs":
             count = max(1, int(np.ceil((end - start) / pi - 1e-9)))
             places = np.linspace(start, end, count + 1)
-            made.append((index, places, np.full(count, -path.geometry.turn * np.tan(0.25 * (end - start) / count))))
+            made.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
         made.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
     return made

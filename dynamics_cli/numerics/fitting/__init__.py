@@ -1,0 +1,1 @@
+"""Arcs, cubics and lines fitted to a curve, with a proved deviation."""

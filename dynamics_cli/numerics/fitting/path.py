@@ -1,0 +1,45 @@
+"""What fitting and its proof ask of a curve."""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, Protocol
+
+    from dynamics_cli.numerics.discs import Disc
+
+    class Path(Protocol):
+        """A closed curve of smooth pieces over one parameter, with enclosures of itself and of its acceleration.
+
+        `starts` and `ends` are arrays, one place for each piece; `still` says which pieces are circles that run against
+        `turn`. Refusals name the `parameter`; `sharp` is their hint where nothing is known of the acceleration.
+        """
+
+        starts: Any
+        ends: Any
+        still: Any
+        turn: float
+        parameter: str
+        sharp: str
+
+        def at(self, theta: Any, piece: int | None = None) -> tuple[Any, ...]:
+            """Point, unit direction of travel and speed, five arrays."""
+
+        def on(self, piece: int) -> "OnPiece":
+            """The curve seen from within one piece."""
+
+        def points(self, theta: Any, piece: int) -> tuple[Disc, Disc]:
+            """Discs that hold the coordinates."""
+
+        def acceleration(self, theta: Any, half: Any, piece: int) -> tuple[Any, Any]:
+            """Bounds of |z″| and |z′| on cells of middle `theta` and half width `half`."""
+
+
+class OnPiece:
+    """A curve seen from within one of its pieces: what is fitted to it needs no more."""
+
+    def __init__(self, path: "Path", piece: int) -> None:
+        self.path = path
+        self.piece = piece
+
+    def at(self, theta: "Any") -> "tuple[Any, ...]":
+        """Point, unit direction and speed, from within the piece."""
+        return self.path.at(theta, self.piece)
