@@ -278,6 +278,8 @@ def _node(results: "Any", address: str) -> "Any":
 
 def _deviation(node: "dict[str, Any]") -> float:
     """How far an uncertain result spreads: its deviation, a quarter of its interval where it has none."""
+    if isinstance(node.get("std"), list):
+        return 0.0  # a vector's are by component
     if node.get("std"):
         return float(node["std"])
     low, high = node.get("interval") or (0.0, 0.0)
