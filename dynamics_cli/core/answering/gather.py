@@ -8,6 +8,7 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.core.terminal import Terminal
@@ -38,9 +39,20 @@ def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, 
     file = settings.input or scene
     if scene and settings.input:
         raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
-    if not file:
-        return Gathered(raw, Reader(terminal.environ))
-    return over_file(task, raw, file, terminal)
+    gathered = over_file(task, raw, file, terminal) if file else Gathered(raw, Reader(terminal.environ))
+    gathered.reader.spell = _spelling(task, call, file=bool(file) or rows)
+    return gathered
+
+
+def _spelling(task: Task, call: Call, *, file: bool) -> "Callable[[str], str]":
+    """How this call writes a parameter; only messages ask."""
+
+    def spell(address: str) -> str:
+        from dynamics_cli.core.inputs.spelling import Spelling
+
+        return Spelling(task.options, call.options, file=file)(address)
+
+    return spell
 
 
 def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal") -> Gathered:

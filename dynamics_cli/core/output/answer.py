@@ -135,7 +135,7 @@ class _Answer:
         remarks = []
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
-            std = 0.0 if self.asked else node["std"]
+            std = 0.0 if self.asked else deviation(self.results, address)
             low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]

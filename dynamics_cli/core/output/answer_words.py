@@ -80,9 +80,14 @@ def node_at(results: "Any", address: str) -> "Any":
 
 
 def deviation(results: "Any", address: str) -> float:
-    """The standard deviation of an uncertain result; 0 for another."""
+    """How far an uncertain number spreads: its deviation, a quarter of its interval where it has none; 0 for another."""
     node = node_at(results, address)
-    return (node.get("std") or 0.0) if isinstance(node, dict) else 0.0
+    if not isinstance(node, dict) or "std" not in node or isinstance(node["std"], list):
+        return 0.0
+    if node["std"]:
+        return float(node["std"])
+    low, high = node.get("interval") or (0.0, 0.0)
+    return 0.25 * (high - low) if not isinstance(low, list) else 0.0
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
