@@ -1,7 +1,7 @@
 """The families: the one list that the command line, help, accuracy, import contracts and documents read."""
 
 # The trades that families are listed by in `dynamics --help`, in this order.
-GROUPS = ("Units and coordinates", "Crash reconstruction", "Bodies", "Machine parts", "About the program")
+GROUPS = ("Units and coordinates", "Crash reconstruction", "Bodies", "Kinematics", "Machine parts", "About the program")
 
 
 class Entry:
@@ -58,20 +58,26 @@ FAMILIES: "dict[str, Entry]" = {
         references=("inertia_bodies.json",),
         questions="dynamics_cli.accuracy.alternatives.inertia.questions",
     ),
+    "linkage": Entry(
+        "dynamics_cli.linkage.commands",
+        GROUPS[3],
+        "Four-bars, slider-cranks, coupler curves, linkages from scenes.",
+        references=("linkage.json",),
+    ),
     "cam": Entry(
         "dynamics_cli.cam.commands",
-        GROUPS[3],
+        GROUPS[4],
         "Cam motions, profiles, sizes, forces, files for machines.",
         questions="dynamics_cli.accuracy.alternatives.cam.questions",
     ),
     "gear": Entry(
         "dynamics_cli.gear.commands",
-        GROUPS[3],
+        GROUPS[4],
         "Gear geometry, measurement, pairs, trains and ratios.",
         references=("gear_geometry.json", "gear_trains.json", "gear_meshes.json"),
         questions="dynamics_cli.accuracy.alternatives.gear.questions",
     ),
     "accuracy": Entry(
-        "dynamics_cli.accuracy.commands", GROUPS[4], "Speed against error of every method, measured here and now."
+        "dynamics_cli.accuracy.commands", GROUPS[5], "Speed against error of every method, measured here and now."
     ),
 }

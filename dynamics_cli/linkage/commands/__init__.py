@@ -1,0 +1,13 @@
+"""The tasks of `dynamics linkage`."""
+
+from dynamics_cli.core.answering.task import Family
+from dynamics_cli.linkage.commands import fourbar, sliders
+
+FAMILIES = {
+    "linkage": Family(
+        "linkage",
+        "Four-bars, slider-cranks, coupler curves, bodies in plane motion, and linkages from scenes.",
+        *fourbar.TASKS,
+        *sliders.TASKS,
+    )
+}
