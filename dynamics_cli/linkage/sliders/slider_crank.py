@@ -203,8 +203,7 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "Columns[Slide
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     a, b, e = plain(a), plain(b), plain(e)
     theta = np.linspace(0.0, 2.0 * np.pi, steps + 1)
-    height = e - a * np.sin(theta)
-    theta, height = theta[np.abs(height) <= b], height[np.abs(height) <= b]
+    theta = theta[np.abs(e - a * turned(theta)[1]) <= b]
     require(
         theta.size > 0,
         "the rod of {rod} reaches the slide at no crank angle",
@@ -212,9 +211,10 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "Columns[Slide
         code="unreachable",
         hint="lengthen the rod, or bring the slide nearer to the crank's pivot",
     )
+    cosine, sine = turned(theta)
+    height = e - a * sine
     side = 1.0 if end == RIGHT else -1.0
     reach = side * np.sqrt((b - height) * (b + height))
-    cosine, sine = np.cos(theta), np.sin(theta)
     with np.errstate(all="ignore"):
         lean = -a * cosine / reach
         bend = (a * sine + lean * lean * height) / reach
