@@ -116,7 +116,7 @@ def body(
     --------
     >>> made = body(point=(0.0, 0.0), velocity=(2.0, 0.0), rest=Turning(angular_velocity=4.0))
     >>> made.instant_centre
-    (-0.0, 0.5)
+    (0.0, 0.5)
     """
     parting = None
     if isinstance(rest, TwoPoints):

@@ -46,9 +46,7 @@ class JointMotion:
     position: Annotated[PartPoint, "Its far end [m]."]
     velocity: Annotated[PartVelocity, "Velocity of the far end [m/s]."]
     acceleration: Annotated[PartAcceleration, "Acceleration of the far end [m/s^2]."]
-    partial_velocity: Annotated[
-        PartPoint, "Change of the tip's position per radian of this link's given angle [m]."
-    ]
+    partial_velocity: Annotated[PartPoint, "Change of the tip's position per radian of this link's given angle [m]."]
 
 
 @record
@@ -91,8 +89,8 @@ def chain(
 
     Examples
     --------
-    >>> chain(links=(ChainLink(0.3, 0.0, 2.0), ChainLink(0.2, 1.5707963267948966, 0.0))).velocity
-    (-0.0, 0.6)
+    >>> chain(links=(ChainLink(0.3, 0.0, 2.0), ChainLink(0.2, 1.5707963267948966, 0.0))).velocity[1]
+    0.6
     """
     group = links if isinstance(links, tuple) else (links,)
     require(len(group) > 0, "a chain needs at least one link", code="no-links")

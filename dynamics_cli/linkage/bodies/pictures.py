@@ -1,5 +1,6 @@
 """Pictures of a body in plane motion and of a chain."""
 
+from itertools import pairwise
 from math import cos, pi, sin
 
 from dynamics_cli.linkage.bodies.body import body_line
@@ -46,13 +47,16 @@ def body_picture(
     if made.inflection_diameter and made.inflection_diameter < 10.0 * size:
         px, py = made.instant_centre
         radius = 0.5 * made.inflection_diameter
-        cx, cy = px + radius * cos(made.inflection_direction or 0.0), py + radius * sin(made.inflection_direction or 0.0)
+        cx, cy = (
+            px + radius * cos(made.inflection_direction or 0.0),
+            py + radius * sin(made.inflection_direction or 0.0),
+        )
         items.append(
             Curve([cx + radius * cos(t) for t in CIRCLE], [cy + radius * sin(t) for t in CIRCLE], "inflection circle",
                   "dashed", 5)
         )  # fmt: skip
     if made.zero_acceleration:
-        items.append(Mark(*made.zero_acceleration, "zero acceleration", (5.0, -12.0)))
+        items.append(Mark(made.zero_acceleration[0], made.zero_acceleration[1], "zero acceleration", (5.0, -12.0)))
     items += [Mark(at[0], at[1], name.strip(), (-12.0, -12.0)) for at, _, name in marks]
     items += _arrows(marks, size, 0, "v")
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
@@ -62,10 +66,10 @@ def body_picture(
 def chain_picture(made: "Any", **_: "Any") -> Picture:
     """The links with velocity and acceleration of every joint."""
     joints = [(0.0, 0.0), *(joint.position for joint in made.joints)]
-    size = sum(abs(complex(*b) - complex(*a)) for a, b in zip(joints, joints[1:], strict=False))
+    size = sum(abs(complex(*b) - complex(*a)) for a, b in pairwise(joints))
     items: list[Any] = [
         Curve([a[0], b[0]], [a[1], b[1]], f"link {number}", "thick", number - 1)
-        for number, (a, b) in enumerate(zip(joints, joints[1:], strict=False), 1)
+        for number, (a, b) in enumerate(pairwise(joints), 1)
     ]
     items += [Mark(at[0], at[1], "") for at in joints]
     items += _arrows([(joint.position, joint.velocity, "") for joint in made.joints], size, 2, "v")

@@ -11,7 +11,8 @@ BODY = Task(
         "rigid body in plane motion",
         "dynamics_cli.linkage.bodies.body:body",
         source=BOOK + "sections 5.3, 5.4, 5.7 and 5.8",
-        formula="P = A + k×v/{angular_velocity|ω}; J = A + a·({angular_velocity|ω}² + i·α)/({angular_velocity|ω}⁴ + α²)",
+        formula="P = A + k×v/{angular_velocity|ω}; "
+        "J = A + a·({angular_velocity|ω}² + i·α)/({angular_velocity|ω}⁴ + α²)",
         assumptions=("the body is rigid and moves in one plane",),
     ),
     headline=(

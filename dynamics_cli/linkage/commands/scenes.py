@@ -19,10 +19,7 @@ SOLVE = Task(
     ),
     headline=(
         "assembly: assembly",
-        "assemblies: assemblies possible",
-        "solved_by: solved by",
         "pin_error: pins proved to",
-        "nearest_other: nearest other assembly",
         "links: link | name, angle, speed=ω, acceleration=α",
         "pins: pin | name, position, velocity, acceleration",
         "every_assembly: assembly | number, sides, pin, position",

@@ -12,7 +12,8 @@ SLIDER_CRANK = Task(
         "closed form",
         "dynamics_cli.linkage.sliders.slider_crank:slider_crank",
         source=BOOK,
-        formula="{position|x} = {crank|a}·cos{crank_angle|θ} + √({rod|b}² − ({offset|e} − {crank|a}·sin{crank_angle|θ})²)",
+        formula="{position|x} = {crank|a}·cos{crank_angle|θ} + "
+        "√({rod|b}² − ({offset|e} − {crank|a}·sin{crank_angle|θ})²)",
         assumptions=(RIGID, "no friction where torques are given"),
     ),
     headline=(

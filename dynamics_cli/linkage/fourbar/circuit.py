@@ -66,8 +66,7 @@ class Circuit:
 
     def _turning(self, u: "Any") -> "tuple[Jet, Jet, Jet]":
         links = self.links
-        a, b, c, d = links.lengths
-        ad = links.product
+        b, c, ad = links.b, links.c, links.product
         if self.turns == 2:
             half_cosine, half_sine = wave(u)
             turn, across = half_cosine * half_cosine * 2.0 - 1.0, half_cosine * half_sine * 2.0

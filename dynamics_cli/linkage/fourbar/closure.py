@@ -94,14 +94,16 @@ def discriminants(links: Frame, half: "tuple[float, float]") -> "tuple[float, fl
     first = where(
         links.outer >= 0.0, links.outer * (a + b + c + d) + far, (b + c - links.apart) * (b + c + links.apart) - near
     )
-    second = where(
-        links.inner >= 0.0, links.inner * (links.apart + gap) + near, (a + d - gap) * (a + d + gap) - far
-    )
+    second = where(links.inner >= 0.0, links.inner * (links.apart + gap) + near, (a + d - gap) * (a + d + gap) - far)
     return first, second
 
 
 def close(
-    links: Frame, turn: "tuple[float, float]", half: "tuple[float, float]", side: float, drop: "tuple[Any, Any] | None" = None
+    links: Frame,
+    turn: "tuple[float, float]",
+    half: "tuple[float, float]",
+    side: float,
+    drop: "tuple[Any, Any] | None" = None,
 ) -> Closed:
     """Close the loop at a crank angle.
 
@@ -183,7 +185,7 @@ def _responses(links: Frame, turn: "Any", half: "Any", roots: "Any", smooth: "An
         zip(*plain, strict=True)
     ):
         sine = plain[2][index] / product
-        small = Frame(*([0.0] * 9), product, 0.0)
+        small = Frame(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, product, 0.0)
         out[:, index] = _response(small, (cosine, sine), (half_cosine, half_sine), (r1, r2), (first, second))
     return out[0].reshape(cells[0].shape), out[1].reshape(cells[0].shape)
 

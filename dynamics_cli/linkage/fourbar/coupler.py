@@ -1,13 +1,12 @@
 """The curve of a coupler point: its shape, length, cusps, crossings, cognates, and files of it."""
 
-
-
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of
 from dynamics_cli.linkage.fourbar.lengths import require_links
+from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
 from dynamics_cli.outlines import Drawing
-from dynamics_cli.quantities import Angle, Annotated, Area, Coordinate, Count, PartPoint, Ratio, Size, Text
+from dynamics_cli.quantities import Annotated, Area, Coordinate, Count, PartPoint, Size, Text
 from dynamics_cli.records import Advice, Check, Choice, Columns, ErrorBound, Numerics, record
 
 
@@ -20,26 +19,6 @@ class Form(Choice):
 
 ARCS = Form("arcs")
 MANY = 1_000_000
-
-
-@record
-class CurvePoint:
-    """One point of the curve."""
-
-    crank_angle: Annotated[Angle, "Crank angle θ₂ [rad]."]
-    x: Annotated[Coordinate, "The point, from O₂ along O₂–O₄ [m]."]
-    y: Annotated[Coordinate, "The same, square to it [m]."]
-    tangent_angle: Annotated[Angle | None, "Direction of travel; none at a cusp [rad]."]
-
-
-@record
-class Special:
-    """A cusp, or a point that the curve passes twice."""
-
-    crank_angle: Annotated[Angle, "Crank angle there [rad]."]
-    second_crank_angle: Annotated[Angle | None, "Crank angle of the second passage; none of a cusp [rad]."]
-    x: Annotated[Coordinate, "The point [m]."]
-    y: Annotated[Coordinate, "The same, upwards [m]."]
 
 
 @record
@@ -69,12 +48,12 @@ class CouplerCurve:
     crank_turns: Annotated[Count, "Turns of the crank in which it closes; 0 where the crank swings."]
     kind: Annotated[Text, "Class of the linkage."]
     cognates: Annotated[tuple[Cognate, ...], "The two other four-bars that trace it."]
+    points: Annotated[Columns[CurvePoint], "The curve, its first point not repeated."]
     cusps: Annotated[tuple[Special, ...] | None, "Where the point stops and turns back."] = None
     crossings: Annotated[tuple[Special, ...] | None, "Points that the curve passes twice."] = None
     deviation: Annotated[Size | None, "Largest distance between drawing and exact curve, as proved [m]."] = None
     pieces: Annotated[Count | None, "Arcs, cubics or lines of the drawing."] = None
     shape: Annotated[Drawing | None, "The curve."] = None
-    points: Annotated[Columns[CurvePoint], "The curve, its first point not repeated."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -189,7 +168,6 @@ def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ..
     ):
         size = abs(share)
         own = arm * size / share if size else complex(arm)
-        made.append(Cognate(name, *(size * link for link in links), pivot, third, (own.real, own.imag)))  # type: ignore[arg-type]
+        one, two, three, four = (size * link for link in links)
+        made.append(Cognate(name, one, two, three, four, pivot, third, (own.real, own.imag)))
     return tuple(made)
-
-

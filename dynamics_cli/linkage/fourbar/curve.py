@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics_cli.linkage.fourbar.circuit import FULL, Circuit, CouplerPath
-from dynamics_cli.linkage.fourbar.coupler import CurvePoint, Special
+from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
 from dynamics_cli.numerics.fitting.outline import outlined
 from dynamics_cli.records import Columns
 

@@ -46,9 +46,7 @@ def four_bar(
     speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,
     load_torque: Annotated[Torque | None, "Torque that the rocker delivers, e.g. 20 N*m."] = None,
-    point: Annotated[
-        PartPoint | None, "A coupler point P from A, along AB and to its left, e.g. 60, 40 mm."
-    ] = None,
+    point: Annotated[PartPoint | None, "A coupler point P from A, along AB and to its left, e.g. 60, 40 mm."] = None,
     steps: Annotated[Count, "Steps of the table over the crank angles that can be reached."] = 24,
 ) -> FourBar:
     """Position, velocity and acceleration of a four-bar linkage on both branches, or its table over the crank angle.
@@ -80,8 +78,9 @@ def four_bar(
 
     Examples
     --------
-    >>> four_bar(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, crank_angle=0.6981317007977318).rocker_angle
-    1.0005079...
+    >>> pose = four_bar(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, crank_angle=0.6981317007977318)
+    >>> round(pose.rocker_angle, 12)
+    1.000507900539
     """
     require_links(crank, coupler, rocker, ground)
     lengths = (crank, coupler, rocker, ground)
@@ -97,45 +96,57 @@ def four_bar(
     both = discriminants(links, half)
     require_closed(links, both, crank_angle)
     loop, other = (close(links, turn, half, sign * side, both) for sign in (1.0, -1.0))
-    speeds = ratios(links, loop)
     if speed is not None or load_torque is not None:
         _require_movable(loop, links)
-    rate = 0.0 * crank_angle if speed is None else speed
-    square = rate * rate
-    bends = (
-        speeds[0] * angular_acceleration + speeds[2] * square,
-        speeds[1] * angular_acceleration + speeds[3] * square,
-    )
-    pin = (crank * turn[0], crank * turn[1])
-    moving = speed is not None
-    place = None if point is None else _carried(links, loop, pin, point)
-    motion = _motion(pin, place, (rate, angular_acceleration), (speeds[0] * rate, bends[0])) if place else (None, None)
-    transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
     shown = _shown(loop, links) if alone else True
+    speeds = ratios(links, loop)
+    transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
+    pin = (crank * turn[0], crank * turn[1])
     return FourBar(
         rocker_angle=_angle(loop.cy, loop.cx),
         coupler_angle=_angle(loop.by, loop.bx),
         transmission_angle=transmission,
         rocker_ratio=speeds[1] if shown else None,
         coupler_ratio=speeds[0] if shown else None,
-        rocker_speed=speeds[1] * rate if moving else None,
-        coupler_speed=speeds[0] * rate if moving else None,
-        rocker_acceleration=bends[1] if moving else None,
-        coupler_acceleration=bends[0] if moving else None,
         crank_torque=None if load_torque is None else load_torque * speeds[1],
         other_rocker_angle=_angle(other.cy, other.cx),
         other_coupler_angle=_angle(other.by, other.bx),
         other_rocker_ratio=ratios(links, other)[1] if shown else None,
         crank_pin=pin,
         rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
-        position=place,
-        velocity=motion[0] if moving else None,
-        acceleration=motion[1] if moving else None,
+        **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
         kind=kind,
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and shown else (),
         advice=(*closeness(lengths, kind or ""), *_poor(transmission, alone)),
     )
+
+
+def _moving(
+    links: Frame,
+    loop: Closed,
+    pin: "Pair",
+    speeds: "tuple[float, ...]",
+    crank: "tuple[float | None, float]",
+    point: "Pair | None",
+) -> "dict[str, Any]":
+    """What the crank's motion makes of coupler, rocker and coupler point."""
+    place = None if point is None else _carried(links, loop, pin, point)
+    speed, bend = crank
+    if speed is None:
+        return {"position": place}
+    square = speed * speed
+    bends = (speeds[0] * bend + speeds[2] * square, speeds[1] * bend + speeds[3] * square)
+    motion = None if place is None else _motion(pin, place, (speed, bend), (speeds[0] * speed, bends[0]))
+    return {
+        "position": place,
+        "velocity": motion and motion[0],
+        "acceleration": motion and motion[1],
+        "rocker_speed": speeds[1] * speed,
+        "coupler_speed": speeds[0] * speed,
+        "rocker_acceleration": bends[1],
+        "coupler_acceleration": bends[0],
+    }
 
 
 def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:

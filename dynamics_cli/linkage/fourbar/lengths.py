@@ -1,12 +1,12 @@
 """Lengths of a four-bar as they were typed: sums and differences that decide are formed from the decimals.
 
-A length reaches physics as the double nearest to what was typed. The shortest decimal of that double is what was typed,
-whenever it had up to fifteen digits and a decimal unit (millimetres and inches are), so that 0.1 + 0.7 equals 0.5 + 0.3.
+A length reaches physics as the double nearest to what was typed. The shortest decimal of that double is what was typed
+whenever it had up to fifteen digits and a decimal unit (millimetres and inches are): 0.1 + 0.7 equals 0.5 + 0.3.
 """
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, where
-from dynamics_cli.numerics.number import is_array, is_carrier, is_tracked, plain
+from dynamics_cli.numerics.number import is_array, is_carrier, is_tracked, plain, single
 from dynamics_cli.quantities import Size
 
 TYPE_CHECKING = False
@@ -71,16 +71,17 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
         size = size + length
     if is_carrier(total) and not is_tracked(total):
         return total
-    if is_array(total) and getattr(total, "ndim", 0):
-        return _of_arrays(signs, lengths, total, size)
+    if is_array(total) and not single(total):
+        return _of_arrays(signs, lengths, total, size)  # type: ignore[no-any-return]
     if abs(plain(total)) > NEAR * plain(size):
         return total
     exact = _signed_sum(signs, lengths)
     if not is_tracked(total):
         return exact
     # the bound is of the doubles: it covers what the decimals differ by
-    error = total.error + abs(exact - plain(total)) + UNIT * abs(exact)  # type: ignore[attr-defined]
-    return type(total)(exact, error, total.slopes)  # type: ignore[call-arg, attr-defined]
+    own: Any = total
+    error = own.error + abs(exact - own.value) + UNIT * abs(exact)
+    return type(own)(exact, error, own.slopes)  # type: ignore[no-any-return]
 
 
 def _of_arrays(signs: "Sequence[int]", lengths: "Sequence[Any]", total: "Any", size: "Any") -> "Any":

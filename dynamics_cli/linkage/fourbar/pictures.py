@@ -114,9 +114,7 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
 
     links = frame(*lengths)
     ranges = reachable(links)
-    low, high = next(
-        (one for one in ranges if crank_angle is not None and one[0] <= crank_angle <= one[1]), ranges[-1]
-    )
+    low, high = next((one for one in ranges if crank_angle is not None and one[0] <= crank_angle <= one[1]), ranges[-1])
     inset = (0.0, 1.0) if links.outer >= 0.0 and links.inner >= 0.0 else ENDS
     theta = np.linspace(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES)
     with np.errstate(all="ignore"):
@@ -182,9 +180,7 @@ def coupler_picture(
     return Picture((first, second), _title(lengths, "coupler curve"), columns=2)
 
 
-def class_picture(
-    made: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any"
-) -> Picture:
+def class_picture(made: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any") -> Picture:
     """The linkage in several poses with its limits."""
     lengths = (crank, coupler, rocker, ground)
     items = linkage_items(lengths, 1.0, None, None)

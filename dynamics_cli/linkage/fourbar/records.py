@@ -1,9 +1,10 @@
-"""What `linkage four-bar` gives."""
+"""What `linkage four-bar` gives, and the points of coupler curves."""
 
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
     Annotated,
+    Coordinate,
     PartAcceleration,
     PartPoint,
     PartVelocity,
@@ -59,3 +60,23 @@ class FourBar:
     table: Annotated[Columns[Step] | None, "The crank angles that can be reached, where none was given."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
+
+
+@record
+class CurvePoint:
+    """One point of the curve."""
+
+    crank_angle: Annotated[Angle, "Crank angle θ₂ [rad]."]
+    x: Annotated[Coordinate, "The point, from O₂ along O₂–O₄ [m]."]
+    y: Annotated[Coordinate, "The same, square to it [m]."]
+    tangent_angle: Annotated[Angle | None, "Direction of travel; none at a cusp [rad]."]
+
+
+@record
+class Special:
+    """A cusp, or a point that the curve passes twice."""
+
+    crank_angle: Annotated[Angle, "Crank angle there [rad]."]
+    second_crank_angle: Annotated[Angle | None, "Crank angle of the second passage; none of a cusp [rad]."]
+    x: Annotated[Coordinate, "The point [m]."]
+    y: Annotated[Coordinate, "The same, upwards [m]."]

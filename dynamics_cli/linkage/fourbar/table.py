@@ -56,7 +56,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
     if outer is None and inner is None:
         return ((0.0, 2.0 * np.pi),)
     if inner is None:
-        return ((-outer, outer),)  # type: ignore[operator]
+        return ((-(outer or 0.0), outer or 0.0),)
     if outer is None:
         return ((inner, 2.0 * np.pi - inner),)
     return (-outer, -inner), (inner, outer)
@@ -91,9 +91,9 @@ def table(links: Frame, side: float, steps: int) -> "Columns[Step]":
 
 def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "dict[str, Any]":
     turn, half = turns(theta)
-    first, second = discriminants(links, half)
+    both: Any = discriminants(links, half)
     # at the ends of a range one of the two is zero but for rounding
-    first, second = (np.where(toggles & (d <= 1e-9 * np.abs(d).max()), 0.0, d) for d in (first, second))
+    first, second = (np.where(toggles & (d <= 1e-9 * np.abs(d).max()), 0.0, d) for d in both)
     free = links.apart == 0.0
     stuck = (half[1] == 0.0) & free
     with np.errstate(all="ignore"):

@@ -1,4 +1,4 @@
-"""All assemblies of a scene: dyads in closed form in the order in which they hang on what is known, the rest by Newton."""
+"""All assemblies of a scene: dyads in closed form, each on what is placed before it, and the rest by Newton."""
 
 from itertools import pairwise
 
@@ -139,9 +139,7 @@ class Assembler:
                 start = next((own for own in shape.points if own in at), None)
                 if pin in shape.points and start is not None:
                     circles.append((at[start], abs(shape.points[pin] - shape.points[start]), shape.name))
-            lines = [
-                one for one in self.scene.slides if one.point == pin and one.start in at and one.end in at
-            ]
+            lines = [one for one in self.scene.slides if one.point == pin and one.start in at and one.end in at]
             if len(circles) >= 2:
                 yield pin, self._circles(pin, circles[0], circles[1])
             elif circles and lines:
@@ -242,7 +240,7 @@ class Assembler:
                 found.append(q)
         if not found:
             self._missed(best, "the links that hang on each other")
-        found.sort(key=lambda q: tuple(np.round(q, 9)))
+        found.sort(key=lambda q: tuple(np.round(q, 9).tolist()))
         for q in found:
             places = system.positions(q)
             # the dyads that stand already keep their side

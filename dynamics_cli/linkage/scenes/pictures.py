@@ -18,6 +18,9 @@ GHOSTS = 8
 ARROW = 0.25
 # A pin that jumps by this share of the linkage from one frame to the next has changed its assembly.
 JUMP = 0.35
+# Centres this near one another have their labels on different sides.
+CLOSE = 0.12
+ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
 
 def _driven(scene: Scene, share: float) -> Scene:
@@ -55,7 +58,9 @@ def _run(scene: Scene, start: "Pins", count: int, sense: int) -> "list[Pins]":
             last = {pin: at / system.scale for pin, at in poses[-2].items()}
             before = {pin: 2.0 * at - last[pin] for pin, at in before.items()}
         q, gap = refined(system, system.vector(before))
-        step = float(np.abs(q - system.vector({pin: at / system.scale for pin, at in poses[-1].items()})).max(initial=0))
+        step = float(
+            np.abs(q - system.vector({pin: at / system.scale for pin, at in poses[-1].items()})).max(initial=0)
+        )
         if gap > SAME or step > JUMP:
             break
         poses.append({pin: at * system.scale for pin, at in system.positions(q).items()})
@@ -90,7 +95,7 @@ def scene_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
         items.append(Mark(place.real, place.imag, pin))
         if longest and abs(speeds.get(pin, 0j)) > 0.0:
             way = speeds[pin] * (ARROW * size / longest)
-            items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 4))
+            items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
     return Picture((panel,), f"linkage of {len(scene.links)} links, {words}")
@@ -105,17 +110,19 @@ def centres_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
     size = max(abs(one - other) for one in at.values() for other in at.values())
     middle = sum(at.values()) / len(at)
     moving = [link.name for link in scene.links if link.name != GROUND]
-    items: list[Any] = [
-        _line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)
-    ]
+    items: list[Any] = [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
     names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
     far = []
+    taken: list[tuple[complex, int]] = []
     for one in made.centres:
         label = f"I({names[one.first]},{names[one.second]})"
         if one.position is None or abs(complex(*one.position) - middle) > 4.0 * size:
             far.append(label)
         else:
-            items.append(Mark(*one.position, label))
+            place = complex(*one.position)
+            beside = sum(abs(place - other) < CLOSE * size for other, _ in taken)
+            taken.append((place, beside))
+            items.append(Mark(place.real, place.imag, label, ASIDE[beside % len(ASIDE)]))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     order = ", ".join(f"{number} {name}" for name, number in names.items())
     title = f"instant centres: {order}" + (f"\nfar away: {', '.join(far)}" if far else "")

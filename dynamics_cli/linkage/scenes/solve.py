@@ -1,7 +1,7 @@
 """A linkage from a scene: every assembly, and of the one meant position, velocity and acceleration, proved."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.scenes.records import Scene
+from dynamics_cli.linkage.scenes.records import GROUND, Scene
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 # Below this the smallest singular value over the largest means a pose that can move without its drivers.
 SINGULAR = 1e-9
 LISTED = 8
+CLOSES = 1e-12
 
 
 @record
@@ -188,14 +189,12 @@ def chosen(system: "System", found: "list[Assembly]", listed: bool) -> "Assembly
         count=len(fits),
         list="; ".join(one.text for one in fits[:LISTED]) if named else "see --assemblies",
         code="which-assembly",
-        hint='add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is',
+        hint="add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is",
     )
     return fits[0]
 
 
-def solution(
-    system: "System", choice: "Assembly", found: "list[Assembly]", newton: bool, listed: bool
-) -> Solution:
+def solution(system: "System", choice: "Assembly", found: "list[Assembly]", newton: bool, listed: bool) -> Solution:
     """The record of one assembly."""
     import numpy as np
 
@@ -207,44 +206,42 @@ def solution(
     values = np.linalg.svd(jacobian, compute_uv=False)
     free = bool(values.min(initial=1.0) <= SINGULAR * values.max(initial=1.0)) or len(values) < system.size
     proof = None if free or len(system.rows) != system.size else Certificate(system, q, jacobian)
+    sure = proof if proof and proof.proved else None
     velocity, acceleration = (None, None) if free else system.rates(q, jacobian)
-    at, moving, bending = (_spread(system, part) for part in (q, velocity, acceleration))
-    at = system.positions(q)
+    moving, bending, at = _spread(system, velocity), _spread(system, acceleration), system.positions(q)
     gap = float(np.abs(system.residuals(q)).max(initial=0.0))
     return Solution(
-        links=tuple(_link(shape, at, moving, bending) for shape in system.shapes.values() if shape.name != "ground"),
-        pins=tuple(
-            PinMotion(
-                pin,
-                _pair(at[pin] * system.scale),
-                None if moving is None else _pair(moving[pin] * system.scale),
-                None if bending is None else _pair(bending[pin] * system.scale),
-            )
-            for pin in at
+        links=tuple(
+            _link(shape, at, moving, bending, system.scene.drivers)
+            for shape in system.shapes.values()
+            if shape.name != GROUND
         ),
+        pins=tuple(PinMotion(pin, *(_pair(part, pin, system.scale) for part in (at, moving, bending))) for pin in at),
         assembly=choice.text,
         assemblies=len(found),
         solved_by=_method(choice.dyads, newton),
-        pin_error=proof.error if proof and proof.proved else None,
-        nearest_other=proof.apart if proof and proof.proved else None,
+        pin_error=sure.error if sure else None,
+        nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
         every_assembly=_listed(system, found) if listed else None,
         checks=(
-            Check("links keep their lengths", gap <= 1e-12, gap, 1e-12),
+            Check("links keep their lengths", gap <= CLOSES, gap, CLOSES),
             *((Check("the pose is proved (Kantorovich)", proof.proved, proof.share, 0.5),) if proof else ()),
         ),
-        advice=(
-            Advice(
-                "singular",
-                "at this pose the linkage can move with its drivers held (a toggle or change point): velocities are "
-                "not determined",
-                severity="serious",
-                remedy="move the driver a little",
-            ),
-        )
-        if free
-        else (),
+        advice=_singular() if free else (),
         numerics=Numerics("dyads in closed form, then Newton's method with Kantorovich's certificate"),
+    )
+
+
+def _singular() -> "tuple[Advice, ...]":
+    return (
+        Advice(
+            "singular",
+            "at this pose the linkage can move with its drivers held (a toggle or change point): velocities are "
+            "not determined",
+            severity="serious",
+            remedy="move the driver a little",
+        ),
     )
 
 
@@ -263,7 +260,7 @@ def _spread(system: "System", vector: "Any") -> "dict[str, complex] | None":
     }
 
 
-def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any") -> LinkMotion:
+def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any") -> LinkMotion:
     from cmath import phase
 
     base = at[shape.last] - at[shape.first]
@@ -271,18 +268,22 @@ def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any") -> LinkMotion:
     angle = phase(base / shape.base) + 0.0
     if moving is None or bending is None:
         return LinkMotion(shape.name, angle, None, None)
+    for driver in drivers:
+        if driver.link == shape.name and driver.against == GROUND:
+            # what is given is what is said
+            return LinkMotion(shape.name, angle, driver.speed, driver.angular_acceleration)
     turn = (base.conjugate() * (moving[shape.last] - moving[shape.first])).imag / square
     bend = (base.conjugate() * (bending[shape.last] - bending[shape.first])).imag / square
     return LinkMotion(shape.name, angle, turn, bend)
 
 
-def _pair(value: complex) -> "tuple[float, float]":
-    return float(value.real), float(value.imag)
+def _pair(values: "Any", pin: str, scale: float) -> "Any":
+    return None if values is None else (float(values[pin].real) * scale, float(values[pin].imag) * scale)
 
 
 def _listed(system: "System", found: "list[Assembly]") -> "tuple[AssemblyPin, ...]":
     return tuple(
-        AssemblyPin(number, one.text, pin, _pair(one.at[pin] * system.scale))
+        AssemblyPin(number, one.text, pin, _pair(one.at, pin, system.scale))
         for number, one in enumerate(found, 1)
         for pin in system.unknown
     )

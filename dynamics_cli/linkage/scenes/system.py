@@ -1,8 +1,8 @@
 """A linkage's equations in the coordinates of its pins: all quadratic, so that Newton's method can be proved.
 
-Unknowns are the coordinates of the pins that are not on ground, in units of the scene's size. A link gives the length of
-its base (two of its points) and every further point as an affine function of these; a slide a vanishing cross product;
-a driver the direction of a base, or a position along a line.
+Unknowns are the coordinates of the pins that are not on ground, in units of the scene's size. A link gives the length
+of its base (two of its points) and every further point as an affine function of these; a slide a vanishing cross
+product; a driver the direction of a base, or a position along a line.
 """
 
 import numpy as np
@@ -60,15 +60,15 @@ def checked(scene: Scene) -> None:
     require(len(pins) <= MOST_PINS, "{count} pins; a scene has at most {most}", count=len(pins), most=MOST_PINS)
     shapes = {link.name: {pin.name: complex(*pin.at) for pin in link.points} for link in scene.links}
     for slide in scene.slides:
-        own = shapes.get(slide.link, {})
+        line = shapes.get(slide.link, {})
         require(
-            slide.point in pins and slide.start in own and slide.end in own,
+            slide.point in pins and slide.start in line and slide.end in line,
             "the slide of {point} needs a pin of that name and two points of link {link}",
             point=repr(slide.point),
             link=repr(slide.link),
             code="slide",
         )
-        require(own[slide.start] != own[slide.end], "a slide along a line of length zero", code="no-length")
+        require(line[slide.start] != line[slide.end], "a slide along a line of length zero", code="no-length")
     for driver in scene.drivers:
         sliding = any(slide.point == driver.point for slide in scene.slides)
         require(
@@ -211,7 +211,7 @@ def _residual(row: "Row", at: "dict[str, complex]") -> float:
         return turned.imag  # type: ignore[no-any-return]
     way, line = at[row[1]] - at[row[2]], at[row[3]] - at[row[2]]
     if kind == "slide":
-        return (line.conjugate() * way).imag
+        return float((line.conjugate() * way).imag)
     return (line.conjugate() * way).real - row[4] * row[5].position / row[6]  # type: ignore[no-any-return]
 
 

@@ -72,9 +72,7 @@ def slider_picture(
             Panel(way, Axis("velocity v/ω", CamVelocity), (Curve(angle, columns["slope"], role=2), zero, *here)),
             Panel(way, Axis("acceleration a/ω²", Coordinate), (Curve(angle, columns["bend"], role=2), zero, *here)),
         ),
-        worded(
-            "slider-crank: crank {a}, rod {b}, offset {e}", a=(crank, Size), b=(rod, Size), e=(offset, Coordinate)
-        ),
+        worded("slider-crank: crank {a}, rod {b}, offset {e}", a=(crank, Size), b=(rod, Size), e=(offset, Coordinate)),
     )
 
 
@@ -128,10 +126,10 @@ def quick_return_picture(
     angles = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
     ratios = []
     for angle in angles:
-        pin, _ = lever_at(angle)
-        along = pin - pivot
-        square = abs(along) ** 2
-        ratios.append((pin * along.conjugate()).real / square if square else float("nan"))
+        place = lever_at(angle)[0]
+        way_out = place - pivot
+        square = abs(way_out) ** 2
+        ratios.append((place * way_out.conjugate()).real / square if square else float("nan"))
     way = Axis("crank angle θ₂", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
     speeds = Panel(
         way, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), Band(0.0, 0.0, vertical=False)),

@@ -105,9 +105,7 @@ def quick_return(
     sliding = ax * ey - ay * ex
     rate = 0.0 * crank_angle if speed is None else speed
     lever_speed, slip = ratio * rate, sliding * rate
-    across = -(angular_acceleration * ay + rate * rate * ax) * -ey + (
-        angular_acceleration * ax - rate * rate * ay
-    ) * ex
+    across = -(angular_acceleration * ay + rate * rate * ax) * -ey + (angular_acceleration * ax - rate * rate * ay) * ex
     coriolis = 2.0 * slip * lever_speed
     moving = speed is not None
     size = lever if lever is not None else 0.0 * reach

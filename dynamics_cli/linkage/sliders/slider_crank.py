@@ -21,6 +21,10 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Check, Choice, Columns, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 MANY = 1_000_000
 CLOSES = 1e-12
 
@@ -141,36 +145,61 @@ def slider_crank(
             code="toggle",
             hint="give a crank angle beside it",
         )
-    safe = where(across > 0.0, reach, 1.0)
-    lean = -(along / safe)
-    slope = -rise - lean * height
-    rate = 0.0 * crank_angle if speed is None else speed
-    turning = lean * rate
-    bending = (rise * (rate * rate) - along * angular_acceleration + turning * turning * height) / safe
-    moving = speed is not None
-    acceleration = (
-        -(along * (rate * rate)) - rise * angular_acceleration - turning * turning * reach - bending * height
-    )
     position = along + reach
-    dropped = 2.0 * crank * (half[1] * half[1]) + height * height / (rod + across)
-    outer = sqrt((crank + rod - absolute(offset)) * (crank + rod + absolute(offset)))
     alone = single(crank, rod, offset, crank_angle)
     return SliderCrank(
         **stroke,
         position=position,
-        travel=where((offset == 0.0) & (side > 0.0), dropped, outer - side * position),
-        velocity=slope * rate if moving else None,
-        acceleration=acceleration if moving else None,
-        slope=slope,
+        travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
         rod_angle=atan2(height, across),
-        rod_speed=turning if moving else None,
-        rod_acceleration=bending if moving else None,
-        crank_torque=None if load_force is None else load_force * slope,
+        **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
         checks=_checks(crank, rod, offset, turn, position) if alone else (),
     )
 
 
-def _stroke(a: float, b: float, e: float) -> "dict[str, float | None]":
+def _travel(
+    lengths: "tuple[float, float, float]",
+    arm: "tuple[float, float]",
+    half: float,
+    side: float,
+    position: float,
+) -> float:
+    """Distance from the outer dead centre; in line without cancellation."""
+    (crank, rod, offset), (across, height) = lengths, arm
+    far = (crank + rod - absolute(offset)) * (crank + rod + absolute(offset))
+    outer = sqrt(where(far > 0.0, far, 0.0 * far))
+    dropped = 2.0 * crank * (half * half) + height * height / (rod + across)
+    return where((offset == 0.0) & (side > 0.0), dropped, outer - side * position)
+
+
+def _moving(
+    pin: "tuple[float, float]",
+    arm: "tuple[float, float]",
+    across: float,
+    speed: "float | None",
+    bend: float,
+    load_force: "float | None",
+) -> "dict[str, Any]":
+    """Velocities and accelerations of slider and rod, the rod's ends apart by `arm`."""
+    (along, rise), (reach, height) = pin, arm
+    safe = where(across > 0.0, reach, 1.0)
+    lean = -(along / safe)
+    slope = -rise - lean * height
+    torque = {"slope": slope, "crank_torque": None if load_force is None else load_force * slope}
+    if speed is None:
+        return torque
+    turning = lean * speed
+    square = speed * speed
+    bending = (rise * square - along * bend + turning * turning * height) / safe
+    return torque | {
+        "velocity": slope * speed,
+        "acceleration": -(along * square) - rise * bend - turning * turning * reach - bending * height,
+        "rod_speed": turning,
+        "rod_acceleration": bending,
+    }
+
+
+def _stroke(a: float, b: float, e: float) -> "dict[str, Any]":
     """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does."""
     size = absolute(e)
     full = b > a + size
@@ -202,7 +231,7 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "Columns[Slide
 
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     a, b, e = plain(a), plain(b), plain(e)
-    theta = np.linspace(0.0, 2.0 * np.pi, steps + 1)
+    theta: Any = np.linspace(0.0, 2.0 * np.pi, steps + 1)
     theta = theta[np.abs(e - a * turned(theta)[1]) <= b]
     require(
         theta.size > 0,
