@@ -13,6 +13,7 @@ from dynamics_cli.numerics.discs import Disc
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
 FULL = 2.0 * np.pi
@@ -100,17 +101,18 @@ class Circuit:
 
 
 class CouplerPath:
-    """A coupler curve as fitting and its proof ask for it: one smooth closed piece over u."""
+    """A coupler curve as fitting and its proof ask for it: over u, cut where it has cusps."""
 
     parameter = "parameter"
     sharp = "the point nearly stops there: allow a wider tolerance, or draw lines"
     turn = 1.0
 
-    def __init__(self, circuit: Circuit, point: complex) -> None:
+    def __init__(self, circuit: Circuit, point: complex, cuts: "Sequence[float]" = ()) -> None:
         self.circuit = circuit
         self.point = point
-        self.starts, self.ends = np.array([0.0]), np.array([FULL])
-        self.still = np.array([False])
+        self.starts = np.array(sorted(cuts) or [0.0])
+        self.ends = np.append(self.starts[1:], self.starts[0] + FULL)
+        self.still = np.zeros(self.starts.size, dtype=bool)
 
     def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":
         """Point, unit direction of travel and speed."""

@@ -108,7 +108,7 @@ def coupler(
     0.247031601825
     """
     from dynamics_cli.linkage.fourbar.circuit import Circuit
-    from dynamics_cli.linkage.fourbar.curve import columns, crossings, cusps, drawn, extremes, measures
+    from dynamics_cli.linkage.fourbar.curve import columns, crossings, cusp_places, cusps, drawn, extremes, measures
 
     require_links(crank, coupler, rocker, ground)
     require(4 <= points <= MANY, "points: {count}; a curve has 4 to {most}", count=points, most=MANY, code="points")
@@ -122,9 +122,9 @@ def coupler(
     circuit = Circuit(frame(*lengths), 1.0 if branch == OPEN else -1.0)
     place = complex(*point)
     length, error, area = measures(circuit, place)
-    sharp = cusps(circuit, place, length)
+    sharp = cusp_places(circuit, place, length)
     lines = bool(sharp)
-    outline = drawn(circuit, place, "lines" if lines else str(form), tolerance)
+    outline = drawn(circuit, place, "lines" if lines else str(form), tolerance, sharp)
     (left, right), (bottom, top) = extremes(circuit, place)
     advice = closeness(lengths, kind)
     if lines:
@@ -139,7 +139,7 @@ def coupler(
         crank_turns=circuit.turns if circuit.full else 0,
         kind=kind,
         cognates=cognates(lengths, place),
-        cusps=sharp or None,
+        cusps=cusps(circuit, place, sharp) or None,
         crossings=crossings(circuit, place) or None,
         deviation=outline.deviation,
         pieces=sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces),

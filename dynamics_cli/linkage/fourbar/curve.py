@@ -79,8 +79,8 @@ def angle_at(circuit: Circuit, u: "Any") -> "Any":
     return angle if circuit.inner is None or circuit.outer is not None else np.mod(angle, FULL)
 
 
-def cusps(circuit: Circuit, point: complex, length: float) -> "tuple[Special, ...]":
-    """Where the point stops: minima of its speed that are zero but for rounding."""
+def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]":
+    """Where over the parameter the point stops: minima of its speed that are zero but for rounding."""
     u = np.arange(SAMPLES) * (FULL / SAMPLES)
     h = 1e-6
 
@@ -91,16 +91,23 @@ def cusps(circuit: Circuit, point: complex, length: float) -> "tuple[Special, ..
 
     x, y = circuit.place(u, point)
     if not np.ptp(np.hypot(x.first, y.first)) > SETTLED * length:
-        return ()
+        return []
     places = _roots(slope, u)
     x, y = circuit.place(places, point)
     speed = np.hypot(x.first, y.first)
-    chosen = places[speed <= STILL * length / FULL]
-    found: list[Special] = []
-    for place in chosen:
+    found: list[float] = []
+    for place in sorted(places[speed <= STILL * length / FULL].tolist()):
+        if not found or place - found[-1] > FULL / SAMPLES:
+            found.append(place)
+    return found
+
+
+def cusps(circuit: Circuit, point: complex, places: "list[float]") -> "tuple[Special, ...]":
+    """The cusps at these places."""
+    found = []
+    for place in places:
         x, y = circuit.place(place, point)
-        if all(np.hypot(x.value - one.x, y.value - one.y) > STILL * length for one in found):
-            found.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
+        found.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
     return tuple(found)
 
 
@@ -143,14 +150,14 @@ def columns(circuit: Circuit, point: complex, count: int) -> "Columns[CurvePoint
     """The table."""
     u = np.arange(count) * (FULL / count)
     x, y = circuit.place(u, point)
-    tangent = np.arctan2(y.first, x.first)
     speed = np.hypot(x.first, y.first)
-    tangent[speed <= STILL * speed.mean()] = np.nan
+    still = speed <= STILL * speed.mean()
+    tangent = np.arctan2(np.where(still, y.second, y.first), np.where(still, x.second, x.first))
     return Columns(CurvePoint, crank_angle=angle_at(circuit, u), x=x.value, y=y.value, tangent_angle=tangent)
 
 
-def drawn(circuit: Circuit, point: complex, form: str, tolerance: float) -> "Outline":
-    """The curve as an outline whose deviation is proved."""
-    path = CouplerPath(circuit, point)
+def drawn(circuit: Circuit, point: complex, form: str, tolerance: float, sharp: "list[float]") -> "Outline":
+    """The curve as an outline whose deviation is proved; at cusps it is cut."""
+    path = CouplerPath(circuit, point, sharp)
     start = np.stack(path.at(path.starts)[:2], axis=1)
     return outlined(path, form, tolerance, start, "coupler curve")

@@ -91,6 +91,12 @@ def four_bar(
     if crank_angle is None:
         from dynamics_cli.linkage.fourbar.table import table
 
+        require(
+            alone,
+            "rows need a crank angle: a table is of one linkage",
+            code="no-angle",
+            hint="add a column crank_angle",
+        )
         return FourBar(kind=kind, table=table(links, side, steps), advice=closeness(lengths, kind or ""))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     both = discriminants(links, half)
@@ -118,7 +124,7 @@ def four_bar(
         kind=kind,
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and shown else (),
-        advice=(*closeness(lengths, kind or ""), *_poor(transmission, alone)),
+        advice=(*closeness(lengths, kind), *_poor(transmission)) if alone and kind else (),
     )
 
 
@@ -242,9 +248,7 @@ def _checks(links: Frame, loop: Closed, pin: "Pair", speeds: "Any") -> "tuple[Ch
     )
 
 
-def _poor(transmission: float, alone: bool) -> "tuple[Advice, ...]":
-    if not alone:
-        return ()
+def _poor(transmission: float) -> "tuple[Advice, ...]":
     angle = plain(transmission)
     if POOR <= angle <= 3.141592653589793 - POOR:
         return ()

@@ -13,7 +13,7 @@ from dynamics_cli.quantities import (
     Torque,
     TurnRate,
 )
-from dynamics_cli.records import Advice, Check, Columns, record
+from dynamics_cli.records import Advice, Check, record
 
 
 @record
@@ -21,8 +21,8 @@ class Step:
     """One crank angle of the table."""
 
     crank_angle: Annotated[Angle, "Crank angle θ₂ from the line O₂–O₄, counter-clockwise [rad]."]
-    coupler_angle: Annotated[Angle, "Coupler angle θ₃ [rad]."]
-    rocker_angle: Annotated[Angle, "Rocker angle θ₄ [rad]."]
+    coupler_angle: Annotated[Angle | None, "Coupler angle θ₃ [rad]."]
+    rocker_angle: Annotated[Angle | None, "Rocker angle θ₄; left out where it turns freely [rad]."]
     coupler_ratio: Annotated[Ratio | None, "ω₃/ω₂; left out at a toggle."]
     rocker_ratio: Annotated[Ratio | None, "ω₄/ω₂; left out at a toggle."]
     rocker_change: Annotated[Ratio | None, "dω₄/dθ₂ over ω₂: α₄/ω₂² of a crank at uniform speed."]
@@ -57,7 +57,7 @@ class FourBar:
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."] = None
     kind: Annotated[Text | None, "What the linkage is by Grashof's rule, on the decimals as typed."] = None
     side: Annotated[Text | None, "Which assembly this is."] = None
-    table: Annotated[Columns[Step] | None, "The crank angles that can be reached, where none was given."] = None
+    table: Annotated[tuple[Step, ...] | None, "The crank angles that can be reached, where none was given."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -69,7 +69,7 @@ class CurvePoint:
     crank_angle: Annotated[Angle, "Crank angle θ₂ [rad]."]
     x: Annotated[Coordinate, "The point, from O₂ along O₂–O₄ [m]."]
     y: Annotated[Coordinate, "The same, square to it [m]."]
-    tangent_angle: Annotated[Angle | None, "Direction of travel; none at a cusp [rad]."]
+    tangent_angle: Annotated[Angle, "Direction of travel; at a cusp the one in which it leaves [rad]."]
 
 
 @record

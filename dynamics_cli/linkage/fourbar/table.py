@@ -7,14 +7,13 @@ from dynamics_cli.linkage.fourbar.closure import Closed, Frame, close, discrimin
 from dynamics_cli.linkage.fourbar.grashof import limits
 from dynamics_cli.linkage.fourbar.records import Step
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Columns
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 FIELDS = Frame.fields  # type: ignore[attr-defined]
-MANY = 1_000_000
+MANY = 20_000
 
 
 def in_doubles(links: Frame) -> Frame:
@@ -62,7 +61,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
     return (-outer, -inner), (inner, outer)
 
 
-def table(links: Frame, side: float, steps: int) -> "Columns[Step]":
+def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
     """Rows over every range of crank angles, its ends among them.
 
     Parameters
@@ -76,8 +75,8 @@ def table(links: Frame, side: float, steps: int) -> "Columns[Step]":
 
     Returns
     -------
-    Columns
-        The table.
+    tuple
+        The rows; what does not exist at a toggle is left out.
     """
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     links = in_doubles(links)
@@ -86,10 +85,10 @@ def table(links: Frame, side: float, steps: int) -> "Columns[Step]":
         theta = np.linspace(low, high, steps + 1)
         ends = np.array([low != 0.0, *[False] * (steps - 1), low != 0.0])
         parts.append(_rows(links, theta, side, ends))
-    return Columns(Step, **{name: np.concatenate([part[name] for part in parts]) for name in Step.fields})  # type: ignore[attr-defined]
+    return tuple(row for part in parts for row in part)
 
 
-def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "dict[str, Any]":
+def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step]":
     turn, half = turns(theta)
     both: Any = discriminants(links, half)
     # at the ends of a range one of the two is zero but for rounding
@@ -101,13 +100,14 @@ def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "dict[str,
         found = ratios(links, loop)
     smooth = links.outer == 0.0 or links.inner == 0.0
     still = stuck | (((loop.first * loop.second) == 0.0) & (not smooth))
-    shown = [np.where(still | ~np.isfinite(part), np.nan, part) for part in found]
-    return {
-        "crank_angle": theta,
-        "coupler_angle": np.where(stuck, np.nan, np.arctan2(loop.by + 0.0, loop.bx)),
-        "rocker_angle": np.where(stuck, np.nan, np.arctan2(loop.cy + 0.0, loop.cx)),
-        "coupler_ratio": shown[0],
-        "rocker_ratio": shown[1],
-        "rocker_change": shown[3],
-        "transmission_angle": 2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first)),
-    }
+    shown = [np.where(still, np.nan, part) for part in found]
+    coupler, rocker = np.arctan2(loop.by + 0.0, loop.bx), np.arctan2(loop.cy + 0.0, loop.cx)
+    transmission = 2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))
+    columns = (theta, np.where(stuck, np.nan, coupler), np.where(stuck, np.nan, rocker),
+               shown[0], shown[1], shown[3], transmission)  # fmt: skip
+    return [Step(*row) for row in zip(*(_known(column) for column in columns), strict=True)]
+
+
+def _known(column: "Any") -> "list[float | None]":
+    """Numbers; none where there is none."""
+    return [value if np.isfinite(value) else None for value in column.tolist()]

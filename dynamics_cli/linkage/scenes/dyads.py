@@ -240,7 +240,7 @@ class Assembler:
                 found.append(q)
         if not found:
             self._missed(best, "the links that hang on each other")
-        found.sort(key=lambda q: tuple(np.round(q, 9).tolist()))
+        found.sort(key=lambda q: q.round(9).tolist())
         for q in found:
             places = system.positions(q)
             # the dyads that stand already keep their side

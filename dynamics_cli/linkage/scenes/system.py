@@ -202,7 +202,7 @@ def _residual(row: "Row", at: "dict[str, complex]") -> float:
         return 0.5 * (apart.real * apart.real + apart.imag * apart.imag - row[3] * row[3])  # type: ignore[no-any-return]
     if kind == "point":
         gap = at[row[1]] - at[row[2]] - row[4] * (at[row[3]] - at[row[2]])
-        return gap.imag if row[5] else gap.real
+        return float(gap.imag if row[5] else gap.real)
     if kind == "turn":
         gap = at[row[2]] - at[row[1]] - row[3]
         return gap.imag if row[4] else gap.real  # type: ignore[no-any-return]

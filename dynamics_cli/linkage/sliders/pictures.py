@@ -40,9 +40,11 @@ def slider_picture(
     end: End = RIGHT, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The mechanism in several poses; position, velocity and acceleration over the crank angle."""
-    arrays = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS).table
-    assert arrays is not None
-    columns = {name: column.tolist() for name, column in arrays.arrays.items()}
+    rows = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS).table or ()
+    columns = {
+        name: [float("nan") if getattr(row, name) is None else getattr(row, name) for row in rows]
+        for name in ("crank_angle", "position", "slope", "bend")
+    }
     items: list[Any] = []
     for index in range(12):
         pins = _pins(crank, rod, offset, end, index * pi / 6.0)

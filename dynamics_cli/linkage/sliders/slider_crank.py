@@ -1,5 +1,7 @@
 """The slider-crank, in line or offset: one pose with velocity and acceleration, its stroke, or a table."""
 
+from math import isfinite
+
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
@@ -19,13 +21,13 @@ from dynamics_cli.quantities import (
     Torque,
     TurnRate,
 )
-from dynamics_cli.records import Check, Choice, Columns, record
+from dynamics_cli.records import Check, Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-MANY = 1_000_000
+MANY = 20_000
 CLOSES = 1e-12
 
 
@@ -70,7 +72,7 @@ class SliderCrank:
     outer_at: Annotated[Angle | None, "Crank angle at the outer dead centre [rad]."] = None
     inner_at: Annotated[Angle | None, "Crank angle at the inner dead centre [rad]."] = None
     largest_rod_angle: Annotated[Angle | None, "Largest angle of the rod to the slide [rad]."] = None
-    table: Annotated[Columns[SliderStep] | None, "A full turn of the crank, where no angle was given."] = None
+    table: Annotated[tuple[SliderStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
     checks: tuple[Check, ...] = ()
 
 
@@ -122,6 +124,12 @@ def slider_crank(
         )
     stroke = _stroke(crank, rod, offset)
     if crank_angle is None:
+        require(
+            single(crank, rod, offset),
+            "rows need a crank angle: a table is of one mechanism",
+            code="no-angle",
+            hint="add a column crank_angle",
+        )
         return SliderCrank(**stroke, table=_table(crank, rod, offset, end, steps))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     rise, along = crank * turn[1], crank * turn[0]
@@ -226,7 +234,7 @@ def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float)
     return (Check("the rod keeps its length", gap <= CLOSES, gap, CLOSES),)
 
 
-def _table(a: float, b: float, e: float, end: End, steps: int) -> "Columns[SliderStep]":
+def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderStep, ...]":
     import numpy as np
 
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
@@ -250,8 +258,7 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "Columns[Slide
         slope = -a * sine - lean * height
         curved = -a * cosine - lean * lean * reach - bend * height
     still = reach == 0.0
-    slope, curved = np.where(still, np.nan, slope), np.where(still, np.nan, curved)
-    return Columns(
-        SliderStep, crank_angle=theta, position=a * cosine + reach, slope=slope, bend=curved,
-        rod_angle=np.arctan2(height, np.abs(reach)),
-    )  # fmt: skip
+    shown = (np.where(still, np.nan, part) for part in (slope, curved))
+    columns = (theta, a * cosine + reach, *shown, np.arctan2(height, np.abs(reach)))
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)
