@@ -120,4 +120,38 @@ COUPLER = Task(
     plot="dynamics_cli.linkage.fourbar.pictures:coupler_picture",
 )
 
-TASKS: "tuple[Task, ...]" = (FOUR_BAR, CLASS, COUPLER)
+SYNTHESIZE = Task(
+    "synthesize",
+    "Four-bar for three angle pairs, three poses of its coupler, or a swing with a time ratio; with its defects.",
+    Model(
+        "Freudenstein, circles of pins, circle of pivots",
+        "dynamics_cli.linkage.fourbar.synthesis:synthesize",
+        source="Freudenstein, Transactions of the ASME 77, 1955",
+        formula="R₁·cos θ₄ − R₂·cos θ₂ + R₃ = cos(θ₂ − θ₄); R₁ = {ground|d}/{crank|a}, R₂ = {ground|d}/{rocker|c}",
+        assumptions=(RIGID,),
+        method="closed form; for a swing the best of a family, by golden section",
+    ),
+    headline=(
+        "crank: crank a",
+        "coupler: coupler b",
+        "rocker: rocker c",
+        "ground: ground d",
+        "crank_pivot: pivot O₂",
+        "rocker_pivot: pivot O₄",
+        "kind: class",
+        "defects: defects",
+        "least_transmission_angle: smallest transmission angle μ",
+        "met: met at | crank_angle=θ₂, rocker_angle=θ₄, branch",
+    ),
+    examples=(
+        'dynamics linkage synthesize --pair "crank_angle=20 deg, rocker_angle=60 deg" '
+        '--pair "crank_angle=50 deg, rocker_angle=72 deg" --pair "crank_angle=80 deg, rocker_angle=88 deg" '
+        '--ground "100 mm"',
+        'dynamics linkage synthesize --swing "60 deg" --time-ratio 1.2 --rocker "80 mm"',
+    ),
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.linkage.fourbar.pictures:synthesis_picture",
+)
+
+TASKS: "tuple[Task, ...]" = (FOUR_BAR, CLASS, COUPLER, SYNTHESIZE)

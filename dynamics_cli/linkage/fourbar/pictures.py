@@ -197,6 +197,22 @@ def class_picture(made: "Any", *, crank: float, coupler: float, rocker: float, g
     return Picture((scene,), _title(lengths, str(made.kind)))
 
 
+def synthesis_picture(made: "Any", **_: "Any") -> Picture:
+    """The linkage at every pair or pose that it meets, or over its motion."""
+    lengths = (made.crank, made.coupler, made.rocker, made.ground)
+    d = complex(made.ground)
+    items: list[Any] = []
+    if not made.met:
+        items = linkage_items(lengths, 1.0, None, None)
+    for index, one in enumerate(made.met or ()):
+        a, b = made.crank * exp(1j * one.crank_angle), d + made.rocker * exp(1j * one.rocker_angle)
+        items += [_line((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index), Mark(b.real, b.imag, "")]
+    if made.met:
+        items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(made.ground, 0.0, "O₄", (5.0, -12.0))]
+    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((scene,), _title(lengths, str(made.kind)))
+
+
 def moving_four_bar(
     made: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
     crank_angle: "float | None" = None, branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",

@@ -3,9 +3,10 @@
 from math import pi
 
 from dynamics_cli.linkage.animation import animated
+from dynamics_cli.linkage.scenes.following import driven
 from dynamics_cli.linkage.scenes.records import GROUND, Driver, Scene
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Coordinate
+from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def _driven(scene: Scene, share: float) -> Scene:
     if first.point:
         given["position"] = first.position * (1.0 + 0.5 * share)
     else:
-        given["angle"] = first.angle + 2.0 * pi * share
+        return driven(scene, first.angle + 2.0 * pi * share)
     return Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
 
 
@@ -98,7 +99,24 @@ def scene_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
             items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
-    return Picture((panel,), f"linkage of {len(scene.links)} links, {words}")
+    return Picture((panel, *_curves(made)), f"linkage of {len(scene.links)} links, {words}")
+
+
+def _curves(made: "Any") -> "tuple[Panel, ...]":
+    """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
+    if not made.motion:
+        return ()
+    way = Axis("driver angle", Angle, ends=(made.motion[0].driver_angle, made.motion[-1].driver_angle), step=pi / 6.0)
+    at = [row.driver_angle for row in made.motion]
+    if made.motion[0].angle is None:
+        x, y = ([row.position[i] for row in made.motion] for i in (0, 1))
+        curves = (Curve(at, x, "x", role=0), Curve(at, y, "y", "dashed", 1))
+        return (Panel(way, Axis("position", Coordinate), curves, "the pin that was followed"),)
+    angles, speeds = [row.angle for row in made.motion], [row.speed for row in made.motion]
+    panels = [Panel(way, Axis("angle", Angle), (Curve(at, angles, role=0),), "the link that was followed")]
+    if None not in speeds and any(speeds):
+        panels.append(Panel(way, Axis("angular velocity ω", TurnRate), (Curve(at, speeds, role=1),)))
+    return tuple(panels)
 
 
 def centres_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:

@@ -1,6 +1,7 @@
 """A linkage from a scene: every assembly, and of the one meant position, velocity and acceleration, proved."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.linkage.scenes.following import Followed, followed
 from dynamics_cli.linkage.scenes.records import GROUND, Scene
 from dynamics_cli.quantities import (
     Angle,
@@ -74,6 +75,7 @@ class Solution:
         Size | None, "No other assembly is nearer than this, all pins together, as proved [m]."
     ] = None
     kantorovich: Annotated[Ratio | None, "Kantorovich's h: at most one half proves the pose."] = None
+    motion: Annotated[tuple[Followed, ...] | None, "What was followed over a turn of the first driver."] = None
     every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, where they are asked for."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -85,6 +87,8 @@ def solve(
     /,
     *,
     assemblies: Annotated[bool, "List every assembly."] = False,
+    follow: Annotated[Text, "A link or pin to follow over a turn of the first driver, e.g. six."] = "",
+    steps: Annotated[Count, "Steps of that turn."] = 24,
 ) -> Solution:
     """Position, velocity and acceleration of a planar linkage from a scene of links, pins, slides and drivers.
 
@@ -120,7 +124,8 @@ def solve(
     require_driven(system)
     found, newton = assembled(system)
     choice = chosen(system, found, assemblies)
-    return solution(system, choice, found, newton, assemblies)
+    motion = followed(scene, follow, steps, solve) if follow else None
+    return solution(system, choice, found, newton, assemblies, motion)
 
 
 def require_driven(system: "System") -> None:
@@ -194,7 +199,14 @@ def chosen(system: "System", found: "list[Assembly]", listed: bool) -> "Assembly
     return fits[0]
 
 
-def solution(system: "System", choice: "Assembly", found: "list[Assembly]", newton: bool, listed: bool) -> Solution:
+def solution(
+    system: "System",
+    choice: "Assembly",
+    found: "list[Assembly]",
+    newton: bool,
+    listed: bool,
+    motion: "tuple[Followed, ...] | None",
+) -> Solution:
     """The record of one assembly."""
     import numpy as np
 
@@ -223,6 +235,7 @@ def solution(system: "System", choice: "Assembly", found: "list[Assembly]", newt
         pin_error=sure.error if sure else None,
         nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
+        motion=motion,
         every_assembly=_listed(system, found) if listed else None,
         checks=(
             Check("links keep their lengths", gap <= CLOSES, gap, CLOSES),
