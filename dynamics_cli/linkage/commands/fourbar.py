@@ -144,8 +144,8 @@ SYNTHESIZE = Task(
         "met: met at | crank_angle=θ₂, rocker_angle=θ₄, branch",
     ),
     examples=(
-        'dynamics linkage synthesize --pair "crank_angle=20 deg, rocker_angle=60 deg" '
-        '--pair "crank_angle=50 deg, rocker_angle=72 deg" --pair "crank_angle=80 deg, rocker_angle=88 deg" '
+        'dynamics linkage synthesize --pair "crank_angle=30 deg, rocker_angle=60 deg" '
+        '--pair "crank_angle=60 deg, rocker_angle=75 deg" --pair "crank_angle=90 deg, rocker_angle=95 deg" '
         '--ground "100 mm"',
         'dynamics linkage synthesize --swing "60 deg" --time-ratio 1.2 --rocker "80 mm"',
     ),

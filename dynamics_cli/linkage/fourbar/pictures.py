@@ -27,7 +27,7 @@ ENDS = (0.001, 0.999)
 def _title(lengths: "tuple[float, ...]", words: str) -> str:
     a, b, c, d = lengths
     return worded(
-        "{words}: crank {a}, coupler {b}, rocker {c}, ground {d}",
+        "{words}\ncrank {a}, coupler {b}, rocker {c}, ground {d}",
         words=words, a=(a, Size), b=(b, Size), c=(c, Size), d=(d, Size),
     )  # fmt: skip
 

@@ -118,7 +118,7 @@ def synthesize(
 
     Examples
     --------
-    >>> pairs = tuple(Pair(0.5 * k, 0.9 + 0.3 * k) for k in range(3))
+    >>> pairs = (Pair(0.5, 1.0), Pair(1.0, 1.25), Pair(1.5, 1.6))
     >>> synthesize(task=AnglePairs(pairs, 0.1)).defects
     'none'
     """
