@@ -6,12 +6,13 @@ the signed 2√(ad)·cos(θ₂/2), where |b − c| = |a − d| exactly √D₂ i
 """
 
 from dynamics_cli.linkage.fourbar.lengths import margin
-from dynamics_cli.numerics.elementary import absolute, sqrt, where
+from dynamics_cli.numerics.elementary import absolute, maximum, sqrt, where
 from dynamics_cli.numerics.number import single
 from dynamics_cli.records import Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 
@@ -88,14 +89,26 @@ def discriminants(links: Frame, half: "tuple[float, float]") -> "tuple[float, fl
     """D₁ and D₂ at a crank angle whose half has this cosine and sine: negative where the loop does not close."""
     cosine, sine = half
     four = 4.0 * links.product
-    far, near = four * (cosine * cosine), four * (sine * sine)
     a, b, c, d = links.lengths
     gap = absolute(links.slim)
-    first = where(
-        links.outer >= 0.0, links.outer * (a + b + c + d) + far, (b + c - links.apart) * (b + c + links.apart) - near
+    first = _either(
+        links.outer >= 0.0,
+        lambda: links.outer * (a + b + c + d) + four * (cosine * cosine),
+        lambda: (b + c - links.apart) * (b + c + links.apart) - four * (sine * sine),
     )
-    second = where(links.inner >= 0.0, links.inner * (links.apart + gap) + near, (a + d - gap) * (a + d + gap) - far)
+    second = _either(
+        links.inner >= 0.0,
+        lambda: links.inner * (links.apart + gap) + four * (sine * sine),
+        lambda: (a + d - gap) * (a + d + gap) - four * (cosine * cosine),
+    )
     return first, second
+
+
+def _either(condition: bool, yes: "Callable[[], float]", no: "Callable[[], float]") -> float:
+    """One of the two, and only one calculated where one condition holds for all."""
+    if single(condition):
+        return yes() if condition else no()
+    return where(condition, yes(), no())
 
 
 def close(
@@ -128,8 +141,9 @@ def close(
     a, ad = links.a, links.product
     smooth_first, smooth_second = links.outer == 0.0, links.inner == 0.0
     root = sqrt(ad)
-    one = where(smooth_first, 2.0 * root * half_cosine, sqrt(where(first > 0.0, first, 0.0 * first)))
-    two = where(smooth_second, 2.0 * root * half_sine, sqrt(where(second > 0.0, second, 0.0 * second)))
+    # a change point's own root may be the square root of what rounding left below zero
+    one = _either(smooth_first, lambda: 2.0 * root * half_cosine, lambda: sqrt(_kept(first)))
+    two = _either(smooth_second, lambda: 2.0 * root * half_sine, lambda: sqrt(_kept(second)))
     square = links.apart * links.apart + 4.0 * ad * (half_sine * half_sine)
     fx, fy = 2.0 * a * (half_sine * half_sine) - links.longer, -(a * sine)
     area, twice = side * (one * two), 0.5 / square
@@ -142,6 +156,11 @@ def close(
         -(behind * fx) - across * fy, across * fx - behind * fy,
         side * response, side * change, -(a * links.longer) - 2.0 * ad * (half_sine * half_sine), ad * sine,
     )  # fmt: skip
+
+
+def _kept(x: float) -> float:
+    """Zero for what is below it."""
+    return maximum(x, 0.0 * x) if single(x) else x.clip(0.0)  # type: ignore[attr-defined]
 
 
 def _response(
