@@ -37,6 +37,8 @@ LEAST = 1e-290
 CLIMBING = 0.3
 # How many times as many are tried, where most inputs near a start are refused.
 PATIENCE = 8
+# A median of fewer says nothing.
+ENOUGH = 20
 # Floats go along in every so many evaluations.
 FLOATS_EVERY = 4
 REFUSALS = (DynamicsError, ArithmeticError, ValueError)
@@ -92,8 +94,8 @@ class Findings:
         return median(values) if values else 0.0
 
     def loose(self) -> dict[str, float]:
-        """The results whose bound is in the median more than 100 times what it need be."""
-        medians = {address: median(column) for address, column in self.looseness.items()}
+        """The results whose bound is in the median more than 100 times what it need be, where there are enough."""
+        medians = {address: median(column) for address, column in self.looseness.items() if len(column) >= ENOUGH}
         return {address: value for address, value in medians.items() if value > 100.0}
 
 

@@ -13,7 +13,8 @@ from precise import FUNCTIONS, Exact
 
 from dynamics_cli.cam.forces.check import check
 from dynamics_cli.cam.geometry.followers import Flank, Rotation
-from dynamics_cli.cam.sizing import size as sizes
+from dynamics_cli.cam.sizing import records as wanted
+from dynamics_cli.cam.sizing.size import size
 
 DEGREE = 3.141592653589793 / 180.0
 ASKED = ("rise_limit", "return_limit", "least_radius", "shaft_speed")
@@ -67,8 +68,8 @@ def sizing(case: dict[str, Any]) -> Iterator[Compared]:
     """`cam size`: the size by its conditions, and the extremes of the cam that it makes."""
     tree = case["follower"]
     given = {key: float(case[key]) for key in ("rise_limit", "return_limit", "least_radius") if key in case}
-    answer = sizes.size(
-        NOTHING, program=case["program"], follower=follower_of(tree, sizes),
+    answer = size(
+        NOTHING, program=case["program"], follower=follower_of(tree, wanted),
         rotation=Rotation(case.get("rotation", "ccw")), **given,
     )  # fmt: skip
     turn, stated = Turn(case["program"]), Stated(answer)

@@ -2,10 +2,7 @@
 
 import json
 import math
-import subprocess
-import sys
 from decimal import Decimal
-from pathlib import Path
 
 import pytest
 from harness import answer, run
@@ -16,10 +13,7 @@ from dynamics_cli.accuracy.measure import Errors, errors_of, seconds
 from dynamics_cli.accuracy.questions import Question
 from dynamics_cli.accuracy.rows import LAST_BITS, TIE
 
-GENERATORS = Path(__file__).resolve().parents[1] / "references"
 FILES = sorted(path.name for path in DATA.glob("*.json"))
-# those that are made again in seconds
-AGAIN = ("convert.json", "eigen.json", "cam_motion.json", "cam_design.json", "gear_geometry.json")
 # On a needle that a search found for our errors LAPACK may have more luck.
 MORE_EXACT = ("inertia tensor",)
 QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
@@ -232,13 +226,6 @@ class TestReferences:
             assert case.kind in ("ordinary", "hard")
             assert case.name
             assert case.results
-
-    @pytest.mark.parametrize("file", [name for name in FILES if name in AGAIN])
-    def test_generating_again_gives_the_same_bytes(self, file: str, tmp_path: Path) -> None:
-        made = tmp_path / file
-        generator = GENERATORS / f"generate_{file.removesuffix('.json')}_references.py"
-        subprocess.run([sys.executable, str(generator), str(made)], check=True)
-        assert made.read_bytes() == (DATA / file).read_bytes()
 
     @pytest.mark.parametrize("question", QUESTIONS, ids=[question.name for question in QUESTIONS])
     def test_every_question_has_cases(self, question: Question) -> None:

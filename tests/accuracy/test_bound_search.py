@@ -3,9 +3,10 @@
 import bound_search
 import pytest
 import search_starts
+from search_length import EVALUATIONS
 
 STARTS = bound_search.by_task()
-EVALUATIONS = 10_000
+
 # The most that a bound may be of max(error, 2⁻⁵³·|result|), in the median over the search.
 ROOM = 100.0
 FOUND: dict[str, bound_search.Findings] = {}

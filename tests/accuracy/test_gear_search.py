@@ -3,8 +3,8 @@
 import gear_search
 import pytest
 from gear_search import QUESTIONS
+from search_length import EVALUATIONS
 
-EVALUATIONS = 10_000
 # The most that a bound may be of max(error, 2⁻⁵³·size), in the median over the search: of all results, and of each.
 ROOM = 100.0
 FOUND: dict[str, gear_search.Findings] = {}

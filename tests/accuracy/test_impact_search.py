@@ -16,10 +16,10 @@ from impact_search import QUESTIONS
 from impact_search_planar import Contact, follow
 from impact_search_solids import meet, results
 from precise import Exact, many_bits
+from search_length import EVALUATIONS
 
 from dynamics_cli.accuracy.cases import DATA
 
-EVALUATIONS = 10_000
 FOUND: dict[str, Findings] = {}
 
 

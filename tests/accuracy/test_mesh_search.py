@@ -8,11 +8,10 @@ import mesh_search
 import pytest
 from climbing import Findings, bits, search
 from precise import Exact, many_bits
+from search_length import EVALUATIONS
 
 from dynamics_cli.accuracy.alternatives.inertia.solids import triangles
 from dynamics_cli.accuracy.cases import DATA
-
-EVALUATIONS = 10_000
 
 
 @cache

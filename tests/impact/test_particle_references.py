@@ -1,13 +1,10 @@
 """The particle tasks of impact against 40-digit references: errors, stated bounds, arrays, checks, derivatives."""
 
-import subprocess
-import sys
-from pathlib import Path
 from typing import Any
 
 import pytest
-from references.comparison import DATA, HERE, leaves
 from references.comparison import cases as read
+from references.comparison import leaves
 from references.impact_particles_comparison import answer, disagreements, flat, measure
 from references.impact_particles_tasks import CASE_BY_CASE, TASKS, UNTRACKED
 
@@ -116,10 +113,3 @@ def test_derivatives_are_those_of_the_answer(task: str) -> None:
                 estimate = (ends[1][name] - ends[0][name]) / (2.0 * step)
                 size = abs(ends[1][name]) / max(abs(number), 1e-2) + abs(slope)
                 assert slope == pytest.approx(estimate, abs=5e-6 * size + 1e-9), (case["name"], name, index)
-
-
-def test_generating_again_gives_the_same_bytes(tmp_path: Path) -> None:
-    made = tmp_path / FILE
-    script = HERE / "generate_impact_particles_references.py"
-    subprocess.run([sys.executable, str(script), str(made)], check=True)
-    assert made.read_bytes() == (DATA / FILE).read_bytes()

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.rows import Row
-    from dynamics_cli.cam.export.path import OnPiece, Path
+    from dynamics_cli.cam.export.path import Path
+    from dynamics_cli.numerics.fitting.path import OnPiece
 
     # number of pieces, deviation as measured, deviation as proved
     Made = tuple[int, float, "float | None"]

@@ -1,6 +1,6 @@
-"""The tasks of `dynamics skid`."""
+"""Tasks of `dynamics skid` about marks, drag and stopping."""
 
-from dynamics_cli.core.answering.task import Family, Model, Task
+from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10"
 SLIDES = "every braked wheel slides the whole way"
@@ -264,19 +264,5 @@ SPIN = Task(
     ),
 )
 
-FAMILIES = {
-    "skid": Family(
-        "skid",
-        "Speeds and distances from skids, yaw marks, vaults and braking.",
-        SPEED,
-        DISTANCE,
-        FRICTION,
-        DRAG_FACTOR,
-        STOP,
-        YAW,
-        VAULT,
-        PEDESTRIAN,
-        AVOID,
-        SPIN,
-    )
-}
+
+TASKS = (SPEED, DISTANCE, FRICTION, DRAG_FACTOR, STOP, YAW, VAULT, PEDESTRIAN, AVOID, SPIN)

@@ -1,0 +1,77 @@
+"""Real roots of polynomials of low degree on an interval, found between the roots of their derivatives."""
+
+from itertools import pairwise
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+
+def value(coefficients: "Sequence[Any]", x: "Any") -> "Any":
+    """Σ c_k x^k by Horner's rule, for any kind of numbers; coefficients from the constant up."""
+    total = coefficients[-1]
+    for coefficient in reversed(coefficients[:-1]):
+        total = total * x + coefficient
+    return total
+
+
+def product(first: "Sequence[Any]", second: "Sequence[Any]") -> "list[Any]":
+    """The coefficients of a product of two polynomials."""
+    total: list[Any] = [0.0] * (len(first) + len(second) - 1)
+    for i, one in enumerate(first):
+        for j, other in enumerate(second):
+            total[i + j] = total[i + j] + one * other
+    return total
+
+
+def derivative(coefficients: "Sequence[Any]") -> "list[Any]":
+    """The coefficients of the derivative."""
+    return [k * coefficient for k, coefficient in enumerate(coefficients)][1:] or [0.0]
+
+
+def shifted(coefficients: "Sequence[Any]", by: "Any") -> "list[Any]":
+    """The coefficients of p(x + by), by repeated synthetic division."""
+    moved = list(coefficients)
+    for low in range(len(moved) - 1):
+        for k in range(len(moved) - 2, low - 1, -1):
+            moved[k] = moved[k] + by * moved[k + 1]
+    return moved
+
+
+def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "list[float]":
+    """The real roots within [low, high], in doubles, from the least up; each crossing once, touching roots left out.
+
+    Between two neighbouring roots of the derivative a polynomial is monotone and has a root where its sign changes.
+
+    >>> roots_between([-6.0, 1.0, 1.0], 0.0, 4.0)
+    [2.0]
+    """
+    while len(coefficients) > 1 and coefficients[-1] == 0.0:
+        coefficients = coefficients[:-1]
+    if len(coefficients) < 2 or not high > low:
+        return []
+    places = [low, *roots_between(derivative(coefficients), low, high), high]
+    found: list[float] = []
+    for left, right in pairwise(places):
+        at_left, at_right = value(coefficients, left), value(coefficients, right)
+        if at_left == 0.0:
+            if not found or found[-1] != left:
+                found.append(left)
+        elif at_right == 0.0:
+            found.append(right)
+        elif (at_left < 0.0) != (at_right < 0.0):
+            found.append(_halved(coefficients, left, right, rising=at_left < 0.0))
+    return found
+
+
+def _halved(coefficients: "Sequence[float]", left: float, right: float, *, rising: bool) -> float:
+    """The root between two places of unlike signs, by halving to the last bit."""
+    while True:
+        middle = 0.5 * (left + right)
+        if not left < middle < right:
+            return left if abs(value(coefficients, left)) <= abs(value(coefficients, right)) else right
+        if (value(coefficients, middle) < 0.0) == rising:
+            left = middle
+        else:
+            right = middle

@@ -1,0 +1,10 @@
+"""The tasks of `dynamics skid`."""
+
+from dynamics_cli.core.answering.task import Family
+from dynamics_cli.skid.commands import marks, timing
+
+FAMILIES = {
+    "skid": Family(
+        "skid", "Speeds and distances from skids, yaw marks, vaults and braking.", *marks.TASKS, *timing.TASKS
+    )
+}

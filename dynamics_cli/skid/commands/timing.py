@@ -1,0 +1,133 @@
+"""Tasks of `dynamics skid` about time and distance: phases, two parties, sight."""
+
+from dynamics_cli.core.answering.task import Model, Task
+from dynamics_cli.skid.commands.marks import POINT
+
+TIMELINE = Task(
+    "timeline",
+    "Time, distance and speed through reaction, braking and other phases, forward or back.",
+    Model(
+        "phases of uniform acceleration",
+        "dynamics_cli.skid.timing.timeline:timeline",
+        source="Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3 and section 10.10",
+        formula="{start_speed|v₁}² = {end_speed|v₂}² + 2·a·d, t = 2·d/(v₁ + v₂) in every phase",
+        assumptions=(POINT, "the deceleration rises linearly during a build-up"),
+    ),
+    headline=(
+        "start_speed: speed at the start",
+        "end_speed: speed at the end",
+        "duration",
+        "distance",
+        "phases: phases, counted back from the end | phase, begins, from_distance=distance left, start_speed, "
+        "end_speed",
+    ),
+    examples=(
+        'dynamics skid timeline --end-speed "8 m/s" --phase "kind=reaction, duration=1.2 s" '
+        '--phase "kind=build-up, duration=0.2 s" --phase "kind=braking, distance=14 m, friction=0.7"',
+        'dynamics skid timeline --start-speed 0km/h --kind accelerating --acceleration "2 m/s^2" --distance "11 m"',
+    ),
+    table="moments",
+    plot="dynamics_cli.skid.timing.pictures:timeline",
+)
+
+KINEMATICS = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3"
+
+MEET = Task(
+    "meet",
+    "Two parties before they met: where each was, and what speed would have avoided it.",
+    Model(
+        "time and distance of two parties",
+        "dynamics_cli.skid.timing.meet:meet",
+        source=KINEMATICS + "; avoidance by stopping and by arriving later derived",
+        formula="{stopping_speed|v_s} = 2·D'/(T + √(T² + 2·D'/a)), D' = {first_distance|D} + a·t_b²/24, "
+        "T = t_r + t_b/2; "
+        "{late_speed|v_l} = ({first_distance|D} + ½·a·({clear_time|t_c} − T)² + a·t_b²/24)/{clear_time|t_c}",
+        assumptions=(POINT, "before its first phase each party keeps its speed", "the second does not change its way"),
+    ),
+    headline=(
+        "avoidable",
+        "hazard_time: hazard began, before the impact",
+        "first_distance: first then away",
+        "first_speed: first then travelled at",
+        "sufficient_speed: speed that suffices",
+        "stopping_speed: to stop short",
+        "late_speed: to arrive when the way is clear",
+        "sufficient_deceleration",
+        "earlier: earlier reaction that suffices",
+        "moments: both, counted back from the impact | time_left, first_distance=first, first_speed=speed, "
+        "first_phase, second_distance=second",
+    ),
+    examples=(
+        'dynamics skid meet --first-end-speed "8 m/s" --first-phase "kind=reaction, duration=1.2 s" '
+        '--first-phase "kind=build-up, duration=0.2 s" --first-phase "kind=braking, distance=14 m, friction=0.7" '
+        '--second-kind constant --second-distance "4.6 m" --second-end-speed "1.4 m/s" --clear-distance "1.9 m"',
+    ),
+    table="moments",
+    arrays=False,
+    plot="dynamics_cli.skid.timing.pictures:meet",
+)
+
+FOLLOW = Task(
+    "follow",
+    "When and how fast a vehicle runs into the one before it, or how near it comes.",
+    Model(
+        "time and distance in one lane",
+        "dynamics_cli.skid.timing.follow:follow",
+        source=KINEMATICS,
+        formula="gap + s_leader({contact_time|t}) = s_follower({contact_time|t})",
+        assumptions=(POINT, "both in one lane", "after its last phase each vehicle keeps its speed"),
+        method="roots of polynomials, all found between those of their derivatives",
+    ),
+    headline=(
+        "contact",
+        "contact_time: contact after",
+        "closing_speed",
+        "leader_speed: leader then at",
+        "follower_speed: follower then at",
+        "follower_distance: follower has gone",
+        "least_gap",
+        "least_gap_time: nearest after",
+        "moments | time, gap, leader_speed, follower_speed",
+    ),
+    examples=(
+        'dynamics skid follow --gap "25 m" --leader-start-speed "20 m/s" --leader-kind braking --leader-speed 0m/s '
+        '--leader-acceleration "7 m/s^2" --follower-start-speed "20.5 m/s" '
+        '--follower-phase "kind=reaction, duration=1.1 s" '
+        '--follower-phase "kind=braking, speed=0 m/s, acceleration=6.5 m/s^2"',
+    ),
+    table="moments",
+    arrays=False,
+    plot="dynamics_cli.skid.timing.pictures:follow",
+)
+
+SIGHT = Task(
+    "sight",
+    "When two parties on crossing ways could see one another past an obstruction.",
+    Model(
+        "line of sight past a corner",
+        "dynamics_cli.skid.timing.sight:sight",
+        source=KINEMATICS + "; plane geometry of the line of sight",
+        formula="(C − E) × (Q − E) = 0 at {time_left|t} before the impact: eye E, target Q, corner C",
+        assumptions=("points in a plan view", "the obstruction fills everything behind its corner"),
+        method="roots of polynomials, all found between those of their derivatives",
+    ),
+    headline=(
+        "time_left: in sight, before the impact",
+        "first_distance: first then away",
+        "first_speed: first then at",
+        "second_distance: second then away",
+        "second_speed: second then at",
+        "sight_line: line of sight",
+        "changes: openings and closings",
+    ),
+    examples=(
+        'dynamics skid sight --first-kind constant --first-duration "5 s" --first-end-speed "13 m/s" '
+        '--second-kind constant --second-duration "5 s" --second-end-speed "1.5 m/s" --corner-before "6 m" '
+        '--corner-aside "1.8 m" --eye-behind "2 m"',
+    ),
+    table="changes",
+    arrays=False,
+    plot="dynamics_cli.skid.timing.pictures:sight",
+)
+
+TASKS = (TIMELINE, MEET, FOLLOW, SIGHT)

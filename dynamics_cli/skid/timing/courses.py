@@ -1,0 +1,93 @@
+"""A motion through phases as polynomials of the time, for two parties to be laid side by side."""
+
+from itertools import pairwise
+from math import inf, isfinite
+
+from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import derivative, roots_between, shifted, value
+from dynamics_cli.skid.diagnostics import require_kept
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from dynamics_cli.skid.timing.phases import Leg
+
+
+class Stretch:
+    """One piece of a course: distance travelled as a polynomial of the time since `origin`."""
+
+    __slots__ = ("begin", "coefficients", "end", "kind", "origin")
+
+    def __init__(self, kind: str, begin: float, end: float, origin: "Any", coefficients: "list[Any]") -> None:
+        self.kind = kind
+        self.begin = begin
+        self.end = end
+        self.origin = origin
+        self.coefficients = coefficients
+
+
+class Course:
+    """A party's distance over time; before its first phase and after its last it keeps its speed."""
+
+    def __init__(self, motion: "list[Leg]", begin: "Any", distance: "Any") -> None:
+        """`begin` is when the first phase begins, `distance` where the party then is."""
+        self.stretches = [Stretch("constant", -inf, plain(begin), begin, [distance, motion[0].start])]
+        for leg in motion:
+            rise = [distance, leg.start]
+            if leg.kind != "build-up":
+                rise.append(0.5 * leg.rate)
+            elif plain(leg.duration) > 0.0:
+                rise += [0.0, leg.rate / (6.0 * leg.duration)]
+            after = begin + leg.duration
+            self.stretches.append(Stretch(leg.kind, plain(begin), plain(after), begin, rise))
+            begin, distance = after, distance + leg.distance
+        kind = "constant" if plain(motion[-1].end) > 0.0 else "waiting"
+        self.stretches.append(Stretch(kind, plain(begin), inf, begin, [distance, motion[-1].end]))
+
+    def on(self, time: "Any") -> Stretch:
+        """The piece that a time falls on; at a corner the earlier one."""
+        at = plain(time)
+        require_kept(isfinite(at), "a speed or an acceleration, or the difference of two,")
+        return next(piece for piece in self.stretches if at <= piece.end)
+
+    def at(self, time: "Any") -> "tuple[Any, Any, str]":
+        """Distance, speed and phase at a time."""
+        piece = self.on(time)
+        since = time - piece.origin
+        return value(piece.coefficients, since), value(derivative(piece.coefficients), since), piece.kind
+
+
+def changes(
+    first: Course, second: Course, combined: "Callable[[list[Any], list[Any]], list[Any]]", begin: float, end: float
+) -> "list[tuple[Any, bool]]":
+    """The times within [begin, end] at which a combination of two courses changes its sign, and whether it rises.
+
+    `combined` makes one polynomial of those of both courses, over the same time.
+    """
+    ends = {piece.end for course in (first, second) for piece in course.stretches}
+    corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
+    found: list[tuple[Any, bool]] = []
+    for low, high in pairwise(corners):
+        pieces = (first.on(0.5 * (low + high)), second.on(0.5 * (low + high)))
+        whole = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
+        require_kept(
+            all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or the difference of two,"
+        )
+        slope = derivative(whole)
+        for root in roots_between([plain(part) for part in whole], 0.0, high - low):
+            steep = plain(value(slope, root))
+            # a root at a corner belongs to both pieces
+            again = found and abs(plain(found[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
+            if steep != 0.0 and not again:
+                found.append((low + _settled(whole, root, steep), steep > 0.0))
+    return found
+
+
+def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
+    """The root with what the coefficients carry: one step of Newton's from the double nearest to it."""
+    left = value(whole, root)
+    only_in_doubles(left)
+    return root - left / steep

@@ -1,0 +1,155 @@
+"""One vehicle behind another: whether, when, where and how fast the follower runs into the leader."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import derivative
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Annotated,
+    Count,
+    Distance,
+    Gravity,
+    Length,
+    RoadSpeed,
+    Time,
+)
+from dynamics_cli.records import record
+from dynamics_cli.skid.timing.courses import Course, changes
+from dynamics_cli.skid.timing.meet import Party, motion_of
+from dynamics_cli.skid.timing.timeline import MOST_STEPS
+
+
+@record
+class OneBehind:
+    """Both vehicles at one time."""
+
+    time: Annotated[Time, "Time since the start [s]."]
+    gap: Annotated[Length, "Free distance between them, less than zero beyond the contact [m]."]
+    leader_distance: Annotated[Distance, "Distance the leader has travelled [m]."]
+    leader_speed: Annotated[RoadSpeed, "Speed of the leader [m/s]."]
+    follower_distance: Annotated[Distance, "Distance the follower has travelled [m]."]
+    follower_speed: Annotated[RoadSpeed, "Speed of the follower [m/s]."]
+
+
+@record
+class Following:
+    """Whether the follower reaches the leader."""
+
+    contact: Annotated[bool, "Whether it runs into the leader [-]."]
+    contact_time: Annotated[Time | None, "Time from the start to the contact; there is none without contact [s]."]
+    closing_speed: Annotated[RoadSpeed | None, "By how much the follower is faster then; none without contact [m/s]."]
+    leader_speed: Annotated[RoadSpeed | None, "Speed of the leader then; none without contact [m/s]."]
+    follower_speed: Annotated[RoadSpeed | None, "Speed of the follower then; none without contact [m/s]."]
+    follower_distance: Annotated[Distance | None, "Distance of the follower up to then; none without contact [m]."]
+    least_gap: Annotated[Length | None, "Least free distance while nothing touches; none with a contact [m]."]
+    least_gap_time: Annotated[Time | None, "When that is; none with a contact [s]."]
+    moments: Annotated[tuple[OneBehind, ...], "Both, at equal steps of time up to the contact or to the end."]
+
+
+def follow(
+    *,
+    leader: Annotated[Party, "The vehicle in front: its phases from time zero."],
+    follower: Annotated[Party, "The vehicle behind it: its phases from time zero."],
+    gap: Annotated[Length, "Free distance between them at time zero, e.g. 25 m [m]."],
+    steps: Annotated[Count, "Rows of the time–distance table [-]."] = 8,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+) -> Following:
+    """When and how fast a vehicle runs into the one before it, or how near it comes.
+
+    Equation
+    --------
+    gap + s_leader(t) = s_follower(t), each s a polynomial of the time in every phase; after its last phase a vehicle
+    keeps its speed.
+
+    Returns
+    -------
+    Following
+        The time, speeds and place of the first contact, or the least gap and its time; a table of both.
+
+    Raises
+    ------
+    InadmissibleError
+        When the gap is not above zero, a phase cannot be as given, or steps is not within 1 to 10000.
+
+    Notes
+    -----
+    Both in one lane. The contact is looked for until both keep their speeds, and from then on as well, if the follower
+    is the faster.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3 (straight-line motion).
+
+    Examples
+    --------
+    >>> from dynamics_cli.skid.timing.phases import Kind, Phase
+    >>> from dynamics_cli.skid.timing.timeline import StartSpeed
+    >>> leader = Party(Phase(Kind("braking"), speed=0.0, acceleration=7.0), StartSpeed(20.0))
+    >>> late = (Phase(Kind("reaction"), duration=1.1), Phase(Kind("braking"), speed=0.0, acceleration=6.5))
+    >>> round(follow(leader=leader, follower=Party(late, StartSpeed(20.5)), gap=25.0).contact_time, 6)
+    3.620055
+    """
+    require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
+    require(gap > 0.0, "a gap of {gap} leaves no distance to close", code="no-gap", gap=(gap, Length))
+    front, behind = (Course(motion_of(party, gravity), 0.0, 0.0) for party in (leader, follower))
+    last = max((course.stretches[-1].origin for course in (front, behind)), key=plain)
+
+    def apart(one: "list[float]", other: "list[float]") -> "list[float]":
+        size = max(len(one), len(other))
+        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (one, other))
+        return [gap + first[0] - second[0], *(a - b for a, b in zip(first[1:], second[1:], strict=True))]
+
+    contact = next((time for time, rises in changes(front, behind, apart, 0.0, plain(last)) if not rises), None)
+    if contact is None:
+        contact = _later(front, behind, gap, last)
+    if contact is None:
+        nearest = _nearest(front, behind, gap, last)
+        table = _table(front, behind, gap, last, steps)
+        return Following(False, None, None, None, None, None, *nearest, tuple(table))
+    _, slow, _ = front.at(contact)
+    way, fast, _ = behind.at(contact)
+    return Following(
+        contact=True,
+        contact_time=contact,
+        closing_speed=fast - slow,
+        leader_speed=slow,
+        follower_speed=fast,
+        follower_distance=way,
+        least_gap=None,
+        least_gap_time=None,
+        moments=tuple(_table(front, behind, gap, contact, steps)),
+    )
+
+
+def _later(front: Course, behind: Course, gap: float, last: float) -> "float | None":
+    """The contact of two that keep their speeds from `last` on."""
+    (one, slow, _), (other, fast, _) = front.at(last + 1e-9), behind.at(last + 1e-9)
+    if plain(fast) <= plain(slow):
+        return None
+    later: float = last + 1e-9 + (gap + one - other) / (fast - slow)
+    return later
+
+
+def _nearest(front: Course, behind: Course, gap: float, last: float) -> "tuple[float, float]":
+    """The least gap and when: where the speeds are equal, at a corner, at the start or at the end."""
+
+    def faster(one: "list[float]", other: "list[float]") -> "list[float]":
+        first, second = derivative(one), derivative(other)
+        size = max(len(first), len(second))
+        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first, second))
+        return [a - b for a, b in zip(first, second, strict=True)]
+
+    corners = [piece.origin for course in (front, behind) for piece in course.stretches[1:]]
+    times = [*corners, *(time for time, _ in changes(front, behind, faster, 0.0, plain(last)))]
+    gaps = [(gap + front.at(time)[0] - behind.at(time)[0], time) for time in times]
+    return min(gaps, key=lambda one: (plain(one[0]), plain(one[1])))
+
+
+def _table(front: Course, behind: Course, gap: float, end: float, steps: int) -> "list[OneBehind]":
+    """Both at equal steps of time."""
+    rows = []
+    for step in range(steps + 1):
+        time = end * step / steps
+        (one, slow, _), (other, fast, _) = front.at(time), behind.at(time)
+        rows.append(OneBehind(time, gap + one - other, one, slow, other, fast))
+    return rows

@@ -1,0 +1,292 @@
+"""Phases of a motion along a path: each by what is known of it, chained forward from a speed or back from one."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import (
+    Acceleration,
+    Annotated,
+    Distance,
+    Fraction,
+    Friction,
+    RoadSpeed,
+    Slope,
+    Time,
+)
+from dynamics_cli.records import Choice, record
+from dynamics_cli.skid.drag import drag_along, require_drag
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Kind(Choice):
+    """What a party does in a phase."""
+
+    names = ("waiting", "constant", "reaction", "build-up", "braking", "coasting", "accelerating")
+    aliases = {"steady": "constant", "standing": "waiting", "sliding": "braking", "build": "build-up"}  # noqa: RUF012
+
+
+# Speed does not change in these.
+EVEN = ("waiting", "constant", "reaction")
+
+
+@record
+class Phase:
+    """One phase of a motion; of its duration, distance, speed and acceleration it needs two, or one when even."""
+
+    kind: Annotated[
+        Kind, "What it does: waiting, constant, reaction, build-up, braking, coasting or accelerating; e.g. braking."
+    ]
+    duration: Annotated[Time | None, "How long it takes, e.g. 1.2 s [s]."] = None
+    distance: Annotated[Distance | None, "How far it goes, e.g. 14 m [m]."] = None
+    speed: Annotated[
+        RoadSpeed | None,
+        "Speed at the end that the chain does not give: after the phase, before it when going back [m/s].",
+    ] = None
+    friction: Annotated[Friction | None, "Friction used while braking or sliding, e.g. 0.7 [-]."] = None
+    grade: Annotated[Slope, "Rise over run in the direction of travel, with the friction [-]."] = 0.0
+    braking: Annotated[Fraction, "Share of the friction that the brakes use [-]."] = 1.0
+    acceleration: Annotated[
+        Acceleration | None,
+        "Change of speed in its amount: lost while braking or coasting, won while accelerating, e.g. 2 m/s^2 [m/s^2].",
+    ] = None
+
+
+class Leg:
+    """A phase whose every number is known: speeds at its ends, duration, distance, and the rate it ends with.
+
+    `rate` is the acceleration along the path, less than zero while braking; in a build-up it is the one reached.
+    """
+
+    __slots__ = ("distance", "duration", "end", "kind", "rate", "start")
+
+    def __init__(self, kind: str, start: float, end: float, duration: float, distance: float, rate: float) -> None:
+        self.kind = kind
+        self.start = start
+        self.end = end
+        self.duration = duration
+        self.distance = distance
+        self.rate = rate
+
+    def at(self, time: "Any") -> "tuple[Any, Any]":
+        """Distance and speed so long after the phase began."""
+        if self.kind == "build-up":
+            lost = 0.5 * self.rate * time * time / self.duration
+            return time * (self.start + lost / 3.0), self.start + lost
+        gained = self.rate * time
+        return time * (self.start + 0.5 * gained), self.start + gained
+
+
+def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None") -> "list[Leg]":
+    """The phases with all their numbers, from the speed that is known at the start or at the end of them all."""
+    require(len(phases) > 0, "no phase is given", code="no-phase")
+    if start is not None:
+        speed, order = start, range(len(phases))
+    else:
+        assert end is not None
+        speed, order = end, range(len(phases) - 1, -1, -1)
+    found: list[Any] = [None] * len(phases)
+    for index in order:
+        leg = _leg(phases, index, speed, gravity, forward=start is not None)
+        speed = leg.end if start is not None else leg.start
+        found[index] = leg
+    return found
+
+
+def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, *, forward: bool) -> Leg:
+    """One phase, from the speed at the side where the chain comes from."""
+    phase = phases[index]
+    name = f"phases[{index}]: " if len(phases) > 1 else ""
+    if phase.kind in EVEN:
+        return _even(phase, speed, name, forward=forward)
+    if phase.kind == "build-up":
+        return _build_up(phases, index, speed, gravity, name, forward=forward)
+    amount = rate_of(phase, gravity, name)
+    slowing = phase.kind != "accelerating"
+    away = None if amount is None else (-amount if slowing == forward else amount)
+    other, duration, distance, away = _uniform(speed, phase, away, name)
+    require(
+        (other <= speed) if slowing == forward else (other >= speed),
+        "{name}a phase of {kind} cannot lead from {before} to {after}",
+        code="wrong-direction",
+        hint="look at the phase's speed, distance and duration, or at its kind",
+        name=name, kind=str(phase.kind),
+        before=(speed if forward else other, RoadSpeed), after=(other if forward else speed, RoadSpeed),
+    )  # fmt: skip
+    if forward:
+        return Leg(str(phase.kind), speed, other, duration, distance, away)
+    return Leg(str(phase.kind), other, speed, duration, distance, -away)
+
+
+def rate_of(phase: Phase, gravity: float, name: str = "") -> "float | None":
+    """The amount of a phase's acceleration: as given, or by its friction and grade."""
+    require(
+        phase.friction is None or phase.acceleration is None,
+        "{name}friction and acceleration both say how the speed changes",
+        code="twice",
+        hint="give one of them",
+        name=name,
+    )
+    if phase.friction is not None:
+        return gravity * require_drag(drag_along(phase.friction, phase.grade, phase.braking), name)
+    return phase.acceleration
+
+
+def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
+    """A phase of one speed: by its duration or its distance."""
+    duration, distance = phase.duration, phase.distance
+    for word in ("friction", "acceleration"):
+        require(
+            getattr(phase, word) is None, "{name}{word} has no meaning in a phase of {kind}",
+            code="even", hint="braking, coasting and accelerating change the speed",
+            name=name, word=word, kind=str(phase.kind),
+        )  # fmt: skip
+    if phase.kind == "waiting":
+        # who sets out at a walk is taken to have it at once: looking back, waiting ends where the walk begins
+        require(
+            (speed == 0.0) | (not forward), "{name}a phase of waiting begins and ends at rest, not at {speed}",
+            code="moving", hint="use kind=constant for a steady speed", name=name, speed=(speed, RoadSpeed),
+        )  # fmt: skip
+        _require_count(phase, ("duration",), 1, name)
+        assert duration is not None
+        return Leg("waiting", 0.0 * speed, 0.0 * speed, duration, 0.0 * duration, 0.0)
+    if phase.speed is not None:
+        require(
+            speed == phase.speed or speed == 0.0,
+            "{name}the speed of {own} is not the {chain} of the phases beside it",
+            code="speeds-differ", hint="leave the speed out: the chain gives it",
+            name=name, own=(phase.speed, RoadSpeed), chain=(speed, RoadSpeed),
+        )  # fmt: skip
+        speed = phase.speed
+    _require_count(phase, ("duration", "distance"), 1, name)
+    if duration is not None:
+        return Leg(str(phase.kind), speed, speed, duration, speed * duration, 0.0)
+    assert distance is not None
+    require(speed > 0.0, "{name}a party at rest covers no distance", code="at-rest", hint="give its speed", name=name)
+    return Leg(str(phase.kind), speed, speed, distance / speed, distance, 0.0)
+
+
+def _build_up(
+    phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, name: str, *, forward: bool
+) -> Leg:
+    """A phase in which the deceleration rises linearly from nothing to that of the braking after it."""
+    phase = phases[index]
+    _require_count(phase, ("duration",), 1, name)
+    rate = rate_of(phase, gravity, name)
+    after = phases[index + 1] if index + 1 < len(phases) else None
+    if rate is None and after is not None and after.kind == "braking":
+        rate = rate_of(after, gravity, f"phases[{index + 1}]: ")
+    require(
+        rate is not None, "{name}the deceleration that the build-up leads to is not known",
+        code="no-rate", hint="give friction or acceleration in it, or in the braking after it", name=name,
+    )  # fmt: skip
+    assert phase.duration is not None
+    assert rate is not None
+    duration: Any = phase.duration
+    lost = 0.5 * rate * duration
+    start = speed if forward else speed + lost
+    end = speed - lost if forward else speed
+    require(
+        end >= 0.0, "{name}the vehicle stops within the build-up, after {time}",
+        code="stops-early", hint="a shorter build-up, or none",
+        name=name, time=(sqrt(2.0 * start * duration / maximum(rate, 1e-300)), Time),
+    )  # fmt: skip
+    return Leg("build-up", start, end, duration, duration * (end + 2.0 * lost / 3.0), -rate)
+
+
+def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str) -> None:
+    """Refuse a phase of which more or less is given than it needs."""
+    known = [word for word in words if getattr(phase, word) is not None]
+    everything = ("duration", "distance") if phase.kind in EVEN else ("duration", "distance", "speed")
+    surplus = [word for word in everything if word not in words and getattr(phase, word) is not None]
+    require(
+        not surplus, "{name}{words} has no meaning in a phase of {kind}",
+        code="surplus", name=name, words=" and ".join(surplus), kind=str(phase.kind),
+    )  # fmt: skip
+    require(
+        len(known) == count, "{name}a phase of {kind} needs {wanted}, and {given} given",
+        code="incomplete" if len(known) < count else "twice",
+        name=name, kind=str(phase.kind),
+        wanted=("its " if len(words) == 1 else "one of ") + " and ".join(words),
+        given="none is" if not known else " and ".join(known) + (" are" if len(known) > 1 else " is"),
+    )  # fmt: skip
+
+
+def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tuple[float, float, float, float]":
+    """Speed at the other side, duration, distance and rate, seen from the side whose speed is known.
+
+    Going back in time is going forward with the rate's sign turned.
+    """
+    time, way, other = phase.duration, phase.distance, phase.speed
+    known = [word for word, value in (("duration", time), ("distance", way), ("speed", other)) if value is not None]
+    wanted = 2 if rate is None else 1
+    require(
+        len(known) == wanted,
+        "{name}a phase of {kind} needs two of its duration, distance, speed and acceleration (or friction), "
+        "and {given} given",
+        code="incomplete" if len(known) < wanted else "twice",
+        name=name, kind=str(phase.kind),
+        given=_and([*known, *([] if rate is None else ["friction" if phase.friction is not None else "acceleration"])]),
+    )  # fmt: skip
+    if rate is None:
+        return _by_two(speed, time, way, other, name)
+    if time is not None:
+        other = speed + rate * time
+        require(
+            other >= 0.0, "{name}the party is at rest after {rest}, before the {time} of the phase are over",
+            code="stops-early", hint="end the phase there and wait", name=name,
+            rest=(speed / absolute(where(rate == 0.0, 1.0, rate)), Time), time=(time, Time),
+        )  # fmt: skip
+        return other, time, time * (speed + 0.5 * rate * time), rate
+    if way is not None:
+        square = speed * speed + 2.0 * rate * way
+        require(
+            square >= 0.0, "{name}the party is at rest after {rest}, before the {way} of the phase are over",
+            code="stops-early", hint="end the phase there and wait", name=name,
+            rest=(0.5 * speed * speed / absolute(where(rate == 0.0, 1.0, rate)), Distance), way=(way, Distance),
+        )  # fmt: skip
+        other = hypot(speed, sqrt(2.0 * rate * way)) if plain(rate) >= 0.0 else sqrt(square)
+        return other, _crossing(way, speed, other, name), way, rate
+    assert other is not None
+    require(rate != 0.0, "{name}without acceleration the speed does not change", code="no-rate", name=name)
+    time = (other - speed) / rate
+    require(
+        time >= 0.0, "{name}a phase of {kind} cannot lead to a speed of {other}", code="wrong-direction",
+        name=name, kind=str(phase.kind), other=(other, RoadSpeed),
+    )  # fmt: skip
+    return other, time, 0.5 * time * (speed + other), rate
+
+
+def _by_two(
+    speed: float, time: "float | None", way: "float | None", other: "float | None", name: str
+) -> "tuple[float, float, float, float]":
+    """The same, where duration, distance and speed give the rate."""
+    if way is None:
+        assert time is not None
+        assert other is not None
+        way = 0.5 * time * (speed + other)
+    elif time is None:
+        assert other is not None
+        time = _crossing(way, speed, other, name)
+    else:
+        require(time > 0.0, "{name}a distance takes time", code="no-time", name=name)
+        other = 2.0 * way / time - speed
+        require(
+            other >= 0.0, "{name}{way} in {time} is too short: the party would have to turn back",
+            code="stops-early", name=name, way=(way, Distance), time=(time, Time),
+        )  # fmt: skip
+    require(time > 0.0, "{name}a change of speed takes time", code="no-time", name=name)
+    return other, time, way, (other - speed) / time
+
+
+def _crossing(way: float, speed: float, other: float, name: str) -> float:
+    """Time of a distance at a uniformly changing speed."""
+    both = speed + other
+    require((both > 0.0) | (way == 0.0), "{name}a party at rest covers no distance", code="at-rest", name=name)
+    return 2.0 * way / where(both > 0.0, both, 1.0)
+
+
+def _and(words: "list[str]") -> str:
+    return "none is" if not words else " and ".join(words) + (" are" if len(words) > 1 else " is")

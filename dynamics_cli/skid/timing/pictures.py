@@ -1,0 +1,135 @@
+"""Time–distance diagrams of phases, of two parties and of one behind another; the line of sight past a corner."""
+
+import math
+
+from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.quantities import STANDARD_GRAVITY, Length, RoadSpeed, Time
+from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
+from dynamics_cli.skid.timing.phases import Leg, legs
+from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+POINTS = 41
+LEFT = Axis("distance to the end", Length)
+AWAY = Axis("distance to the impact", Length)
+
+
+def _before(longest: float, what: str = "the impact") -> Axis:
+    """Time runs to the right, and is counted back from the impact."""
+    return Axis(f"time before {what}", Time, ends=(1.04 * longest, 0.0))
+
+
+def _curves(motion: "list[Leg]", role: int = -1) -> "tuple[list[Any], list[Any]]":
+    """Distance and speed over the time left, one curve for each phase; and marks where phases begin."""
+    ways: list[Any] = []
+    speeds: list[Any] = []
+    for leg, row in zip(motion, summed(motion), strict=True):
+        times = [leg.duration * i / (POINTS - 1) for i in range(POINTS)]
+        left = [row.begins - time for time in times]
+        states = [leg.at(time) for time in times]
+        ways.append(Curve(left, [row.from_distance - way for way, _ in states], leg.kind, role=role))
+        speeds.append(Curve(left, [speed for _, speed in states], leg.kind, role=role))
+    return ways, speeds
+
+
+def timeline(made: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
+    """Distance and speed over the time before the end, phase by phase."""
+    motion = legs(
+        phases if isinstance(phases, tuple) else (phases,), gravity,
+        start=known.start_speed if isinstance(known, StartSpeed) else None,
+        end=known.end_speed if isinstance(known, EndSpeed) else None,
+    )  # fmt: skip
+    ways, speeds = _curves(motion)
+    for row in made.phases:
+        ways.append(Mark(row.begins, row.from_distance, ""))
+    axis = _before(made.duration, "the end")
+    return Picture(
+        (Panel(axis, LEFT, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "time and distance"
+    )
+
+
+def _named(party: Party, otherwise: str) -> str:
+    return str(party.name) if party.name else otherwise
+
+
+def meet(made: "Any", *, first: Party, second: Party, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
+    """Both parties' distances and speeds over the time before the impact, with the moment the hazard began."""
+    longest = made.moments[0].time_left
+    times = [longest * (1.0 - i / (4 * POINTS)) for i in range(4 * POINTS + 1)]
+    ways: list[Any] = []
+    speeds: list[Any] = []
+    for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
+        motion = motion_of(party, gravity)
+        course = course_to_impact(motion)
+        states = [course.at(-time) for time in times]
+        ways.append(Curve(times, [-way for way, _, _ in states], _named(party, name), role=role))
+        speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
+        if role == 0:
+            ways += [
+                Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else row.phase, role=role)
+                for row in summed(motion)
+            ]
+    for items in (ways, speeds):
+        items.append(Band(made.hazard_time, made.hazard_time, "hazard begins"))
+    if made.sufficient_speed is not None:
+        speeds.append(Band(made.sufficient_speed, made.sufficient_speed, "speed that suffices", vertical=False))
+    axis = _before(longest)
+    return Picture(
+        (Panel(axis, AWAY, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        "two parties before the impact",
+    )
+
+
+def follow(
+    made: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
+) -> Picture:
+    """Places of both and speeds over time, up to the contact."""
+    from dynamics_cli.skid.timing.courses import Course
+
+    end = made.moments[-1].time
+    times = [end * i / (4 * POINTS) for i in range(4 * POINTS + 1)]
+    ways: list[Any] = []
+    speeds: list[Any] = []
+    for role, (party, name, ahead) in enumerate(((leader, "leader", gap), (follower, "follower", 0.0))):
+        course = Course(motion_of(party, gravity), 0.0, ahead)
+        states = [course.at(time) for time in times]
+        ways.append(Curve(times, [way for way, _, _ in states], _named(party, name), role=role))
+        speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
+    if made.contact:
+        ways.append(Mark(made.contact_time, made.follower_distance, "contact", aside=(-5.0, -12.0)))
+    axis = Axis("time", Time, ends=(0.0, 1.08 * end))
+    place = Axis("place", Length)
+    return Picture(
+        (Panel(axis, place, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "one behind the other"
+    )
+
+
+def sight(
+    made: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0,
+    crossing: float = 0.5 * math.pi, **_: "Any",
+) -> Picture:  # fmt: skip
+    """The plan at the opening of the sight: ways, corner, eye, target and the line between them."""
+    eye = -(made.first_distance + eye_behind)
+    target = (-made.second_distance * math.cos(crossing), -made.second_distance * math.sin(crossing))
+    depth = max(2.0 * made.second_distance * math.sin(crossing), 3.0 * corner_aside)
+    back = 1.1 * eye
+    block = ([back, -corner_before, -corner_before, back], [-corner_aside, -corner_aside, -depth, -depth])
+    span = depth / math.tan(crossing) if abs(crossing - 0.5 * math.pi) > 1e-9 else 0.0
+    items = (
+        Curve(*block, style="fill", role=6),
+        Curve([back, 0.15 * -back], [0.0, 0.0], style="centre", role=0),
+        Curve([-span, 0.4 * span], [-depth, 0.4 * depth], style="centre", role=1),
+        Curve([eye, target[0]], [0.0, target[1]], "line of sight", "dashed", role=2),
+        Arrow(eye, 0.0, eye_behind if eye_behind > 0.0 else 0.0, 0.0, role=0),
+        Mark(eye, 0.0, "eye", aside=(0.0, 8.0), role=0),
+        Mark(*target, "target", role=1),
+        Mark(0.0, 0.0, "impact"),
+        Label(0.5 * (back - corner_before), -0.5 * (corner_aside + depth), "obstruction"),
+    )
+    return Picture(
+        (Panel(Axis("along the way of the first", Length), Axis("aside", Length), items, equal=True),),
+        "where the sight opens",
+    )

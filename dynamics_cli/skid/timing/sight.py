@@ -1,0 +1,172 @@
+"""Sight past an obstruction: when two parties on crossing ways could first see one another."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import cos, hypot, sin
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import product
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Coordinate,
+    Distance,
+    Gravity,
+    Length,
+    RoadSpeed,
+    Time,
+)
+from dynamics_cli.records import Advice, record
+from dynamics_cli.skid.timing.courses import Course, changes
+from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
+from dynamics_cli.skid.timing.timeline import summed
+
+RIGHT_ANGLE = 1.5707963267948966
+AT_IMPACT = 1e-9
+
+
+@record
+class SightChange:
+    """The sight opens or closes."""
+
+    change: Annotated[str, "Whether the sight opens or closes."]
+    time_left: Annotated[Time, "Time left to the impact [s]."]
+    first_distance: Annotated[Distance, "How far the first is from the impact [m]."]
+    first_speed: Annotated[RoadSpeed, "Speed of the first [m/s]."]
+    second_distance: Annotated[Distance, "How far the second is from the impact [m]."]
+    second_speed: Annotated[RoadSpeed, "Speed of the second [m/s]."]
+
+
+@record
+class Sight:
+    """When the second came into the first's sight for the last time before the impact."""
+
+    time_left: Annotated[Time, "Time left to the impact when the sight opens, or as far back as the phases go [s]."]
+    first_distance: Annotated[Distance, "How far the first then is from the impact [m]."]
+    first_speed: Annotated[RoadSpeed, "Speed of the first then [m/s]."]
+    second_distance: Annotated[Distance, "How far the second then is from the impact [m]."]
+    second_speed: Annotated[RoadSpeed, "Speed of the second then [m/s]."]
+    sight_line: Annotated[Length, "Distance between eye and target then [m]."]
+    changes: Annotated[tuple[SightChange, ...], "Every opening and closing, in order of time."]
+    advice: tuple[Advice, ...] = ()
+
+
+def sight(
+    *,
+    first: Annotated[Party, "The party that looks; its phases up to the impact."],
+    second: Annotated[Party, "The party looked for; its phases up to the impact."],
+    corner_before: Annotated[
+        Coordinate,
+        "How far before the impact the corner of the obstruction is, along the way of the first, e.g. 6 m [m].",
+    ],
+    corner_aside: Annotated[
+        Length, "How far the corner stands aside from the way of the first, on the second's side, e.g. 1.8 m [m]."
+    ],
+    eye_behind: Annotated[Length, "How far the eye is behind the front that meets the second, e.g. 2 m [m]."] = 0.0,
+    crossing: Annotated[
+        Angle, "Angle between the directions of travel: 90 deg for a crossing, 180 deg head on, e.g. 70 deg [rad]."
+    ] = RIGHT_ANGLE,
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+) -> Sight:
+    """When two parties on crossing ways could see one another past the corner of an obstruction.
+
+    Equation
+    --------
+    (C − E) × (Q − E) = 0 with eye E, target Q and corner C: quadratic in the time for steady speeds, a polynomial for
+    every pair of phases otherwise. All its roots are looked at; the answer is the last opening before the impact.
+
+    Returns
+    -------
+    Sight
+        Time, distances and speeds when the sight opens for the last time, and every change before.
+
+    Raises
+    ------
+    InadmissibleError
+        When the corner is not aside, or the angle is not within 0 and 180 degrees.
+
+    Notes
+    -----
+    A plan view: points, and an obstruction that fills everything behind its corner. Both are looked at as far back as
+    the longer of the two timelines; before its first phase a party keeps its speed.
+
+    References
+    ----------
+    Plane geometry of lines of sight, derived; Josephs & Huston, Dynamics of Mechanical Systems, chapter 3.
+
+    Examples
+    --------
+    >>> from dynamics_cli.skid.timing.phases import Kind, Phase
+    >>> from dynamics_cli.skid.timing.timeline import EndSpeed
+    >>> car = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(13.0))
+    >>> walker = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(1.5))
+    >>> found = sight(first=car, second=walker, corner_before=6.0, corner_aside=1.8, eye_behind=2.0)
+    >>> round(found.time_left, 6)
+    1.621544
+    """
+    require(
+        corner_aside > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
+        hint="corner-aside is measured from the way of the first toward the second", aside=(corner_aside, Length),
+    )  # fmt: skip
+    require(
+        (crossing > 0.0) & (crossing < 2.0 * RIGHT_ANGLE), "ways at an angle of {crossing} do not cross",
+        code="no-crossing", crossing=(crossing, Angle),
+    )  # fmt: skip
+    across, along = sin(crossing), cos(crossing)
+    motions = [motion_of(party, gravity) for party in (first, second)]
+    one, other = (course_to_impact(motion) for motion in motions)
+
+    def cleared(eye: "list[float]", target: "list[float]") -> "list[float]":
+        """Above zero where the line of sight passes the corner; distances still to go are less than zero in courses."""
+        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
+        left = [-part for part in target]
+        beyond = [back[0] - corner_before, *back[1:]]
+        hidden = product(beyond, left)
+        seen = [0.0] * len(hidden)
+        for index, part in enumerate(back):
+            seen[index] = seen[index] + corner_aside * part
+        for index, part in enumerate(left):
+            seen[index] = seen[index] - corner_aside * along * part
+        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
+
+    start = max((summed(motion)[0].begins for motion in motions), key=plain)
+    # where eye and target meet, at the impact, is no opening
+    times = [entry for entry in changes(one, other, cleared, -plain(start), 0.0) if plain(entry[0]) < -AT_IMPACT]
+    rows = tuple(_change(time, opens, one, other) for time, opens in times)
+    opening = next((time for time, opens in reversed(times) if opens), None)
+    advice: tuple[Advice, ...] = ()
+    if opening is None:
+        advice = _unhidden(rows)
+        opening = -start
+    row = _change(opening, True, one, other)
+    eye, left = row.first_distance + eye_behind, row.second_distance
+    return Sight(
+        time_left=row.time_left,
+        first_distance=row.first_distance,
+        first_speed=row.first_speed,
+        second_distance=row.second_distance,
+        second_speed=row.second_speed,
+        sight_line=hypot(eye - along * left, across * left),
+        changes=rows,
+        advice=advice,
+    )
+
+
+def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
+    """No opening within the phases: nothing hid the second as far back as they go."""
+    require(
+        not rows, "the corner hides the second at the impact itself", code="never-shows",
+        hint="look at the corner's place: it lies on the way between the two",
+    )  # fmt: skip
+    return (
+        Advice(
+            code="always-in-sight",
+            message="the corner hides nothing as far back as the phases go: the sight was open from their start",
+            severity="note",
+            remedy="give longer phases to look farther back",
+        ),
+    )
+
+
+def _change(time: float, opens: bool, one: Course, other: Course) -> SightChange:
+    (way, fast, _), (left, swift, _) = one.at(time), other.at(time)
+    return SightChange("opens" if opens else "closes", -time, -way, fast, -left, swift)
