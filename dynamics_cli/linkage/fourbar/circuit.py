@@ -89,6 +89,10 @@ class Circuit:
     def place(self, u: "Any", point: complex) -> "tuple[Jet, Jet]":
         """A coupler point's coordinates as jets over u; the point is given from A along and left of AB."""
         links = self.links
+        along, aside = point.real / links.b, point.imag / links.b
+        if links.apart == 0.0 and links.slim == 0.0:
+            (ax, ay), (bx, by) = self._kite(u)
+            return ax + bx * along - by * aside, ay + by * along + bx * aside
         turn, across, area = self.crank(u)
         ax, ay = turn * links.a, across * links.a
         fx, fy = -ax + links.d, -ay
@@ -96,8 +100,27 @@ class Circuit:
         twice = (square * 2.0).inverse()
         ahead, left = (square + links.excess) * twice, area * twice
         bx, by = ahead * fx - left * fy, ahead * fy + left * fx
-        along, aside = point.real / links.b, point.imag / links.b
         return ax + bx * along - by * aside, ay + by * along + bx * aside
+
+    def _kite(self, u: "Any") -> "tuple[tuple[Jet, Jet], tuple[Jet, Jet]]":
+        """Crank and coupler of a kite, a = d and b = c, whose pin A may pass O₄: b⃗ = ½f⃗ + ½√D₁·e^{iθ₂/2}."""
+        links, (cosine, sine) = self.links, wave(u)
+        a, b = links.a, links.b
+        if links.outer == 0.0:
+            # a rhombus, √D₁ = 2a·cos(θ₂/2), with θ₂ for the parameter
+            ax, ay = cosine * a, sine * a
+            leanx, leany = (cosine + 1.0) * (0.5 * a * self.side), sine * (0.5 * a * self.side)
+        else:
+            half, root = (cosine, sine), None
+            if self.outer is not None:
+                reach = np.sin(0.5 * self.outer)
+                share = sine * reach
+                half, root = ((Jet(1.0) - share * share).root(), share), cosine * (2.0 * a * reach)
+            if root is None:
+                root = (Jet(4.0 * b * b) - half[1] * half[1] * (4.0 * a * a)).root() * self.side
+            ax, ay = (half[0] * half[0] * 2.0 - 1.0) * a, half[0] * half[1] * (2.0 * a)
+            leanx, leany = root * half[0] * 0.5, root * half[1] * 0.5
+        return (ax, ay), ((Jet(links.d) - ax) * 0.5 + leanx, -ay * 0.5 + leany)
 
 
 class CouplerPath:

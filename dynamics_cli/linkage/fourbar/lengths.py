@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 # A margin smaller than this share of the lengths is formed from decimals; above it doubles lose nothing that matters.
 NEAR = 2.0**-10
 UNIT = 2.0**-53
+# Fourth powers of lengths beyond these leave the range of a double.
+SMALLEST, LARGEST = 1e-75, 1e75
 LINKS = ("crank", "coupler", "rocker", "ground")
 
 
@@ -103,6 +105,13 @@ def require_links(crank: float, coupler: float, rocker: float, ground: float) ->
             f"the {name} has a length of {{length}}: a link needs more than zero",
             length=(length, Size),
             code="no-length",
+        )
+        require(
+            (length > SMALLEST) & (length < LARGEST),
+            f"the {name} has a length of {{length}}: its square leaves the range of a double",
+            length=(length, Size),
+            code="range",
+            hint="check its unit",
         )
     for index, name in enumerate(LINKS):
         signs = [1, 1, 1, 1]

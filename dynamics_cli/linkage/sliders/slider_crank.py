@@ -261,4 +261,4 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderS
     shown = (np.where(still, np.nan, part) for part in (slope, curved))
     columns = (theta, a * cosine + reach, *shown, np.arctan2(height, np.abs(reach)))
     rows = zip(*(column.tolist() for column in columns), strict=True)
-    return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)
+    return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)  # type: ignore[arg-type]
