@@ -63,6 +63,7 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[3],
         "Four-bars, slider-cranks, coupler curves, linkages from scenes.",
         references=("linkage.json",),
+        questions="dynamics_cli.accuracy.alternatives.linkage",
     ),
     "cam": Entry(
         "dynamics_cli.cam.commands",

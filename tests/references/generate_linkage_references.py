@@ -17,6 +17,8 @@ from mpmath import mp, mpf, pi
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = tuple[str, str, dict[str, Any], dict[str, str]]
+# At these lengths are what was typed, not the doubles nearest to it: the difference decides.
+TYPED = "limit: nearly a change point, of the decimals as typed"
 DEGREE = 0.017453292519943295
 MOTION = {"speed": 10.0, "angular_acceleration": 5.0, "point": [0.06, 0.04], "load_torque": 12.0}
 
@@ -67,8 +69,8 @@ def four_bars(generator: random.Random) -> Iterator[Case]:
     tiny = links(1e-6, 1.0, 0.8, 0.9) | {"crank_angle": 70 * DEGREE} | MOTION | {"speed": 1.0}
     yield "a crank of a micrometre", "limit: rates of the rocker are small differences", tiny, {"branch": "open"}
     for branch in ("open", "crossed"):
-        near = links(1.0, 3.0, 1.0 + 2.0**-30, 3.0) | {"crank_angle": float(pi) + 1e-6} | MOTION
-        yield f"2⁻³⁰ from a parallelogram, {branch}", "limit: nearly a change point", near, {"branch": branch}
+        near = links(1.0, 3.0, 1.000000001, 3.0) | {"crank_angle": float(pi) + 1e-6} | MOTION
+        yield f"1e-9 from a parallelogram, {branch}", TYPED, near, {"branch": branch}
     for step in (1e-3, 1e-6, 1e-8):
         near = links(3.0, 2.0, 2.5, 4.0) | {"crank_angle": 1.3715642395497258 - step} | MOTION
         yield f"{step:g} before the limit", "limit: coupler and rocker nearly stretched", near, {"branch": "open"}
@@ -141,7 +143,10 @@ def generate() -> list[dict[str, Any]]:
     cases = []
     for task, make in TASKS.items():
         for name, why, inputs, choices in make(random.Random(task)):
-            results = getattr(linkage_exact, task)(**exact(inputs), **choices)
+            given = exact(inputs)
+            if why == TYPED:
+                given |= {name: mpf(repr(inputs[name])) for name in ("crank", "coupler", "rocker", "ground")}
+            results = getattr(linkage_exact, task)(**given, **choices)
             own = {"task": task, "kind": "hard" if why else "ordinary", "name": name}
             own |= {"why": why} if why else {}
             own |= {"inputs": written(inputs)} | ({"choices": choices} if choices else {})

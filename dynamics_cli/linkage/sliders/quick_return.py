@@ -1,7 +1,7 @@
 """Quick returns: a crank whose pin slides along a lever, oscillating (crank shorter) or turning (Whitworth)."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import absolute, asin, atan2, hypot, pi_beside
+from dynamics_cli.numerics.elementary import absolute, atan2, hypot, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
@@ -130,12 +130,12 @@ def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, obj
     if not single(crank, ground) or crank == ground:
         return {}
     pi = pi_beside(crank, ground)
+    short, long = (crank, ground) if crank < ground else (ground, crank)
+    angle = 2.0 * atan2(short, sqrt((long - short) * (long + short)))
     if crank < ground:
-        angle = 2.0 * asin(crank / ground)
         stroke = None if lever is None else 2.0 * lever * (crank / ground)
         known: dict[str, object] = {"swing": angle, "stroke": stroke, "kind": "oscillating lever"}
     else:
-        angle = 2.0 * asin(ground / crank)
         known = {"kind": "turning lever (Whitworth)"}
     return {"time_ratio": (pi + angle) / (pi - angle), **known}
 
