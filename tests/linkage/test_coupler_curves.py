@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from harness import run
+from harness import answer, run
 from mpmath import mpf
 from references.linkage_exact import curve_length
 
@@ -175,3 +175,11 @@ def test_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     moving = moving_four_bar(None, 0.04, 0.12, 0.08, 0.1, point=POINT)
     assert moving.count("<animate ") == 9
     assert "<script" not in moving
+
+
+def test_an_uncertain_curve_is_not_drawn_for_every_sample() -> None:
+    made = answer("linkage", "coupler", "--crank", "40 ± 0.1 mm", "--coupler", "120 mm", "--rocker", "80 mm", "--ground",
+                  "100 mm", "--point", "60, 40 mm")["results"]  # fmt: skip
+    wide = [curve((a, 0.12, 0.08, 0.1), tolerance=1e-3).length for a in (0.0401, 0.0399)]  # type: ignore[attr-defined]
+    assert made["length"]["std"] == pytest.approx(0.5e3 * (wide[0] - wide[1]), rel=1e-2)
+    assert 0.0 < made["deviation"]["value"] <= 0.01

@@ -124,7 +124,7 @@ SYNTHESIZE = Task(
     "synthesize",
     "Four-bar for three angle pairs, three poses of its coupler, or a swing with a time ratio; with its defects.",
     Model(
-        "Freudenstein, circles of pins, circle of pivots",
+        "prescribed positions",
         "dynamics_cli.linkage.fourbar.synthesis:synthesize",
         source="Freudenstein, Transactions of the ASME 77, 1955",
         formula="R₁·cos θ₄ − R₂·cos θ₂ + R₃ = cos(θ₂ − θ₄); R₁ = {ground|d}/{crank|a}, R₂ = {ground|d}/{rocker|c}",

@@ -25,10 +25,7 @@ SOLVE = Task(
         "pins: pin | name, position, velocity, acceleration",
         "every_assembly: assembly | number, sides, pin, position",
     ),
-    examples=(
-        f"dynamics linkage solve {SIX_BAR}",
-        f"dynamics linkage solve {SIX_BAR} --assemblies --table every_assembly",
-    ),
+    examples=(f"dynamics linkage solve {SIX_BAR}",),
     table="motion pins",
     arrays=False,
     tracked=False,

@@ -5,9 +5,10 @@ from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
-from dynamics_cli.outlines import Drawing
+from dynamics_cli.outlines import Drawing, Outline
 from dynamics_cli.quantities import Annotated, Area, Coordinate, Count, PartPoint, Size, Text
 from dynamics_cli.records import Advice, Check, Choice, Columns, ErrorBound, Numerics, record
+from dynamics_cli.sampling import drawing
 
 
 class Form(Choice):
@@ -122,9 +123,11 @@ def coupler(
     circuit = Circuit(frame(*lengths), 1.0 if branch == OPEN else -1.0)
     place = complex(*point)
     length, error, area = measures(circuit, place)
-    sharp = cusp_places(circuit, place, length)
+    # samples of an uncertain curve are not drawn
+    sampled = drawing()
+    sharp = [] if sampled else cusp_places(circuit, place, length)
     lines = bool(sharp)
-    outline = drawn(circuit, place, "lines" if lines else str(form), tolerance, sharp)
+    outline = None if sampled else drawn(circuit, place, "lines" if lines else str(form), tolerance, sharp)
     (left, right), (bottom, top) = extremes(circuit, place)
     advice = closeness(lengths, kind)
     if lines:
@@ -140,20 +143,26 @@ def coupler(
         kind=kind,
         cognates=cognates(lengths, place),
         cusps=cusps(circuit, place, sharp) or None,
-        crossings=crossings(circuit, place) or None,
-        deviation=outline.deviation,
-        pieces=sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces),
-        shape=Drawing((outline,), "coupler curve"),
+        crossings=None if sampled else crossings(circuit, place) or None,
+        deviation=outline.deviation if outline else tolerance,
+        pieces=_count(outline) if outline else 0,
+        shape=Drawing((outline,), "coupler curve") if outline else None,
         points=columns(circuit, place, points),
-        checks=(
-            Check("deviation is within the tolerance", outline.deviation <= tolerance, outline.deviation, tolerance),
-        ),
+        checks=_within(outline, tolerance) if outline else (),
         advice=advice,
         numerics=Numerics(
             "trapezoid rule doubled until it settles; extremes by Newton; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),
         ),
     )
+
+
+def _count(outline: Outline) -> int:
+    return sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces)
+
+
+def _within(outline: Outline, tolerance: float) -> "tuple[Check, ...]":
+    return (Check("deviation is within the tolerance", outline.deviation <= tolerance, outline.deviation, tolerance),)
 
 
 def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ...]":

@@ -18,6 +18,8 @@ SETTLED = 1e-13
 # A point slower than this share of its mean speed stands still: the rest is rounding.
 STILL = 1e-7
 SAMPLES = 1440
+# Newton's method ends where it moves no more than rounding.
+NEAREST = 2.0**-52
 SEGMENTS = 360
 STEPS = 8
 
@@ -49,8 +51,10 @@ def _roots(function: "Any", u: "Any") -> "Any":
         low, high = np.where(np.sign(own) == sign, place, low), np.where(np.sign(own) == sign, high, place)
         with np.errstate(all="ignore"):
             newton = place - own / slope
-        inside = (newton > low) & (newton < high)
-        place = np.where(inside, newton, 0.5 * (low + high))
+        inside = (newton >= low) & (newton <= high)
+        before, place = place, np.where(inside, newton, 0.5 * (low + high))
+        if np.all(np.abs(place - before) <= NEAREST * FULL):
+            break
     return place
 
 

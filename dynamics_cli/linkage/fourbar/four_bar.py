@@ -124,7 +124,7 @@ def four_bar(
         kind=kind,
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and shown else (),
-        advice=(*closeness(lengths, kind), *_poor(transmission)) if alone and kind else (),
+        advice=(*closeness(lengths, kind), *_poor(transmission, shown)) if alone and kind else (),
     )
 
 
@@ -248,7 +248,16 @@ def _checks(links: Frame, loop: Closed, pin: "Pair", speeds: "Any") -> "tuple[Ch
     )
 
 
-def _poor(transmission: float) -> "tuple[Advice, ...]":
+def _poor(transmission: float, shown: bool) -> "tuple[Advice, ...]":
+    if not shown:
+        return (
+            Advice(
+                "toggle",
+                "coupler and rocker are in line (a toggle): the crank's speed does not determine the rocker's",
+                remedy="give a crank angle beside it",
+                result="rocker_ratio",
+            ),
+        )
     angle = plain(transmission)
     if POOR <= angle <= 3.141592653589793 - POOR:
         return ()

@@ -131,13 +131,14 @@ def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, obj
         return {}
     pi = pi_beside(crank, ground)
     short, long = (crank, ground) if crank < ground else (ground, crank)
-    angle = 2.0 * atan2(short, sqrt((long - short) * (long + short)))
+    leg = sqrt((long - short) * (long + short))
+    angle, rest = 2.0 * atan2(short, leg), 2.0 * atan2(leg, short)
     if crank < ground:
         stroke = None if lever is None else 2.0 * lever * (crank / ground)
         known: dict[str, object] = {"swing": angle, "stroke": stroke, "kind": "oscillating lever"}
     else:
         known = {"kind": "turning lever (Whitworth)"}
-    return {"time_ratio": (pi + angle) / (pi - angle), **known}
+    return {"time_ratio": (pi + angle) / rest, **known}
 
 
 def _checks(
