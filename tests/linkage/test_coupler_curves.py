@@ -178,8 +178,8 @@ def test_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_uncertain_curve_is_not_drawn_for_every_sample() -> None:
-    made = answer("linkage", "coupler", "--crank", "40 ± 0.1 mm", "--coupler", "120 mm", "--rocker", "80 mm", "--ground",
-                  "100 mm", "--point", "60, 40 mm")["results"]  # fmt: skip
+    links = ("--coupler", "120 mm", "--rocker", "80 mm", "--ground", "100 mm", "--point", "60, 40 mm")
+    made = answer("linkage", "coupler", "--crank", "40 ± 0.1 mm", *links)["results"]
     wide = [curve((a, 0.12, 0.08, 0.1), tolerance=1e-3).length for a in (0.0401, 0.0399)]  # type: ignore[attr-defined]
     assert made["length"]["std"] == pytest.approx(0.5e3 * (wide[0] - wide[1]), rel=1e-2)
     assert 0.0 < made["deviation"]["value"] <= 0.01
