@@ -11,8 +11,9 @@ class Kind:
     """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
-    "tensor", "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an exact rational with its unit),
-    "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
+    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
+    "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
+    exact rational with its unit), "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
@@ -121,6 +122,8 @@ STANDARD_GRAVITY = 9.80665
 STANDARD_GRAVITY_TEXT = "9.80665 m/s²"
 
 if TYPE_CHECKING:
+    from dynamics_cli.records import Quantity
+
     # lengths, areas, volumes
     Length = float
     Distance = float
@@ -213,6 +216,10 @@ if TYPE_CHECKING:
     PartVelocity = tuple[float, float]
     PartAcceleration = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
+    FreeVector = Quantity
+    FreeNumber = Quantity
+    Matrix = tuple[tuple[tuple[int, int], ...], ...]
+    MatrixOfNumbers = tuple[tuple[float, ...], ...]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
     Text = str
@@ -573,6 +580,12 @@ else:
         example="[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2",
         about="a symmetric tensor, as its matrix or as moments and products",
     )
+    FreeVector = Kind(
+        "vector", "", form="free vector", example="20 N @ 30 deg", about="a vector of any kind, planar or in space"
+    )
+    FreeNumber = Kind("quantity", "", form="free", about="a number whose kind is that of the inputs")
+    Matrix = Kind("matrix", "", form="matrix", example="2, 1; 1, 3", about="rows of exact numbers, up to six by six")
+    MatrixOfNumbers = Kind("matrix", "", form="matrix", about="rows of numbers")
     ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
     WholeRange = Kind("range", "", form="range", low=0.0, example="12..120", about="whole numbers from one to another")
     Text = Kind("text", "", form="text", example="a name", about="words")

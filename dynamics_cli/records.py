@@ -180,6 +180,17 @@ class Measured:
 
 
 @record
+class Quantity:
+    """A number, or the components of a vector, in SI, with the kind that the inputs have made it.
+
+    Where a signature says `FreeVector` or `FreeNumber`, this says what was written: a force, a velocity, a length.
+    """
+
+    value: "Any"
+    kind: "Any"
+
+
+@record
 class ExactQuantity:
     """An exact rational number with the unit it was written in."""
 

@@ -58,6 +58,12 @@ FAMILIES: "dict[str, Entry]" = {
         references=("inertia_bodies.json",),
         questions="dynamics_cli.accuracy.alternatives.inertia.questions",
     ),
+    "vec": Entry(
+        "dynamics_cli.vec.commands",
+        GROUPS[3],
+        "Vectors: sums, angles, products, components, frames, lines.",
+        references=("vec.json",),
+    ),
     "linkage": Entry(
         "dynamics_cli.linkage.commands",
         GROUPS[3],

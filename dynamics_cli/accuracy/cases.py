@@ -8,6 +8,8 @@ import json
 from functools import cache
 from importlib.resources import files
 
+from dynamics_cli.records import Quantity
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -78,6 +80,7 @@ def flat(result: "Any", prefix: str = "") -> "dict[str, Any]":
     out: dict[str, Any] = {}
     for name in result.fields:
         value = getattr(result, name)
+        value = value.value if isinstance(value, Quantity) else value
         address = prefix + name
         if name in ("checks", "advice", "numerics") or value is None or isinstance(value, str | bool):
             continue

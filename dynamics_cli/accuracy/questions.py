@@ -46,15 +46,16 @@ class Method:
         places = code.co_varnames[: code.co_posonlyargcount] if code else ()
         leaves = {field.name: field.node for field in self.fields if isinstance(field.node, Leaf)}
         choices = {name: leaf.choice for name, leaf in leaves.items() if leaf.choice is not None}
-        if not places and not choices:
+        several = code.co_varnames[code.co_argcount + code.co_kwonlyargcount] if code and code.co_flags & 0x04 else ""
+        if not places and not choices and not several:
             return function
 
         def called(**given: "Any") -> "Any":
             for name, choice in choices.items():
                 if isinstance(given.get(name), str):
                     given[name] = choice(given[name])
-            first = [given.pop(name) for name in places]
-            return function(*first, **given)
+            first = [given.pop(name) for name in places if name in given]
+            return function(*first, *given.pop(several, ()), **given)
 
         return called
 
@@ -72,11 +73,7 @@ class Question:
 
 
 class Comparison:
-    """A question whose rows are made by a function of its own: it takes (name, hard, full, timed) and gives rows.
-
-    Where peers answer it, it also takes `more`: pairs of a name and a callable. `needs` are libraries that always take
-    part.
-    """
+    """A question whose rows a function of its own gives from a `Comparing`; `needs` libraries take part always."""
 
     def __init__(self, family: str, task: str, name: str, function: str, *, needs: "tuple[str, ...]" = ()) -> None:
         self.family = family

@@ -50,28 +50,16 @@ class Spherical:
 def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
     """Cylindrical coordinates of a Cartesian point.
 
+    `x`: along the X-axis; `y`: along the Y-axis; `z`: along the Z-axis. Returns r ≥ 0, −π < θ ≤ π and z. Raises
+    InadmissibleError when r exceeds the largest double.
+
     Equation
     --------
     r = √(x² + y²), θ = atan2(y, x).
 
-    Parameters
+    References
     ----------
-    x : float
-        Along the X-axis.
-    y : float
-        Along the Y-axis.
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Cylindrical
-        r ≥ 0, −π < θ ≤ π and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When r exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -85,28 +73,16 @@ def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
 def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     """Spherical coordinates of a Cartesian point.
 
+    `x`: along the X-axis; `y`: along the Y-axis; `z`: along the Z-axis. Returns ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π. Raises
+    InadmissibleError when ρ exceeds the largest double.
+
     Equation
     --------
     ρ = √(x² + y² + z²), φ = atan2(√(x² + y²), z), θ = atan2(y, x).
 
-    Parameters
+    References
     ----------
-    x : float
-        Along the X-axis.
-    y : float
-        Along the Y-axis.
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Spherical
-        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -126,28 +102,16 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
 def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
     """Cartesian coordinates of a cylindrical point.
 
+    `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
+    the Z-axis. Returns x, y and z. Raises InadmissibleError when r is negative.
+
     Equation
     --------
     x = r cos θ, y = r sin θ.
 
-    Parameters
+    References
     ----------
-    r : float
-        Distance from the Z-axis, not negative.
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Cartesian
-        x, y and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When r is negative.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -161,28 +125,17 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
 def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
     """Spherical coordinates of a cylindrical point.
 
+    `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
+    the Z-axis. Returns ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π. Raises InadmissibleError when r is negative or ρ exceeds the
+    largest double.
+
     Equation
     --------
     ρ = √(r² + z²), φ = atan2(r, z).
 
-    Parameters
+    References
     ----------
-    r : float
-        Distance from the Z-axis, not negative.
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Spherical
-        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
-
-    Raises
-    ------
-    InadmissibleError
-        When r is negative or ρ exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -197,28 +150,17 @@ def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
 def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
     """Cartesian coordinates of a spherical point.
 
+    `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
+    in the X–Y plane, from X towards Y [rad]. Returns x, y and z. Raises InadmissibleError when ρ is negative or φ is
+    not within 0 to π.
+
     Equation
     --------
     x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ.
 
-    Parameters
+    References
     ----------
-    rho : float
-        Distance ρ from the origin, not negative.
-    phi : Angle
-        Angle φ from the Z-axis, from 0 to π [rad].
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-
-    Returns
-    -------
-    Cartesian
-        x, y and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ is negative or φ is not within 0 to π.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -234,28 +176,17 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
 def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrical:
     """Cylindrical coordinates of a spherical point.
 
+    `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
+    in the X–Y plane, from X towards Y [rad]. Returns r ≥ 0, −π < θ ≤ π and z. Raises InadmissibleError when ρ is
+    negative or φ is not within 0 to π.
+
     Equation
     --------
     r = ρ sin φ, z = ρ cos φ.
 
-    Parameters
+    References
     ----------
-    rho : float
-        Distance ρ from the origin, not negative.
-    phi : Angle
-        Angle φ from the Z-axis, from 0 to π [rad].
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-
-    Returns
-    -------
-    Cylindrical
-        r ≥ 0, −π < θ ≤ π and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ is negative or φ is not within 0 to π.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -314,13 +245,8 @@ def _undetermined(off_axis: float, distance: float | None) -> tuple[Advice, ...]
     if off_axis != 0.0:
         return ()
     if distance is not None and distance == 0.0:
-        return (
-            Advice(
-                code="angles-undetermined",
-                message="at the origin φ and θ are not determined: 0 is shown",
-                severity="note",
-            ),
-        )
+        message = "at the origin φ and θ are not determined: 0 is shown"
+        return (Advice(code="angles-undetermined", message=message, severity="note"),)
     return (
         Advice(code="angle-undetermined", message="on the Z-axis θ is not determined: 0 is shown", severity="note"),
     )

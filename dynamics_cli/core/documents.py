@@ -171,7 +171,10 @@ def component_texts(node: "dict[str, Any]") -> "tuple[str, str]":
     if "magnitude" in node:
         parts = (node["magnitude"], node["direction"])
         texts = [distribution_text(part) if "distribution" in part else number(part["value"], 17) for part in parts]
-        return " @ ".join(f"{text} {part.get('unit', '')}" for text, part in zip(texts, parts, strict=True)), ""
+        joint = " along " if isinstance(parts[1]["value"], list) else " @ "
+        return joint.join(
+            f"{text} {part.get('unit', '')}".rstrip() for text, part in zip(texts, parts, strict=True)
+        ), ""
     texts = []
     for value, part in zip(node["value"], node["distributions"], strict=True):
         unit = part.get("unit", "") if part else ""

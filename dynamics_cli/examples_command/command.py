@@ -114,6 +114,12 @@ WORKED = (
         "compare_plates.toml",
     ),
     Example(
+        "crane",
+        "A crane's hoist rope: wrap, fleet angle, force on the sheave, clearance.",
+        "cd crane && sh crane.sh",
+        "crane/crane.sh",
+    ),
+    Example(
         "cam",
         "A cam that rises, dwells and returns in three steps.",
         'dynamics cam motion cam.toml --shaft-speed "1000 rpm"',

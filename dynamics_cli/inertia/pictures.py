@@ -106,13 +106,13 @@ def _panel(
 def _arrows(answer: "MassProperties", i: int, j: int) -> "list[Arrow]":
     """The principal axes, each as long as its semi-axis of the ellipsoid."""
     at = answer.centroid
-    found = []
+    arrows = []
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
         dx, dy = size * axis[i], size * axis[j]
         if max(abs(dx), abs(dy)) > SEEN * max(answer.equivalent_ellipsoid):
-            found.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
-    return found
+            arrows.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
+    return arrows
 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":

@@ -320,13 +320,8 @@ def _require_standing(axles: Axles) -> None:
 def _light_rear(share: float) -> tuple[Advice, ...]:
     if not single(share) or plain(share) >= 0.1:
         return ()
-    return (
-        Advice(
-            code="light-rear-axle",
-            message=worded("only {share:3} of the load stays on the rear axle", share=(share, Fraction)),
-            remedy="check the height of the mass centre",
-        ),
-    )
+    message = worded("only {share:3} of the load stays on the rear axle", share=(share, Fraction))
+    return (Advice(code="light-rear-axle", message=message, remedy="check the height of the mass centre"),)
 
 
 def _require_dragged(sled: Sled) -> None:

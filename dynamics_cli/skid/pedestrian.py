@@ -57,6 +57,16 @@ class Throw:
     advice: tuple[Advice, ...] = ()
 
 
+def _require_throw(throw_distance: float, friction: float) -> None:
+    require(
+        friction > 0.0,
+        "a friction of {friction:6} does not stop a thrown body",
+        friction=(friction, Friction),
+        code="no-friction",
+    )
+    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+
+
 def pedestrian(
     *,
     throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
@@ -106,13 +116,7 @@ def pedestrian(
     >>> round(pedestrian(throw_distance=25.0, friction=0.66).least_speed, 4)
     15.0141
     """
-    require(
-        friction > 0.0,
-        "a friction of {friction:6} does not stop a thrown body",
-        friction=(friction, Friction),
-        code="no-friction",
-    )
-    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+    _require_throw(throw_distance, friction)
     over = multiply_add(-friction, launch_height, throw_distance)
     # Within μH the landing stops every throw. There the terms of the slide are those of any distance, and not used.
     lands = over <= 0.0
@@ -251,41 +255,27 @@ def _stop_advice(friction: float, share: float, greatest_angle: float, lands: bo
     if not single(friction, share):
         return ()
     if lands:
-        return (
-            Advice(
-                code="stops-where-it-lands",
-                message="the throw distance is at most friction × launch height: landing stops the body at once, "
-                "whatever the launch angle, and the speeds are those of the flight alone",
-                severity="note",
-            ),
+        text = (
+            "the throw distance is at most friction × launch height: landing stops the body at once, "
+            "whatever the launch angle, and the speeds are those of the flight alone"
         )
+        return (Advice(code="stops-where-it-lands", message=text, severity="note"),)
     if plain(share) >= 0.0 and _slides_there(friction, share):
         return ()
     from_angle = plain(atan2(sqrt(maximum(share, 0.0)), sqrt(multiply_add(friction, friction, 1.0 - share))))
-    return (
-        Advice(
-            code="may-stop-at-landing",
-            message=worded(
-                "launched at the greatest speed above {angle} the body stops where it lands: that speed holds up to "
-                "{greatest}, not 2 atan μ = {sliding}",
-                angle=(from_angle, Angle),
-                greatest=(greatest_angle, Angle),
-                sliding=(2.0 * plain(atan(friction)), Angle),
-            ),
-            severity="note",
-        ),
+    message = worded(
+        "launched at the greatest speed above {angle} the body stops where it lands: that speed holds up to "
+        "{greatest}, not 2 atan μ = {sliding}",
+        angle=(from_angle, Angle),
+        greatest=(greatest_angle, Angle),
+        sliding=(2.0 * plain(atan(friction)), Angle),
     )
+    return (Advice(code="may-stop-at-landing", message=message, severity="note"),)
 
 
 def _angle_advice(launch_angle: float, greatest_angle: float) -> tuple[Advice, ...]:
     if not single(launch_angle, greatest_angle) or 0.0 <= plain(launch_angle) <= plain(greatest_angle):
         return ()
-    return (
-        Advice(
-            code="beyond-greatest-angle",
-            message=worded(
-                "the greatest speed holds for launches from 0 to {greatest}", greatest=(greatest_angle, Angle)
-            ),
-            remedy="use the speed of this launch angle, or the least speed",
-        ),
-    )
+    message = worded("the greatest speed holds for launches from 0 to {greatest}", greatest=(greatest_angle, Angle))
+    remedy = "use the speed of this launch angle, or the least speed"
+    return (Advice(code="beyond-greatest-angle", message=message, remedy=remedy),)

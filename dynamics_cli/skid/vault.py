@@ -193,18 +193,13 @@ def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, .
     """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
     if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
         return ()
-    return (
-        Advice(
-            code="near-line-of-sight",
-            message=worded(
-                "the take-off points only {above:3} above the landing point: an error of a tenth of that angle changes "
-                "the speed by 5 %",
-                above=(plain(over) / plain(slant), Angle),
-            ),
-            severity="serious",
-            remedy="measure the take-off angle more closely, or leave it out for the least speed",
-        ),
+    message = worded(
+        "the take-off points only {above:3} above the landing point: an error of a tenth of that angle changes "
+        "the speed by 5 %",
+        above=(plain(over) / plain(slant), Angle),
     )
+    remedy = "measure the take-off angle more closely, or leave it out for the least speed"
+    return (Advice(code="near-line-of-sight", message=message, severity="serious", remedy=remedy),)
 
 
 def _energy_check(speed: float, landing: float, distance: float, rise: float, gravity: float) -> tuple[Check, ...]:

@@ -164,17 +164,13 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
         return ()
     chord, ordinate = plain(path.chord), plain(path.middle_ordinate)
     if ordinate > 0.5 * chord:
-        return (
-            Advice(
-                code="beyond-half-circle",
-                message=worded(
-                    "the middle ordinate of {ordinate} exceeds half the chord of {chord}: more than half a turn",
-                    ordinate=(ordinate, Distance),
-                    chord=(chord, Distance),
-                ),
-                remedy="check that chord and middle ordinate are not exchanged",
-            ),
+        message = worded(
+            "the middle ordinate of {ordinate} exceeds half the chord of {chord}: more than half a turn",
+            ordinate=(ordinate, Distance),
+            chord=(chord, Distance),
         )
+        remedy = "check that chord and middle ordinate are not exchanged"
+        return (Advice(code="beyond-half-circle", message=message, remedy=remedy),)
     if ordinate >= 0.25:
         return ()
     percent = 0.5 / ordinate
@@ -195,13 +191,7 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
 def _bank_advice(lean: float) -> tuple[Advice, ...]:
     if not single(lean) or plain(lean) > 0.2:
         return ()
-    return (
-        Advice(
-            code="near-self-holding-bank",
-            message=worded(
-                "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit",
-                lean=(lean, Ratio),
-            ),
-            severity="serious",
-        ),
+    message = worded(
+        "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit", lean=(lean, Ratio)
     )
+    return (Advice(code="near-self-holding-bank", message=message, severity="serious"),)

@@ -72,7 +72,7 @@ WRONG = [
     (f"{SKID}|--distance|60 ft|--friction|0.75..0.65", 2, "above the upper one"),
     (f"{SKID}|--distance|60 ft|--friction|lognormal(0.7)", 2, "does not consist of mean, std"),
     (f"{SKID}|--distance|60 ft|--friction|0.7 ± 5 %", 2, "a share of it or a difference"),
-    (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7 ± 0.1|--correlate|distance,grade=0.3", 2, "no uncertain input"),
+    (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7 ± 0.1|--correlate|distance,grade=0.3", 2, "not an uncertain input"),
     (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7|--method|guess", 2, "wanted one of auto"),
     (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7|--coverage|95", 2, "less than 1"),
     (f"{OK}|--friction|0.8", 2, "--friction is given 2 times"),

@@ -17,6 +17,7 @@ from dynamics_cli.core.terminal import Terminal
 WITHOUT = {
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
+    "vec matrix",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]
 PICTURED = [task for task in TASKS if task.plot]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.inputs.specification import SpecificationError, interpret
+from dynamics_cli.core.inputs.specification import Field, SpecificationError, interpret
 from dynamics_cli.quantities import Length
 from dynamics_cli.records import record
 
@@ -16,6 +16,24 @@ pytestmark = pytest.mark.usefixtures("toy")
 
 def value(document: dict, name: str) -> object:
     return document["results"][name]["value"]
+
+
+@record
+class Turned:
+    """Fields in an order that is not that of the alphabet."""
+
+    turn_axis: Length
+    turn_angle: Length
+    euler: Length
+    order: Length
+
+
+@record
+class Turning:
+    """Another."""
+
+    speed: Length
+    axis: Length
 
 
 class TestCommandLine:
@@ -85,6 +103,10 @@ class TestAlternatives:
 
         with pytest.raises(SpecificationError, match="distinguished"):
             interpret(Same | Other, {})
+
+    def test_keys_stand_in_the_order_of_the_fields(self) -> None:
+        node = interpret(Turned | Turning, {})
+        assert Field("pose", node, None).spread() == ("turn_axis", "turn_angle", "euler", "order", "speed", "axis")
 
 
 class TestGroups:

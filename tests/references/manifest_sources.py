@@ -119,6 +119,12 @@ FILES: dict[str, Origin] = {
         "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
         "56 digits", IMPACTS, ".",
     ),
+    "vec": Origin(
+        "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),
+        "sums in ratios, angles by arc cosines, the law of cosines, projection by normal equations, Gram–Schmidt, "
+        "Cramer's rule",
+        "exact, then 400 digits", "", r"drawn",
+    ),
     "cam_motion": Origin(
         "cam", {"rise": "rise", "polynomial": "rise", "motion": "motion"},
         "accelerations integrated piece by piece over the whole rise, polynomials from their boundary conditions",

@@ -6,6 +6,7 @@ from dynamics_cli.core.answering.task import Model, Task, load
 from dynamics_cli.core.inputs.specification import Leaf, Record
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
+from dynamics_cli.records import Quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,10 +67,10 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
     try:
         return model.call()(*args, **kwargs)
     except DynamicsError as error:
-        from dynamics_cli.core.answering.messages import FEWEST_TO_GIVE, in_written_units
+        from dynamics_cli.core.answering.messages import in_written_units
 
         error.message = in_written_units(error.message, bound)
-        error.hint = in_written_units(error.hint, bound, FEWEST_TO_GIVE) if error.hint else None
+        error.hint = in_written_units(error.hint, bound) if error.hint else None
         raise
     except ArithmeticError as error:
         raise InadmissibleError(
@@ -124,6 +125,8 @@ def _leaves(record: "Any", spec: Record, address: str) -> "Iterator[tuple[str, K
             continue
         if isinstance(field.node, Record):
             yield from _leaves(value, field.node, own)
+        elif isinstance(value, Quantity):
+            yield own, value.kind, value.value
         elif isinstance(field.node, Leaf) and field.node.choice is None:
             yield own, field.node.kind, value
 

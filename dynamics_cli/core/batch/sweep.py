@@ -53,6 +53,8 @@ class _Points(Case):
         for axis in axes:
             if isinstance(axis.path[-1], int) and len(axis.path) == 2:
                 self.start = _with_list(self.start, str(axis.path[0]))
+            if axis.path[-1] in ("magnitude", "direction"):
+                self.start = _with_polar(self.start, axis.path[:-1])
         self.axes = axes
         self.count = 1
         for axis in axes:
@@ -266,7 +268,7 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
     for index, part in enumerate(points.layout.parts):
         column = [None if row is None else row[index] for row in rows]
         # A vector has no place in a column, and a result that no point has needs none.
-        if isinstance(part.steps[-1], int) or all(value is None for value in column):
+        if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):
             continue
         name = part.address if part.address not in table else f"results.{part.address}"
         table[name] = _column(part, column)
@@ -308,6 +310,21 @@ def _with_list(raw: "Raw", name: str) -> "Raw":
     items = split_list(value.strip().removeprefix("(").removesuffix(")"))
     unit = read_amount(items[-1]).parts[-1][2]
     return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
+
+
+def _with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
+    """A vector given as `20 N @ 30 deg` by its magnitude and its direction, so that either may be swept."""
+    raw = _copied(raw)
+    inner: Any = raw
+    try:
+        for step in path[:-1]:
+            inner = inner[step]
+        size, polar, way = str(inner[path[-1]]).partition("@")
+    except (KeyError, IndexError, TypeError):
+        return raw
+    if size.strip() and polar:
+        inner[path[-1]] = {"magnitude": size.strip(), "direction": way.strip()}
+    return raw
 
 
 def _as_object(item: "Any") -> "Any":

@@ -114,7 +114,7 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
         return {"anyOf": [{"type": "string"}, written], **examples}
     value: dict[str, Any] = {"type": "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":
-        value = {"type": "array"}
+        value = {"type": ["array", "number"]} if kind.form == "free vector" else {"type": "array"}
     pair = {
         "type": "object",
         "properties": {"value": value, "unit": {"type": "string"}},
@@ -161,7 +161,7 @@ def _result(node: object) -> "dict[str, Any]":
         return _drawing_schema(node)
     value = {"type": "number"} if node.kind.form in _NUMBER_FORMS else {}
     properties: dict[str, Any] = {"value": value}
-    if node.kind.si or node.kind.form == "measured":
+    if node.kind.si or node.kind.form in ("measured", "free", "free vector"):
         properties["unit"] = {"type": "string"}
     required = ["value", "unit"] if node.kind.unit else ["value"]
     return {"type": ["object", "null"], "properties": properties, "required": required, "x-kind": node.kind.name}

@@ -4,11 +4,12 @@ The only module that imports typer. Commands are built for the chosen family onl
 direct route reads, and both end in the same `execute`.
 """
 
-from typer import _click as click
-from typer._completion_classes import completion_init
-from typer._completion_shared import get_completion_script
+import os
+import sys
+
+from typer import Exit, TyperException
+from typer.completion import completion_init, get_completion_script, shell_complete  # type: ignore[attr-defined]
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
-from typer.exceptions import Exit
 
 from dynamics_cli.core.answering.task import Family, Task
 from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     Finder = Callable[[str], Family]
 
 SHELLS = ("bash", "zsh", "fish")
+# Where a shell says what it wants completed.
+COMPLETE = "_DYNAMICS_COMPLETE"
 
 
 def run_tree(
@@ -46,26 +49,27 @@ def run_tree(
     try:
         with terminal.own_stdout():
             # What `main` does, except that it makes a failure (status 1) of a closed pipe.
-            root._main_shell_completion({}, "dynamics")
+            if wanted := os.environ.get(COMPLETE):
+                sys.exit(shell_complete(root, {}, "dynamics", COMPLETE, wanted))
             with root.make_context("dynamics", list(argv)) as context:
                 status = root.invoke(context)
     except Exit as error:
         return error.exit_code
-    except click.exceptions.NoSuchOption as error:
-        task = getattr(getattr(error.ctx, "command", None), "task", None)
-        near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
-        hint = near if task is None else _near_option(task, error.option_name)
-        name = error.option_name.lstrip("-")
-        raise UsageError(
-            f"there is no option {error.option_name}", code="unknown-option", parameter=name or None, hint=hint
-        ) from None
-    except click.exceptions.NoArgsIsHelpError as error:
-        terminal.write(error.ctx.get_help() + "\n")
-        return 0
-    except click.exceptions.ClickException as error:
-        message = error.format_message().rstrip(".")
-        raise UsageError(message[:1].lower() + message[1:], hint=_try_help(error)) from None
+    except TyperException as error:
+        raise _refusal(error) from None
     return status if isinstance(status, int) else 0
+
+
+def _refusal(error: "Any") -> UsageError:
+    """What typer complains of; only its complaint of an unknown option has `possibilities`."""
+    if not hasattr(error, "possibilities"):
+        message = error.format_message().rstrip(".")
+        return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
+    task = getattr(getattr(error.ctx, "command", None), "task", None)
+    near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
+    hint = near if task is None else _near_option(task, error.option_name)
+    name = error.option_name.lstrip("-") or None
+    return UsageError(f"there is no option {error.option_name}", code="unknown-option", parameter=name, hint=hint)
 
 
 def _try_help(error: "Any") -> str | None:
@@ -89,24 +93,38 @@ def _root(
     return group
 
 
-class _Families(TyperGroup):
+class _Group(TyperGroup):
+    """Commands by name; without one its help."""
+
+    def __init__(self, terminal: "Terminal", **rest: "Any") -> None:
+        super().__init__(rich_markup_mode=None, **rest)
+        self.terminal = terminal
+
+    def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
+        """Write the help where nothing is asked for."""
+        if not args and not ctx.resilient_parsing:
+            self.terminal.write(ctx.get_help() + "\n")
+            ctx.exit()
+        return super().parse_args(ctx, args)
+
+
+class _Families(_Group):
     """The families by name; a family is imported when it is asked for, never for the list of names."""
 
     def __init__(
         self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
     ) -> None:
-        super().__init__(name="dynamics", rich_markup_mode=None, no_args_is_help=True, **rest)
+        super().__init__(terminal, name="dynamics", **rest)
         self._find = find
-        self._terminal = terminal
         self._families = families
         for name, (_, line) in families.items():
             self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
 
-    def get_command(self, ctx: "Any", cmd_name: str) -> "Any":
-        """The family's commands, built now unless only its line of help is wanted."""
-        if cmd_name not in self._families or (ctx.resilient_parsing and not ctx._protected_args and not ctx.args):
-            return self.commands.get(cmd_name)
-        return build_family(self._find(cmd_name), self._terminal)
+    def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
+        """The family's commands, built now: whatever lists families has their lines of help without them."""
+        if args[0] not in self._families:
+            return super().resolve_command(ctx, args)
+        return args[0], build_family(self._find(args[0]), self.terminal), args[1:]
 
     def format_commands(self, ctx: "Any", formatter: "Any") -> None:
         """List the families by trade, without importing them, and the commands that belong to no trade last."""
@@ -128,7 +146,7 @@ def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperG
     """The command of a lone task, or a group with a command for each task."""
     if family.alone is not None:
         return _TaskCommand(family.alone, terminal)
-    group = TyperGroup(name=family.name, help=family.summary, rich_markup_mode=None, no_args_is_help=True)
+    group = _Group(terminal, name=family.name, help=family.summary)
     for name, task in family.tasks.items():
         group.commands[name] = _TaskCommand(task, terminal)
     return group
@@ -288,14 +306,7 @@ def _version_option(terminal: "Terminal") -> TyperOption:
             terminal.write(f"dynamics {__version__}\n")
             context.exit()
 
-    return TyperOption(
-        param_decls=["--version"],
-        is_flag=True,
-        is_eager=True,
-        expose_value=False,
-        callback=show,
-        help="Show the version.",
-    )
+    return _eager("version", "Show the version.", show, is_flag=True)
 
 
 def _completion_option(terminal: "Terminal") -> TyperOption:
@@ -303,18 +314,18 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         if value and not context.resilient_parsing:
             if value not in SHELLS:
                 raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
-            script = get_completion_script(prog_name="dynamics", complete_var="_DYNAMICS_COMPLETE", shell=value)
+            script = get_completion_script(prog_name="dynamics", complete_var=COMPLETE, shell=value)
             terminal.write(script + "\n")
             context.exit()
 
+    text = "Print the completion script of bash, zsh or fish."
+    return _eager("show-completion", text, show, type=str, metavar="SHELL")
+
+
+def _eager(name: str, text: str, callback: "Callable[..., None]", **rest: "Any") -> TyperOption:
+    """An option that answers in place of a command."""
     return TyperOption(
-        param_decls=["--show-completion"],
-        type=str,
-        metavar="SHELL",
-        is_eager=True,
-        expose_value=False,
-        callback=show,
-        help="Print the completion script of bash, zsh or fish.",
+        param_decls=[f"--{name}"], is_eager=True, expose_value=False, callback=callback, help=text, **rest
     )
 
 

@@ -10,7 +10,7 @@ from dynamics_cli.core.inputs.quantity_text import (
     split_list,
     total,
 )
-from dynamics_cli.core.inputs.values import Bound, Constant, Value, VectorValue
+from dynamics_cli.core.inputs.values import Bound, Constant, PolarVector, Value, VectorValue
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Count, Kind
@@ -49,11 +49,11 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
     if isinstance(value, str) and not isinstance(value, Token):
         form = getattr(getattr(node.item, "kind", None), "form", "")
         items = split_list(value)
-        return _share_unit(items) if form in ("scalar", "slope") else items
+        return share_unit(items) if form in ("scalar", "slope") else items
     return [value]
 
 
-def _share_unit(items: "list[str]") -> "list[str]":
+def share_unit(items: "list[str]") -> "list[str]":
     """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
     if not items:
         return items
@@ -132,10 +132,10 @@ def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
 
 
 def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
-    return _number(kind, raw, address, context, _default_unit(kind, raw, context))
+    return read_number_of(kind, raw, address, context, _default_unit(kind, raw, context))
 
 
-def _number(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
+def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
     """A number or, where these are taken, a distribution."""
     if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw):
         return _uncertain(kind, raw, address, context, default_unit)
@@ -262,7 +262,7 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
     return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
 
 
-def _items(kind: Kind, raw: "Any") -> "list[Any]":
+def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     """The components of a vector, as raw input each."""
     if isinstance(raw, dict) and isinstance(raw.get("value"), list):
         if any(raw.get(key) is not None for key in ("distributions", "std", "interval")):
@@ -274,15 +274,16 @@ def _items(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
-    return _share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
+    return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
 
 
-def _vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
-    items = _items(kind, raw)
+def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
+    """A vector by its components."""
+    items = components_of(kind, raw)
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
-    parts = [_number(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
+    parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
     units = {part.unit for part in parts}
     si = tuple(part.si for part in parts)
     shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
@@ -296,21 +297,20 @@ def _vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorV
     return UncertainVector(address, kind, si, shown, unit, parts)
 
 
-def _planar(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
+def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
+    """A planar vector by its components or by magnitude and direction."""
     if isinstance(raw, dict) and "magnitude" in raw and "direction" in raw:
         size, direction = raw["magnitude"], raw["direction"]
     elif isinstance(raw, str) and "@" in raw:
         size, _, direction = (part.strip() for part in raw.partition("@"))
     else:
-        return _vector(kind, raw, address, context)
+        return read_vector(kind, raw, address, context)
     from dynamics_cli.numerics.turns import turned
     from dynamics_cli.quantities import Angle
 
-    magnitude = _number(kind, size, f"{address}.magnitude", context, "")
-    angle = _number(Angle, direction, f"{address}.direction", context, "")  # type: ignore[arg-type]
+    magnitude = read_number_of(kind, size, f"{address}.magnitude", context, "")
+    angle = read_number_of(Angle, direction, f"{address}.direction", context, "")  # type: ignore[arg-type]
     if type(magnitude) is not Value or type(angle) is not Value:
-        from dynamics_cli.core.inputs.uncertain.vectors import PolarVector
-
         return PolarVector(address, kind, magnitude, angle)
     cosine, sine = turned(angle.si)
     components = (magnitude.si * cosine, magnitude.si * sine)
@@ -334,7 +334,7 @@ _FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
     "file": _file,
     "fraction": _fraction,
     "exact": _exact,
-    "vector": _vector,
-    "planar": _planar,
+    "vector": read_vector,
+    "planar": read_planar,
     "tensor": _tensor,
 }

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     Raw = Mapping[str, Any]
 
 
+# What only few tasks take, and has a reader of its own.
+FREE = ("free vector", "matrix")
+
+
 class Reader(Context):
     """Reads raw input against a specification; collects errors."""
 
@@ -115,6 +119,10 @@ class Reader(Context):
     def _item(self, node: "Node", value: "Any", address: str) -> Bound | None:
         if isinstance(node, Leaf):
             try:
+                if node.kind.form in FREE:
+                    from dynamics_cli.core.inputs.free_kinds import read_free
+
+                    return read_free(node.kind, value, address, self)
                 return read_leaf(node, value, address, self)
             except DynamicsError as error:
                 error.parameter = error.parameter or address

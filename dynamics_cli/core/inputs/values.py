@@ -94,6 +94,33 @@ class VectorValue(Bound):
         return {"value": self.shown, "unit": self.unit} if self.unit else {"value": self.shown}
 
 
+class PolarVector(VectorValue):
+    """A planar vector by magnitude and direction, which may have distributions."""
+
+    def __init__(self, address: str, kind: "Kind", magnitude: Value, direction: Value) -> None:
+        self._magnitude = magnitude
+        self._direction = direction
+        si = self.assemble()
+        super().__init__(address, kind, si, list(si), kind.unit)
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """Both components."""
+        from dynamics_cli.numerics.turns import turned
+
+        size, angle = self._magnitude.assemble(values), self._direction.assemble(values)
+        cosine, sine = turned(angle)
+        return size * cosine, size * sine
+
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """The magnitude and the direction."""
+        yield from self._magnitude.leaves()
+        yield from self._direction.leaves()
+
+    def echo(self) -> "Any":
+        """The JSON form, which reads back: nominal components, magnitude and direction."""
+        return {**super().echo(), "magnitude": self._magnitude.echo(), "direction": self._direction.echo()}
+
+
 class Constant(Bound):
     """Anything that is not a real number: words, choices, counts, flags, files, exact quantities."""
 

@@ -9,7 +9,7 @@ from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.core.units.display import Display, Shown, round_condition, round_up
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics
+from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics, Quantity
 from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
@@ -79,6 +79,9 @@ class _Walk:
             if value is not own:
                 self.converted.add(address)
             return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
+        kind = value.kind if isinstance(value, Quantity) else node.kind
+        if isinstance(value, Quantity):
+            value = value.value
         if node.choice is not None or node.kind.form in ("text", "flag", "unit"):
             return value
         if node.kind.form == "drawing":
@@ -87,8 +90,8 @@ class _Walk:
         if node.kind.form == "whole":
             return {"value": value}
         if isinstance(value, tuple):
-            return self._vector(value, node.kind, address)
-        return self._scalar(value, node.kind, address, table=table)
+            return self._vector(value, kind, address)
+        return self._scalar(value, kind, address, table=table)
 
     def _drawing(self, value: "Any", address: str) -> "dict[str, Any]":
         """What there is of a shape; the shape itself goes to `--drawing`."""
@@ -289,7 +292,7 @@ def _check(check: Check) -> "dict[str, Any]":
 
 
 def _advice(advice: Advice, bound: Fields) -> "dict[str, Any]":
-    from dynamics_cli.core.answering.messages import FEWEST_TO_GIVE, in_written_units
+    from dynamics_cli.core.answering.messages import in_written_units
 
     out = {"code": advice.code, "severity": advice.severity, "message": in_written_units(advice.message, bound)}
-    return {**out, "remedy": in_written_units(advice.remedy, bound, FEWEST_TO_GIVE)} if advice.remedy else out
+    return {**out, "remedy": in_written_units(advice.remedy, bound)} if advice.remedy else out

@@ -5,7 +5,7 @@ from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.core.units.display import Display, Shown
 from dynamics_cli.errors import FaultError, InadmissibleError
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics
+from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics, Quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,7 +31,8 @@ def compact(value: "Any") -> str:
 class Part:
     """One result: where it stands in the record, how it is shown, and the columns it takes.
 
-    `how` is "number", "whole", "flag", "word" or "measured" (a number or several, each with a unit of its own).
+    `how` is "number", "whole", "flag", "word", "measured" (a number or several, each with a unit of its own) or
+    "components" (of a vector with a unit of its own).
     """
 
     __slots__ = ("address", "display", "how", "keys", "several", "shown", "steps", "unit")
@@ -65,6 +66,8 @@ class Part:
         found = self.of(record)
         if found is None:
             return None
+        if isinstance(found, Quantity):
+            return self._of_quantity(found)
         if self.how == "measured":
             show = self.display
             return found if show is None or isinstance(found, tuple) else show.of_measured(self.address, found)
@@ -73,9 +76,19 @@ class Part:
             return number if self.shown is None else self.shown.value(float(number))
         return str(found) if self.how == "word" else found
 
+    def _of_quantity(self, quantity: Quantity) -> Measured:
+        assert self.display is not None
+        shown = self.display.of(self.address, quantity.kind)
+        value = quantity.value
+        several = isinstance(value, tuple)
+        made = [shown.value(float(plain(number))) for number in (value if several else (value,))]
+        return Measured(tuple(made) if several else made[0], shown.text)  # type: ignore[arg-type]
+
     @property
     def names(self) -> "list[tuple[str, str]]":
-        """Its columns: name and unit."""
+        """Its columns: name and unit; a planar vector leaves its third empty."""
+        if self.how == "components":
+            return [(f"{self.address}{end}", "") for end in ("[0]", "[1]", "[2]", ".unit")]
         if self.how == "measured" and not self.unit:
             return [(self.address, ""), (f"{self.address}.unit", "")]
         units = self.unit.split(";")
@@ -87,6 +100,8 @@ class Part:
         """Its cells in CSV."""
         if value is None:
             return [""] * len(self.names)
+        if self.how == "components":
+            return [*(self.numbers(value) + ["", ""])[:3], value.unit]
         if self.how == "measured":
             numbers, units = _measured(value)
             if self.unit:
@@ -100,7 +115,7 @@ class Part:
         """Its numbers in a line of text."""
         if self.how in ("flag", "word"):
             return []
-        if self.how == "measured":
+        if self.how in ("measured", "components"):
             return [compact(number) for number in _measured(value)[0]] if value is not None else []
         return self.cells(value)
 
@@ -108,12 +123,12 @@ class Part:
         """Its entry in JSON."""
         if value is None or self.how in ("flag", "word"):
             return value
-        if self.how != "measured":
+        if self.how not in ("measured", "components"):
             return {"value": value, "unit": self.unit} if self.unit else {"value": value}
         if isinstance(value, tuple):
             return [self.entry(item) for item in value]
         shown = list(value.value) if isinstance(value.value, tuple) else value.value
-        return {"value": shown, "unit": value.unit}
+        return {"value": shown, "unit": value.unit} if value.unit else {"value": shown}
 
 
 class SpreadPart(Part):
@@ -157,9 +172,7 @@ SPREAD = ("mean", "median", "std", "low", "high")
 
 def _measured(value: "Any") -> "tuple[list[float], list[str]]":
     items: Sequence[Measured] = value if isinstance(value, tuple) else (value,)
-    numbers: list[float] = []
-    for item in items:
-        numbers.extend(item.value if isinstance(item.value, tuple) else (item.value,))
+    numbers = [one for item in items for one in (item.value if isinstance(item.value, tuple) else (item.value,))]
     return numbers, [item.unit for item in items]
 
 
@@ -203,8 +216,10 @@ class Layout:
             yield from self._measured(keys, steps, several=False)
         elif form == "flag" or leaf.choice is not None:
             yield Part(keys, steps, "flag" if form == "flag" else "word")
-        elif form in ("text", "unit", "file", "drawing"):
+        elif form in ("text", "unit", "file", "drawing", "matrix"):
             return
+        elif form in ("free", "free vector"):
+            yield from self._measured(keys, steps, several=False, how="measured" if form == "free" else "components")
         elif form == "whole":
             self._known.append(address)
             yield Part(keys, steps, "whole")
@@ -233,9 +248,11 @@ class Layout:
             self._known.append(".".join(keys))
             self.display.of(".".join(keys), item.kind)
 
-    def _measured(self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool) -> "Iterator[Part]":
+    def _measured(
+        self, keys: "tuple[str, ...]", steps: "tuple[Any, ...]", *, several: bool, how: str = "measured"
+    ) -> "Iterator[Part]":
         if self.targets is None:
-            part = Part(keys, steps, "measured")
+            part = Part(keys, steps, how)
             part.several, part.display = several, self.display
             self._known.append(part.address)
             # `--to` is looked at when there is a value.
@@ -320,7 +337,7 @@ def check_numbers(record: "Any", spec: Record, address: str) -> None:
                 for item in value if isinstance(value, tuple | list) else (value,):
                     check_numbers(item, node.item, own)
         else:
-            _check_number(value, own)
+            _check_number(value.value if isinstance(value, Quantity) else value, own)
 
 
 def _check_number(value: "Any", address: str) -> None:

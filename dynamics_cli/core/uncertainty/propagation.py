@@ -128,7 +128,8 @@ def propagate(
     every result with a limit, or else of the first that varies; `partly` for what was done when a time limit came.
     """
     if method not in METHODS:
-        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
+        hint = f"the methods are {', '.join(METHODS)}"
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=hint)
     if not 0.0 < coverage < 1.0:
         raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
     space = Space(model, distributions, correlation or {})

@@ -113,7 +113,7 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
         for name in (one, other):
             if name not in known:
                 hint = f"uncertain are {', '.join(known)}" if known else "no input is uncertain"
-                raise UsageError(f"{name!r} is no uncertain input", parameter="correlate", hint=hint)
+                raise UsageError(f"{name!r} is not an uncertain input", parameter="correlate", hint=hint)
         if one == other or not -1.0 <= rho <= 1.0:
             raise UsageError(
                 f"a correlation of {rho:g} between {one} and {other} cannot be",

@@ -141,13 +141,13 @@ def _speeds(first_helix: float, first_axis: float, second_helix: float, second_a
     """Pitch line velocities over the first's: alike across the teeth, their difference slides along them."""
     across = Axis("along the first axis, over the first's speed")
     up = Axis("across the first axis")
-    one = _turned((0.0, 1.0), first_axis)
+    turned = _turned((0.0, 1.0), first_axis)
     size = cos(first_helix) / cos(second_helix)
     two = _turned((0.0, size), second_axis)
     items = (
-        Arrow(0.0, 0.0, one[0], one[1], "first", 0),
+        Arrow(0.0, 0.0, turned[0], turned[1], "first", 0),
         Arrow(0.0, 0.0, two[0], two[1], "second", 1),
-        Arrow(two[0], two[1], one[0] - two[0], one[1] - two[1], "sliding", 3),
+        Arrow(two[0], two[1], turned[0] - two[0], turned[1] - two[1], "sliding", 3),
     )
     return Panel(across, up, items, "speeds at the pitch point", equal=True)
 

@@ -249,7 +249,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
         ("D", course.start + pitch),
         ("E", course.end),
     )
-    made = []
+    points = []
     for name, curvature in places:
         other = mesh.line - curvature
         away = curvature - mesh.pitch_curvature
@@ -257,7 +257,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
         factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
         own, mate = specific_sliding(mesh, curvature)
         base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
-        made.append(
+        points.append(
             ContactPoint(
                 name,
                 away,
@@ -271,7 +271,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
                 mate,
             )
         )
-    return made
+    return points
 
 
 def _bearings(

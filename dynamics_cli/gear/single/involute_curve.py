@@ -194,12 +194,12 @@ def _points(base_diameter: float | None, roll: float, count: int) -> tuple[Curve
     )
     if base_diameter is None or count == 0:
         return None
-    made = []
+    points = []
     for index in range(count):
         share = index / (count - 1) if count > 1 else 1.0
         # the curve bends most near the base circle
         own = roll * share * share
         radius = 0.5 * base_diameter * sqrt(1.0 + own * own)
         polar = roll_less_arc(own)
-        made.append(CurvePoint(own, radius, radius * cos(polar), radius * sin(polar)))
-    return tuple(made)
+        points.append(CurvePoint(own, radius, radius * cos(polar), radius * sin(polar)))
+    return tuple(points)

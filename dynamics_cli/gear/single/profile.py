@@ -240,10 +240,8 @@ def _undercut_advice(form: ToothForm) -> Advice:
     from math import sin
 
     more = -junction.margin * sin(cutter.transverse_angle)
-    return Advice(
-        "undercut",
-        worded("the rack undercuts the involute below {form:6} diameter", form=(2.0 * form.form, Size)),
-        remedy=worded(
-            "raise the profile shift by {more} to {shift}", more=(more, Ratio), shift=(cutter.shift + more, Ratio)
-        ),
+    message = worded("the rack undercuts the involute below {form:6} diameter", form=(2.0 * form.form, Size))
+    remedy = worded(
+        "raise the profile shift by {more} to {shift}", more=(more, Ratio), shift=(cutter.shift + more, Ratio)
     )
+    return Advice("undercut", message, remedy=remedy)

@@ -225,13 +225,13 @@ def _checks(best: list[TrainFound], target: "Pair") -> tuple[Check, ...]:
 
 
 def _advice(best: list[TrainFound], count: int) -> tuple[Advice, ...]:
-    found = []
+    advice = []
     if len(best) < count:
-        found.append(
+        advice.append(
             Advice(
                 "few-trains", worded("only {count} different ratios exist within the limits", count=len(best)), "note"
             )
         )
     if best[0].error_value == 0.0:
-        found.append(Advice("exact", "the first train gives the ratio exactly", "note"))
-    return tuple(found)
+        advice.append(Advice("exact", "the first train gives the ratio exactly", "note"))
+    return tuple(advice)

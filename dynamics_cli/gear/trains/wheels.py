@@ -214,13 +214,8 @@ def _advice(
     wraps: "tuple[float | None, float | None]", belt: bool, friction: float | None, load: float | None
 ) -> tuple[Advice, ...]:
     if belt and min(plain(wraps[0]), plain(wraps[1])) < 2.0 * pi / 3.0:
-        return (
-            Advice(
-                "small-wrap",
-                worded("the belt wraps only {wrap} of one wheel", wrap=(min(plain(wraps[0]), plain(wraps[1])), Angle)),
-                remedy="move the axes apart, or lead the slack side over an idler",
-            ),
-        )
+        message = worded("the belt wraps only {wrap} of one wheel", wrap=(min(plain(wraps[0]), plain(wraps[1])), Angle))
+        return (Advice("small-wrap", message, remedy="move the axes apart, or lead the slack side over an idler"),)
     if load is not None and friction is None:
         return (Advice("no-friction", "whether friction carries the load is not known", "note", "give --friction"),)
     return ()

@@ -201,7 +201,7 @@ def contact_velocity(one: Solid, two: Solid) -> Pair:
 
 
 def mobility(one: Solid, two: Solid, normal: Pair) -> tuple[Mobility, Pair]:
-    """K in the frame of the contact, and the relative spin per tangential and normal impulse.
+    """K in the frame of the contact, and the relative spin per tangential and normal impulse (Keller 1986).
 
     det K = s² + s·Σ r²/J + (r₁ × r₂)²/(J₁J₂), s = Σ 1/m: a sum of positive terms.
     """

@@ -155,6 +155,31 @@ def moments(profile: Stations | MeanCrush) -> tuple[float, float, float | None]:
     return mean / (2.0 * pieces), square / (3.0 * pieces), lever / (3.0 * pieces * mean)
 
 
+def _crushed(vehicle: Damaged | Opponent, name: str) -> tuple[float, float, Stations | MeanCrush]:
+    """Stiffness coefficients A and B, and the crush, of a vehicle whose damage is measured."""
+    require(
+        vehicle.profile is not None and vehicle.stiffness is not None,
+        "the {name} vehicle: its damage is missing or incomplete",
+        name=name,
+        code="half-damage",
+        hint="give a stiffness and a crush profile, or the energy of deformation, or EES",
+    )
+    assert vehicle.stiffness is not None and vehicle.profile is not None  # noqa: PT018
+    a, b = coefficients(vehicle.stiffness, name)
+    require(vehicle.profile.width > 0.0, "the {name} vehicle: its crushed width is zero", name=name, code="no-width")
+    judge(
+        absolute(vehicle.force_angle) <= STEEPEST_FORCE,
+        "the {name} vehicle: the force is {angle} off the normal of the face; the correction 1 + tan² holds to 45 "
+        "degrees",
+        name=name,
+        angle=(vehicle.force_angle, Angle),
+        code="force-angle",
+        hint="take the face that was pushed in more squarely",
+        results=("energy",),
+    )
+    return a, b, vehicle.profile
+
+
 def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[VehicleDamage, tuple[Advice, ...]]:
     angle = vehicle.force_angle
     require(
@@ -174,28 +199,9 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
             hint="leave out one of them",
         )
         return _given_damage(vehicle.damage, mass, share, name), ()
-    require(
-        vehicle.profile is not None and vehicle.stiffness is not None,
-        "the {name} vehicle: its damage is missing or incomplete",
-        name=name,
-        code="half-damage",
-        hint="give a stiffness and a crush profile, or the energy of deformation, or EES",
-    )
-    assert vehicle.stiffness is not None and vehicle.profile is not None  # noqa: PT018
-    a, b = coefficients(vehicle.stiffness, name)
-    width = vehicle.profile.width
-    require(width > 0.0, "the {name} vehicle: its crushed width is zero", name=name, code="no-width")
-    judge(
-        absolute(angle) <= STEEPEST_FORCE,
-        "the {name} vehicle: the force is {angle} off the normal of the face; the correction 1 + tan² holds to 45 "
-        "degrees",
-        name=name,
-        angle=(angle, Angle),
-        code="force-angle",
-        hint="take the face that was pushed in more squarely",
-        results=("energy",),
-    )
-    mean, square, centre = moments(vehicle.profile)
+    a, b, profile = _crushed(vehicle, name)
+    width = profile.width
+    mean, square, centre = moments(profile)
     intercept = a / b * (0.5 * a)
     normal = width * (intercept + a * mean + 0.5 * b * square)
     cosine = cos(angle)
@@ -286,28 +292,17 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
         return ()
     advice: tuple[Advice, ...] = ()
     if plain(mean) > 1.5:
-        advice += (
-            Advice(
-                "deep-crush",
-                worded(
-                    "the {name} vehicle: a mean crush of {mean:3} is deeper than cars allow",
-                    name=name,
-                    mean=(mean, Size),
-                ),
-            ),
+        message = worded(
+            "the {name} vehicle: a mean crush of {mean:3} is deeper than cars allow", name=name, mean=(mean, Size)
         )
+        advice += (Advice("deep-crush", message),)
     if vehicle.offset is not None and vehicle.face_distance is None and plain(vehicle.force_angle) != 0.0:
-        advice += (
-            Advice(
-                "face-distance",
-                worded(
-                    "the {name} vehicle: the distance of the face is not given, so the turned force is taken through "
-                    "the offset abreast of the mass centre",
-                    name=name,
-                ),
-                remedy="give the face distance",
-            ),
+        text = worded(
+            "the {name} vehicle: the distance of the face is not given, so the turned force is taken through "
+            "the offset abreast of the mass centre",
+            name=name,
         )
+        advice += (Advice("face-distance", text, remedy="give the face distance"),)
     return advice
 
 

@@ -111,6 +111,20 @@ def momentum(
     return MomentumResult(**{**answer.__dict__, "advice": verdict_advice(verdicts, solution.condition) + answer.advice})
 
 
+def _require_energy_route(first: Vehicle, second: Vehicle, terms: list[Term]) -> None:
+    require(
+        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
+        "the energy route needs of both vehicles the heading before, and the speed and heading after",
+        code="not-enough",
+    )
+    require(
+        first.approach_speed is None and second.approach_speed is None,
+        "momentum and energy give both approach speeds; one of them is given",
+        code="too-much",
+        hint="leave out the approach speeds, or the energies of deformation",
+    )
+
+
 def momentum_and_energy(
     *,
     first: Annotated[Vehicle, "The first vehicle, with its heading before and its speed and heading after."],
@@ -166,17 +180,7 @@ def momentum_and_energy(
     masses = _masses(first, second, gravity)
     energy = _deformation(damage, masses)
     terms = _terms(first, second, masses)
-    require(
-        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
-        "the energy route needs of both vehicles the heading before, and the speed and heading after",
-        code="not-enough",
-    )
-    require(
-        first.approach_speed is None and second.approach_speed is None,
-        "momentum and energy give both approach speeds; one of them is given",
-        code="too-much",
-        hint="leave out the approach speeds, or the energies of deformation",
-    )
+    _require_energy_route(first, second, terms)
     line = terms[0].heading
     assert line is not None
     bend = sin(terms[1].heading - line)  # type: ignore[operator]

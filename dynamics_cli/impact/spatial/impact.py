@@ -166,9 +166,9 @@ def _solved(
     **effort: int,
 ) -> Solved:
     x, y, z = unit(normal)
-    one = solid(first, contact_point, gravity, "the first body")
+    body = solid(first, contact_point, gravity, "the first body")
     two = solid(second, contact_point, gravity, "the second body")
-    return solved_in_space((one, two), (-x, -y, -z), friction, restitution, law, **effort)
+    return solved_in_space((body, two), (-x, -y, -z), friction, restitution, law, **effort)
 
 
 def solved_in_space(

@@ -173,14 +173,8 @@ def total(numbers: "Iterable[float]") -> float:
 def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, ...]]":
     words = [one.spread.degeneracy for one in (a, b) if not one.spread.degeneracy.startswith("none")]
     if words:
-        return None, (
-            Advice(
-                "axes-undetermined",
-                f"no angle between principal axes: {words[0]}",
-                severity="note",
-                result="axes_angle",
-            ),
-        )
+        message = f"no angle between principal axes: {words[0]}"
+        return (None, (Advice("axes-undetermined", message, severity="note", result="axes_angle"),))
     return min(turn_between(a.spread.axes, b.spread.axes, signs) for signs in SIGNS), ()
 
 

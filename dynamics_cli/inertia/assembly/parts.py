@@ -237,10 +237,10 @@ def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
     from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
     from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
-    found = measured(part.mesh, shell=False)
-    require_closed(found, allowed=False, part=own)
-    require_extent(found, shell=False, part=own)
-    lift = Lift(found, unit_of(found, part.length_unit, own), width or 0)
+    readings = measured(part.mesh, shell=False)
+    require_closed(readings, allowed=False, part=own)
+    require_extent(readings, shell=False, part=own)
+    lift = Lift(readings, unit_of(readings, part.length_unit, own), width or 0)
     volume = lift.measure()
     amount = _amount(part, own)
     mass = mass_of(amount, volume, 3, own)

@@ -56,10 +56,7 @@ class Composed:
 def composed(walk: "Walk", *, asked: bool) -> Composed:
     """Put the leaves of a walk together.
 
-    Raises
-    ------
-    InadmissibleError
-        When holes leave no mass, or second moments that no body has.
+    Raises InadmissibleError when holes leave no mass, or second moments that no body has.
     """
     leaves = walk.leaves
     base = tuple(plain(x) for x in leaves[0].origin)
@@ -111,8 +108,8 @@ def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Su
             continue
         # what is cut out cancels best in the axes of its own assembly; a needle keeps its digits in its principal axes
         ahead = frame is not IDENTITY and not _cuts(member)
-        own = _gathered(member, rotation if ahead else IDENTITY)
-        pieces.append(_piece(own, member, base, frame, rotation, ahead=ahead))
+        gathered = _gathered(member, rotation if ahead else IDENTITY)
+        pieces.append(_piece(gathered, member, base, frame, rotation, ahead=ahead))
     return pieces
 
 

@@ -199,10 +199,7 @@ def properties(
 ) -> MassProperties:
     """Report a body as `view` looks at it; `spread` when principal second moments are known better than by `lump`.
 
-    Raises
-    ------
-    InadmissibleError
-        When there is no mass.
+    Raises InadmissibleError when there is no mass.
     """
     require(lump.mass > 0.0, "a mass of {mass:6} has no mass centre", code="no-mass", mass=(lump.mass, Mass))
     own = spread or spread_of(lump.second)

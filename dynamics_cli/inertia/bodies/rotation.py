@@ -58,10 +58,8 @@ Turn = AxisAngle | Euler | ByQuaternion | ByMatrix
 def matrix_of(turn: Turn) -> "Matrix":
     """The rotation matrix R that takes vectors of the turned axes to the given ones; its columns are the turned axes.
 
-    Raises
-    ------
-    InadmissibleError
-        When an axis or a quaternion is zero, the order of Euler angles unknown, or a matrix not a rotation.
+    Raises InadmissibleError when an axis or a quaternion is zero, the order of Euler angles unknown, or a matrix not a
+    rotation.
     """
     if isinstance(turn, AxisAngle):
         return axis_angle(turn.rotation_axis, turn.rotation_angle)

@@ -51,9 +51,9 @@ class Measured:
             self.moments = WholeMoments(source, shell=shell)
             self.way = "whole"
         elif first.measure:
-            found = principal(rows(first.second if first.measure > 0.0 else -first.second))
-            if self.sums.count <= SMALL or found.seconds[2] < GRADED * found.seconds[0]:
-                self.moments = second_pass(source, self.sums, first, array(found.axes))
+            axes = principal(rows(first.second if first.measure > 0.0 else -first.second))
+            if self.sums.count <= SMALL or axes.seconds[2] < GRADED * axes.seconds[0]:
+                self.moments = second_pass(source, self.sums, first, array(axes.axes))
                 self.way = "again"
 
     @property

@@ -92,7 +92,7 @@ def principal(xx: int, yy: int, xy: int) -> "tuple[tuple[int, int], tuple[int, i
 
 
 def direction(xx: int, yy: int, xy: int) -> "tuple[int, int]":
-    """A vector along the axis of the greatest moment, in whole numbers: tan 2φ = −2 Ixy/(Ix − Iy)."""
+    """The axis of the greatest moment, in whole numbers: tan 2φ = −2 Ixy/(Ix − Iy) (Josephs & Huston, section 7.9)."""
     up, down = root((xx - yy) ** 2 + 4 * xy * xy, 1)
     along, across = up + abs(xx - yy) * down, -2 * xy * down
     excess = max(along.bit_length(), across.bit_length()) - _DIRECTION_BITS

@@ -51,39 +51,22 @@ def section(
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
-    Equation
-    --------
-    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
-    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
+    `polygon`: corners x1, y1, x2, y2, … of the outline in order, either way round [m]; `pieces`: material, as further
+    polygons, circles and rectangles; `holes`: holes, as polygons, circles and rectangles within the material. Returns
+    everything about the area. Raises InadmissibleError when contours cross themselves or one another, a hole is outside
+    its material, pieces overlap, or there is no area.
 
-    Parameters
-    ----------
-    polygon : tuple of Coordinate
-        Corners x1, y1, x2, y2, … of the outline in order, either way round [m].
-    pieces : tuple of Piece
-        Material, as further polygons, circles and rectangles.
-    holes : tuple of Hole
-        Holes, as polygons, circles and rectangles within the material.
-
-    Returns
-    -------
-    SectionProperties
-        Everything about the area.
-
-    Raises
-    ------
-    InadmissibleError
-        When contours cross themselves or one another, a hole is outside its material, pieces overlap, or there is no
-        area.
-
-    Notes
-    -----
     Coordinates are read into doubles; what that rounding does is stated beside the bounds, and warned of far from the
     origin. Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and
     rounded once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses
     nothing.
     The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
     orders of magnitude.
+
+    Equation
+    --------
+    A = ½ Σ (xᵢ yⱼ − xⱼ yᵢ); Ix = ∫ y² dA = Σ (xᵢ yⱼ − xⱼ yᵢ)(yᵢ² + yᵢ yⱼ + yⱼ²)/12, j = i + 1,
+    less A ȳ² about the centroid; I₁ = (Ix + Iy)/2 + √(((Ix − Iy)/2)² + Ixy²), I₂ = (Ix Iy − Ixy²)/I₁.
 
     References
     ----------
@@ -238,10 +221,5 @@ def _advice(found: "list[Contour]") -> "tuple[Advice, ...]":
         centres = {contour.corners[0] for contour in found}
         if len(centres) == 1:
             return ()
-    return (
-        Advice(
-            "not-torsion",
-            "the polar second moment is not the torsion constant of this section, which is not round",
-            "note",
-        ),
-    )
+    message = "the polar second moment is not the torsion constant of this section, which is not round"
+    return (Advice("not-torsion", message, "note"),)

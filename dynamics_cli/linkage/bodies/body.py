@@ -142,7 +142,7 @@ def body(
             pole = _acceleration(point, acceleration, omega, alpha, centre)
             inflection = hypot(pole[0], pole[1]) / square
             direction = atan2(pole[1], pole[0]) if plain(inflection) != 0.0 else None
-    found = tuple(
+    placed = tuple(
         _placed(point, velocity, acceleration if bent else None, omega, alpha, (place.x, place.y)) for place in places
     )
     return BodyMotion(
@@ -154,7 +154,7 @@ def body(
         inflection_diameter=inflection,
         inflection_direction=direction,
         parting=parting,
-        points=found or None,
+        points=placed or None,
         checks=_checks(point, velocity, omega, centre),
         advice=()
         if turns
@@ -223,6 +223,6 @@ def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None"
     return (Check("the instant centre stands still", left <= ROUNDING, left, ROUNDING),)
 
 
-def body_line(made: BodyMotion) -> str:
+def body_line(result: BodyMotion) -> str:
     """What the picture says of the rotation."""
-    return worded("ω = {omega}", omega=(made.angular_velocity, TurnRate))
+    return worded("ω = {omega}", omega=(result.angular_velocity, TurnRate))

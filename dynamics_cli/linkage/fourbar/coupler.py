@@ -170,7 +170,7 @@ def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ..
     a, b, c, d = lengths
     left, right = point / b, 1.0 - point / b
     third = (left.real * d, left.imag * d)
-    made = []
+    result = []
     for name, share, links, pivot, arm in (
         ("left, at O₂", left, (b, a, c, d), (0.0, 0.0), a),
         ("right, at O₄", right, (b, c, a, d), (d, 0.0), c),
@@ -178,5 +178,5 @@ def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ..
         size = abs(share)
         own = arm * size / share if size else complex(arm)
         one, two, three, four = (size * link for link in links)
-        made.append(Cognate(name, one, two, three, four, pivot, third, (own.real, own.imag)))
-    return tuple(made)
+        result.append(Cognate(name, one, two, three, four, pivot, third, (own.real, own.imag)))
+    return tuple(result)

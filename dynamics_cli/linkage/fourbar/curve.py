@@ -99,20 +99,20 @@ def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]
     places = _roots(slope, u)
     x, y = circuit.place(places, point)
     speed = np.hypot(x.first, y.first)
-    found: list[float] = []
+    specials: list[float] = []
     for place in sorted(places[speed <= STILL * length / FULL].tolist()):
-        if not found or place - found[-1] > FULL / SAMPLES:
-            found.append(place)
-    return found
+        if not specials or place - specials[-1] > FULL / SAMPLES:
+            specials.append(place)
+    return specials
 
 
 def cusps(circuit: Circuit, point: complex, places: "list[float]") -> "tuple[Special, ...]":
     """The cusps at these places."""
-    found = []
+    specials = []
     for place in places:
         x, y = circuit.place(place, point)
-        found.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
-    return tuple(found)
+        specials.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
+    return tuple(specials)
 
 
 def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
@@ -128,14 +128,14 @@ def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
         other = (np.conj(apart) * step[:, None]).imag / cross
     i, j = np.nonzero((one >= 0.0) & (one < 1.0) & (other >= 0.0) & (other < 1.0))
     far = (j - i > 1) & (i - j + SEGMENTS > 1)
-    found: list[Special] = []
+    specials: list[Special] = []
     for first, second in zip(u[i[far]] + one[i, j][far] * u[1], u[j[far]] + other[i, j][far] * u[1], strict=True):
         pair = _crossing(circuit, point, first, second)
         if pair is None:
             continue
         (ax, ay), angles = circuit.place(pair[0], point), (angle_at(circuit, pair[0]), angle_at(circuit, pair[1]))
-        found.append(Special(float(angles[0]), float(angles[1]), float(ax.value), float(ay.value)))
-    return tuple(found)
+        specials.append(Special(float(angles[0]), float(angles[1]), float(ax.value), float(ay.value)))
+    return tuple(specials)
 
 
 def _crossing(circuit: Circuit, point: complex, first: float, second: float) -> "tuple[float, float] | None":

@@ -252,11 +252,11 @@ def _continuations(
         coupler = (c - a) / (2.0 * b)
         return (coupler, (a + b * coupler) / c), None
     root = sqrt(discriminant)
-    found = []
+    motions = []
     for sign in (1.0, -1.0):
         coupler = (a * b + sign * root) / (b * apart)
-        found.append((coupler, (a + b * coupler) / c))
-    return found[0], found[1]
+        motions.append((coupler, (a + b * coupler) / c))
+    return motions[0], motions[1]
 
 
 def closeness(lengths: "tuple[float, ...]", kind: str) -> "tuple[Advice, ...]":

@@ -40,11 +40,11 @@ def _frames(lengths: "tuple[float, ...]", side: float, point: "complex | None", 
 
     circuit = Circuit(frame(*lengths), side)
     u = np.arange(count) * (FULL / count)
-    found = []
+    tracks = []
     for place in (0j, complex(lengths[1]), 0.5 * lengths[1] + 0j if point is None else point):
         x, y = circuit.place(u, place)
-        found.append((x.value + 1j * y.value).tolist())
-    return list(zip(*found, strict=True))
+        tracks.append((x.value + 1j * y.value).tolist())
+    return list(zip(*tracks, strict=True))
 
 
 def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
@@ -82,7 +82,7 @@ def linkage_items(
 
 
 def four_bar_picture(
-    made: "Any", *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: "float | None" = None,
+    result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: "float | None" = None,
     branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The linkage in several poses, and speed, acceleration and transmission angle over the crank angle."""
@@ -90,8 +90,8 @@ def four_bar_picture(
     side = 1.0 if branch == OPEN else -1.0
     place = None if point is None else complex(*point)
     now = None
-    if made.crank_pin is not None:
-        now = complex(*made.crank_pin), complex(*made.rocker_pin)
+    if result.crank_pin is not None:
+        now = complex(*result.crank_pin), complex(*result.rocker_pin)
     items = linkage_items(lengths, _circuit_side(lengths, side, crank_angle), place, now)
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     return Picture((scene, *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
@@ -118,8 +118,8 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
     inset = (0.0, 1.0) if links.outer >= 0.0 and links.inner >= 0.0 else ENDS
     theta = np.linspace(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES)
     with np.errstate(all="ignore"):
-        loop, found = poses(links, theta, side)
-    clipped = [np.where(np.abs(part) <= STEEP, part, np.nan).tolist() for part in found]
+        loop, tracks = poses(links, theta, side)
+    clipped = [np.where(np.abs(part) <= STEEP, part, np.nan).tolist() for part in tracks]
     way = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
     here = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
     mu = (2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))).tolist()
@@ -144,14 +144,14 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
 
 
 def coupler_picture(
-    made: "Any", *, crank: float, coupler: float, rocker: float, ground: float, point: "tuple[float, float]",
+    result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, point: "tuple[float, float]",
     branch: Branch = OPEN, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The coupler curve with its linkage, and its cognates."""
     lengths = (crank, coupler, rocker, ground)
     side, place = (1.0 if branch == OPEN else -1.0), complex(*point)
     items = linkage_items(lengths, side, place, None)
-    for name, group in (("cusp", made.cusps), ("crossing", made.crossings)):
+    for name, group in (("cusp", result.cusps), ("crossing", result.crossings)):
         items += [Mark(one.x, one.y, name) for one in group or ()]
     first = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     every = _frames(lengths, side, place, SAMPLES - 1)
@@ -180,45 +180,45 @@ def coupler_picture(
     return Picture((first, second), _title(lengths, "coupler curve"), columns=2)
 
 
-def class_picture(made: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any") -> Picture:
+def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any") -> Picture:
     """The linkage in several poses with its limits."""
     lengths = (crank, coupler, rocker, ground)
     items = linkage_items(lengths, 1.0, None, None)
-    for limit, word in ((made.outer_limit, "outer limit"), (made.inner_limit, "inner limit")):
+    for limit, word in ((result.outer_limit, "outer limit"), (result.inner_limit, "inner limit")):
         if limit is not None:
             for sign in (1.0, -1.0):
                 tip = 1.25 * crank * exp(1j * sign * limit)
                 items.append(_line((0j, tip), word if sign > 0.0 else "", "centre", 5))
-    for angle in (made.rocker_least, made.rocker_greatest):
+    for angle in (result.rocker_least, result.rocker_greatest):
         if angle is not None:
             tip = ground + 1.15 * rocker * exp(1j * angle)
             items.append(_line((complex(ground), tip), "", "centre", 6))
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((scene,), _title(lengths, str(made.kind)))
+    return Picture((scene,), _title(lengths, str(result.kind)))
 
 
-def synthesis_picture(made: "Any", **_: "Any") -> Picture:
+def synthesis_picture(result: "Any", **_: "Any") -> Picture:
     """The linkage at every pair or pose that it meets, or over its motion."""
-    lengths = (made.crank, made.coupler, made.rocker, made.ground)
-    d = complex(made.ground)
+    lengths = (result.crank, result.coupler, result.rocker, result.ground)
+    d = complex(result.ground)
     items: list[Any] = []
-    if not made.met:
+    if not result.met:
         items = linkage_items(lengths, 1.0, None, None)
-    for index, one in enumerate(made.met or ()):
-        a, b = made.crank * exp(1j * one.crank_angle), d + made.rocker * exp(1j * one.rocker_angle)
+    for index, one in enumerate(result.met or ()):
+        a, b = result.crank * exp(1j * one.crank_angle), d + result.rocker * exp(1j * one.rocker_angle)
         items += [_line((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index), Mark(b.real, b.imag, "")]
-    if made.met:
-        items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(made.ground, 0.0, "O₄", (5.0, -12.0))]
+    if result.met:
+        items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(result.ground, 0.0, "O₄", (5.0, -12.0))]
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((scene,), _title(lengths, str(made.kind)))
+    return Picture((scene,), _title(lengths, str(result.kind)))
 
 
 def moving_four_bar(
-    made: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
+    result: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
     crank_angle: "float | None" = None, branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
 ) -> str:  # fmt: skip
     """One whole motion of the linkage as an SVG that moves by itself."""
-    del made
+    del result
     lengths = (crank, coupler, rocker, ground)
     place = None if point is None else complex(*point)
     side = _circuit_side(lengths, 1.0 if branch == OPEN else -1.0, crank_angle)

@@ -191,9 +191,9 @@ def _by_poses(task: Poses) -> Synthesis:
         arms = (one - pivots[0]) / way, (other - pivots[1]) / way
         met.append((atan2(arms[0].imag, arms[0].real), atan2(arms[1].imag, arms[1].real)))
     lengths = (abs(ends[0][0] - pivots[0]), abs(ends[1][0] - ends[0][0]), abs(ends[1][0] - pivots[1]), abs(base))
-    made = _judged(lengths, met, "")
+    result = _judged(lengths, met, "")
     places = [(pivot.real, pivot.imag) for pivot in pivots]
-    given = {name: getattr(made, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
+    given = {name: getattr(result, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
     return Synthesis(**given | {"crank_pivot": places[0], "rocker_pivot": places[1]})
 
 
@@ -207,18 +207,18 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
         worst = max(worst, absolute(hypot(bx - ax, by - ay) - b) / (a + b + c + d))
         rows.append(Met(theta, angle, "open" if sides[-1] else "crossed"))
     kind = kind_of(lengths)
-    found = [words.strip("; ")] if words else []
+    faults = [words.strip("; ")] if words else []
     if len(set(sides)) > 1:
-        found.append("branch: it must be taken apart between the pairs")
+        faults.append("branch: it must be taken apart between the pairs")
     turns = [(later[0] - first[0] + PI) % (2.0 * PI) - PI for first, later in pairwise(met)]
     if turns[0] * turns[1] < 0.0:
-        found.append("order: the crank turns back between the pairs")
+        faults.append("order: the crank turns back between the pairs")
     crank_sides = {sin(theta) >= 0.0 for theta, _ in met}
     if kind in ("double rocker", "rocker-crank") and len(crank_sides) > 1:
-        found.append("circuit: it must be taken apart between the pairs")
+        faults.append("circuit: it must be taken apart between the pairs")
     least = _least(lengths)
     return Synthesis(
-        a, b, c, d, kind, "; ".join(found) or "none", least, met=tuple(rows),
+        a, b, c, d, kind, "; ".join(faults) or "none", least, met=tuple(rows),
         checks=(Check("every pair is met", worst <= CLOSES, worst, CLOSES),),
         advice=_poor(least),
     )  # fmt: skip

@@ -97,10 +97,10 @@ def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step
     stuck = (half[1] == 0.0) & free
     with np.errstate(all="ignore"):
         loop = close(links, turn, half, side, (first, second))
-        found = ratios(links, loop)
+        speeds = ratios(links, loop)
     smooth = links.outer == 0.0 or links.inner == 0.0
     still = stuck | (((loop.first * loop.second) == 0.0) & (not smooth))
-    shown = [np.where(still, np.nan, part) for part in found]
+    shown = [np.where(still, np.nan, part) for part in speeds]
     coupler, rocker = np.arctan2(loop.by + 0.0, loop.bx), np.arctan2(loop.cy + 0.0, loop.cx)
     transmission = 2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))
     columns = (theta, np.where(stuck, np.nan, coupler), np.where(stuck, np.nan, rocker),

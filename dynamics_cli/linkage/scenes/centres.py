@@ -71,7 +71,7 @@ def centres(
     )
     motions = _motions(scene, solved)
     fastest = max(abs(speed) for speed, _ in motions.values())
-    found = []
+    rows = []
     places: dict[frozenset[str], complex | None] = {}
     for one, other in combinations(motions, 2):
         (first, start), (second, end) = motions[one], motions[other]
@@ -80,16 +80,16 @@ def centres(
         if abs(apart) > PARALLEL * fastest:
             place = 1j * drift / apart
             places[frozenset((one, other))] = place
-            found.append(Centre(one, other, (place.real, place.imag), None, ratio))
+            rows.append(Centre(one, other, (place.real, place.imag), None, ratio))
         else:
             from cmath import phase
 
             places[frozenset((one, other))] = None
             # square to the common translation
-            found.append(Centre(one, other, None, phase(1j * drift) if drift else None, ratio))
+            rows.append(Centre(one, other, None, phase(1j * drift) if drift else None, ratio))
     worst = _kennedy(list(motions), places)
     return Centres(
-        len(found), tuple(found), worst,
+        len(rows), tuple(rows), worst,
         checks=() if worst is None else (Check("centres of three links lie on a line", worst <= 1e-9, worst, 1e-9),),
     )  # fmt: skip
 

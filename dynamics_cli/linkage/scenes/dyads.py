@@ -51,11 +51,11 @@ class Assembler:
 
     def all(self) -> "list[Assembly]":
         """Every assembly, in order."""
-        found: list[Assembly] = []
+        solutions: list[Assembly] = []
         for one in self._walk(dict(self.system.known), (), 0):
-            if all(max(abs(one.at[p] - other.at[p]) for p in one.at) > SAME for other in found):
-                found.append(one)
-        return found
+            if all(max(abs(one.at[p] - other.at[p]) for p in one.at) > SAME for other in solutions):
+                solutions.append(one)
+        return solutions
 
     def _walk(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> "Iterator[Assembly]":
         at = dict(at)
@@ -224,7 +224,7 @@ class Assembler:
         sketch = {near.pin: complex(*near.at) / system.scale for near in self.scene.near}
         middle = sum(at.values()) / max(1, len(at))
         golden = 0.6180339887498949
-        found: list[Any] = []
+        solutions: list[Any] = []
         best = np.inf
         for start in range(STARTS):
             guess = dict(at)
@@ -236,12 +236,12 @@ class Assembler:
                 guess |= {pin: place for pin, place in sketch.items() if pin in guess}
             q, gap = refined(system, system.vector(guess))
             best = min(best, gap)
-            if gap <= 1e3 * SETTLED and all(np.abs(q - other).max() > SAME for other in found):
-                found.append(q)
-        if not found:
+            if gap <= 1e3 * SETTLED and all(np.abs(q - other).max() > SAME for other in solutions):
+                solutions.append(q)
+        if not solutions:
             self._missed(best, "the links that hang on each other")
-        found.sort(key=lambda q: q.round(9).tolist())
-        for q in found:
+        solutions.sort(key=lambda q: q.round(9).tolist())
+        for q in solutions:
             places = system.positions(q)
             # the dyads that stand already keep their side
             if all(abs(places[pin] - at[pin]) < SAME for pin in at):

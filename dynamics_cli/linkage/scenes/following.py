@@ -69,13 +69,13 @@ def followed(scene: Scene, name: str, steps: int, solved: "Callable[[Scene], Any
     for index in range(steps + 1):
         angle = first.angle + 2.0 * pi * index / steps
         try:
-            made = solved(driven(scene, angle))
+            result = solved(driven(scene, angle))
         except InadmissibleError as error:
             if error.code != "cannot-be-closed":
                 raise
             continue
-        link = next((one for one in made.links if one.name == name), None)
-        pin = next((one for one in made.pins if one.name == name), None)
+        link = next((one for one in result.links if one.name == name), None)
+        pin = next((one for one in result.pins if one.name == name), None)
         require(link is not None or pin is not None, "no link or pin is called {name}", name=repr(name), code="name")
         turning = (link.angle, link.speed, link.acceleration) if link else (None, None, None)
         moving = (pin.position, pin.velocity, pin.acceleration) if pin and not link else (None, None, None)

@@ -60,8 +60,8 @@ def mobility(
     from dynamics_cli.linkage.scenes.system import System
 
     system = System(scene)
-    found, _ = assembled(system)
-    q = system.vector(chosen(system, found, True).at)
+    possible, _ = assembled(system)
+    q = system.vector(chosen(system, possible, True).at)
     free = [index for index, name in enumerate(system.names) if not name.startswith("driver")]
     jacobian = _undriven(system, q, free)
     left, values, _ = np.linalg.svd(jacobian)

@@ -75,9 +75,9 @@ def _shape(scene: Scene, name: str, at: "Pins") -> "list[complex]":
     return [*points, points[0]] if len(points) > 2 else points
 
 
-def scene_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
+def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     """The linkage, ghosts of it over the driver's range, the paths of its pins, and their velocities."""
-    at = {pin.name: complex(*pin.position) for pin in made.pins}
+    at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = []
@@ -90,7 +90,7 @@ def scene_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
     for slide in scene.slides:
         items.append(_line((at[slide.start], at[slide.end]), "", "centre", 5))
     size = max(abs(one - other) for one in at.values() for other in at.values())
-    speeds = {pin.name: complex(*pin.velocity) for pin in made.pins if pin.velocity is not None}
+    speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
     longest = max((abs(speed) for speed in speeds.values()), default=0.0)
     for pin, place in at.items():
         items.append(Mark(place.real, place.imag, pin))
@@ -99,27 +99,29 @@ def scene_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
             items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
-    return Picture((panel, *_curves(made)), f"linkage of {len(scene.links)} links, {words}")
+    return Picture((panel, *_curves(result)), f"linkage of {len(scene.links)} links, {words}")
 
 
-def _curves(made: "Any") -> "tuple[Panel, ...]":
+def _curves(result: "Any") -> "tuple[Panel, ...]":
     """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
-    if not made.motion:
+    if not result.motion:
         return ()
-    way = Axis("driver angle", Angle, ends=(made.motion[0].driver_angle, made.motion[-1].driver_angle), step=pi / 6.0)
-    at = [row.driver_angle for row in made.motion]
-    if made.motion[0].angle is None:
-        x, y = ([row.position[i] for row in made.motion] for i in (0, 1))
+    way = Axis(
+        "driver angle", Angle, ends=(result.motion[0].driver_angle, result.motion[-1].driver_angle), step=pi / 6.0
+    )
+    at = [row.driver_angle for row in result.motion]
+    if result.motion[0].angle is None:
+        x, y = ([row.position[i] for row in result.motion] for i in (0, 1))
         curves = (Curve(at, x, "x", role=0), Curve(at, y, "y", "dashed", 1))
         return (Panel(way, Axis("position", Coordinate), curves, "the pin that was followed"),)
-    angles, speeds = [row.angle for row in made.motion], [row.speed for row in made.motion]
+    angles, speeds = [row.angle for row in result.motion], [row.speed for row in result.motion]
     panels = [Panel(way, Axis("angle", Angle), (Curve(at, angles, role=0),), "the link that was followed")]
     if None not in speeds and any(speeds):
         panels.append(Panel(way, Axis("angular velocity ω", TurnRate), (Curve(at, speeds, role=1),)))
     return tuple(panels)
 
 
-def centres_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
+def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     """The linkage with its instant centres."""
     from dynamics_cli.linkage.scenes.solve import solve
 
@@ -132,7 +134,7 @@ def centres_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
     names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
     far = []
     taken: list[tuple[complex, int]] = []
-    for one in made.centres:
+    for one in result.centres:
         label = f"I({names[one.first]},{names[one.second]})"
         if one.position is None or abs(complex(*one.position) - middle) > 4.0 * size:
             far.append(label)
@@ -147,9 +149,9 @@ def centres_picture(made: "Any", scene: Scene, **_: "Any") -> Picture:
     return Picture((panel,), title)
 
 
-def moving_scene(made: "Any", scene: Scene, **_: "Any") -> str:
+def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
     """The linkage over its driver's range as an SVG that moves by itself."""
-    at = {pin.name: complex(*pin.position) for pin in made.pins}
+    at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]
     fixed = [pin.name for link in scene.links if link.name == GROUND for pin in link.points]

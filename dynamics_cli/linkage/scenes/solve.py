@@ -122,10 +122,10 @@ def solve(
 
     system = System(scene)
     require_driven(system)
-    found, newton = assembled(system)
-    choice = chosen(system, found, assemblies)
+    possible, newton = assembled(system)
+    choice = chosen(system, possible, assemblies)
     motion = followed(scene, follow, steps, solve) if follow else None
-    return solution(system, choice, found, newton, assemblies, motion)
+    return solution(system, choice, possible, newton, assemblies, motion)
 
 
 def require_driven(system: "System") -> None:
@@ -145,16 +145,16 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
     from dynamics_cli.linkage.scenes.dyads import Assembler
 
     walk = Assembler(system)
-    found = walk.all()
+    possible = walk.all()
     surplus = len(system.rows) - system.size
     gap, what = walk.gap
     require(
-        bool(found) or gap != float("inf"),
+        bool(possible) or gap != float("inf"),
         "the linkage cannot be placed: the links hang on each other in a way that leaves no solution",
         code="no-assembly",
     )
     require(
-        bool(found),
+        bool(possible),
         "the linkage cannot be closed at this position of its drivers: {what} miss by {gap}"
         + (", with {surplus} more conditions than it can keep" if surplus > 0 else ""),
         what=what,
@@ -163,13 +163,13 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
         code="cannot-be-closed",
         hint="change a length by that much there, or move the driver",
     )
-    return found, walk.newton
+    return possible, walk.newton
 
 
-def chosen(system: "System", found: "list[Assembly]", listed: bool) -> "Assembly":
+def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assembly":
     """The assembly that the scene means; a refusal with the list where it does not say."""
     wanted = {side.pin: str(side.side) for side in system.scene.sides}
-    decided = {pin for one in found for pin, _ in one.words}
+    decided = {pin for one in possible for pin, _ in one.words}
     for pin in wanted:
         require(
             pin in decided or pin in system.place or pin in system.shapes,
@@ -177,11 +177,11 @@ def chosen(system: "System", found: "list[Assembly]", listed: bool) -> "Assembly
             pin=repr(pin),
             code="side",
         )
-    fits = [one for one in found if all(wanted.get(pin, word) == word for pin, word in one.words)]
+    fits = [one for one in possible if all(wanted.get(pin, word) == word for pin, word in one.words)]
     require(
         bool(fits),
         "no assembly has those sides; there is: {list}",
-        list="; ".join(one.text for one in found[:LISTED]),
+        list="; ".join(one.text for one in possible[:LISTED]),
         code="no-assembly",
     )
     near = {one.pin: complex(*one.at) / system.scale for one in system.scene.near}
@@ -202,7 +202,7 @@ def chosen(system: "System", found: "list[Assembly]", listed: bool) -> "Assembly
 def solution(
     system: "System",
     choice: "Assembly",
-    found: "list[Assembly]",
+    possible: "list[Assembly]",
     newton: bool,
     listed: bool,
     motion: "tuple[Followed, ...] | None",
@@ -230,13 +230,13 @@ def solution(
         ),
         pins=tuple(PinMotion(pin, *(_pair(part, pin, system.scale) for part in (at, moving, bending))) for pin in at),
         assembly=choice.text,
-        assemblies=len(found),
+        assemblies=len(possible),
         solved_by=_method(choice.dyads, newton),
         pin_error=sure.error if sure else None,
         nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
         motion=motion,
-        every_assembly=_listed(system, found) if listed else None,
+        every_assembly=_listed(system, possible) if listed else None,
         checks=(
             Check("links keep their lengths", gap <= CLOSES, gap, CLOSES),
             *((Check("the pose is proved (Kantorovich)", proof.proved, proof.share, 0.5),) if proof else ()),
@@ -294,9 +294,9 @@ def _pair(values: "Any", pin: str, scale: float) -> "Any":
     return None if values is None else (float(values[pin].real) * scale, float(values[pin].imag) * scale)
 
 
-def _listed(system: "System", found: "list[Assembly]") -> "tuple[AssemblyPin, ...]":
+def _listed(system: "System", possible: "list[Assembly]") -> "tuple[AssemblyPin, ...]":
     return tuple(
         AssemblyPin(number, one.text, pin, _pair(one.at, pin, system.scale))
-        for number, one in enumerate(found, 1)
+        for number, one in enumerate(possible, 1)
         for pin in system.unknown
     )

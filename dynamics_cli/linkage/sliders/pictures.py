@@ -36,7 +36,7 @@ def _block(at: complex, size: float) -> "list[complex]":
 
 
 def slider_picture(
-    made: "Any", *, crank: float, rod: float, offset: float = 0.0, crank_angle: "float | None" = None,
+    result: "Any", *, crank: float, rod: float, offset: float = 0.0, crank_angle: "float | None" = None,
     end: End = RIGHT, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The mechanism in several poses; position, velocity and acceleration over the crank angle."""
@@ -79,17 +79,17 @@ def slider_picture(
 
 
 def moving_slider(
-    made: "Any", crank: float = 0.0, rod: float = 0.0, offset: float = 0.0, end: End = RIGHT, **_: "Any"
+    result: "Any", crank: float = 0.0, rod: float = 0.0, offset: float = 0.0, end: End = RIGHT, **_: "Any"
 ) -> str:
     """One turn of the crank, or to and fro between its limits, as an SVG that moves by itself."""
-    del made
-    found = [_pins(crank, rod, offset, end, 2.0 * pi * index / FRAMES) for index in range(FRAMES)]
-    every = [pins for pins in found if pins]
+    del result
+    poses = [_pins(crank, rod, offset, end, 2.0 * pi * index / FRAMES) for index in range(FRAMES)]
+    every = [pins for pins in poses if pins]
     if len(every) < FRAMES:
         # the poses in one stretch, there and back
-        gaps = [index for index in range(FRAMES) if found[index] is None]
+        gaps = [index for index in range(FRAMES) if poses[index] is None]
         start = gaps[-1] + 1
-        ordered = [found[(start + index) % FRAMES] for index in range(FRAMES)]
+        ordered = [poses[(start + index) % FRAMES] for index in range(FRAMES)]
         stretch = [pins for pins in ordered if pins]
         every = stretch + stretch[::-1]
     size = 0.1 * rod
@@ -100,7 +100,7 @@ def moving_slider(
 
 
 def quick_return_picture(
-    made: "Any", *, crank: float, ground: float, crank_angle: "float | None" = None, lever: "float | None" = None,
+    result: "Any", *, crank: float, ground: float, crank_angle: "float | None" = None, lever: "float | None" = None,
     **_: "Any",
 ) -> Picture:  # fmt: skip
     """Crank and lever in several poses; the lever's angle and speed ratio over the crank angle."""

@@ -52,31 +52,18 @@ class Eigen:
 def eigen(matrix: "Rows") -> Eigen:
     """Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, as its doubles stand.
 
-    Equation
-    --------
-    A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
+    `matrix`: the matrix; only its lower triangle is read, and its numbers must be finite. Returns eigenvalues (the
+    greatest first), unit eigenvectors as rows, and absolute error bounds. Raises OverflowError when a number of the
+    matrix is not finite.
 
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The matrix; only its lower triangle is read, and its numbers must be finite.
-
-    Returns
-    -------
-    Eigen
-        Eigenvalues (the greatest first), unit eigenvectors as rows, and absolute error bounds.
-
-    Raises
-    ------
-    OverflowError
-        When a number of the matrix is not finite.
-
-    Notes
-    -----
     Errors are some u ‖A‖ at most and, for a positive matrix, some u κ λ with κ the condition of A scaled to a unit
     diagonal and u = 2⁻⁵³ (Demmel and Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13
     (1992) 1204). Bounds are not these but `residual_bounds`. They are of the eigenvalues of the doubles given, not of
     the data behind them. Eigenvectors are good to about u ‖A‖ over the gap to the next eigenvalue.
+
+    Equation
+    --------
+    A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
 
     Examples
     --------

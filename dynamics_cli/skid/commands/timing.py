@@ -130,4 +130,41 @@ SIGHT = Task(
     plot="dynamics_cli.skid.timing.pictures:sight",
 )
 
-TASKS = (TIMELINE, MEET, FOLLOW, SIGHT)
+RECORD = Task(
+    "record",
+    "What the speeds of an event data recorder say of the way, the braking and the event.",
+    Model(
+        "trapezoids between samples",
+        "dynamics_cli.skid.timing.recorder:record_of",
+        source="49 CFR 563.8, table III (tolerances); Josephs & Huston, chapter 3",
+        formula="{distance|s} = Σ (vᵢ + vᵢ₊₁)·Δt/2, {least_event_speed|v} = vₙ − d·δ",
+        assumptions=(
+            "wheel speeds are the vehicle's, but for the slip given",
+            "tolerance and resolution are limits: uniform, the first common to all samples",
+        ),
+    ),
+    headline=(
+        "least_event_speed: speed at the event, from",
+        "greatest_event_speed: speed at the event, to",
+        "distance: distance of the record",
+        "distance_deviation: its standard deviation",
+        "least_distance",
+        "greatest_distance",
+        "greatest_deceleration",
+        "greatest_drag_factor: as a drag factor",
+        "brake_earliest: braking began at most, before",
+        "brake_latest: braking began at least, before",
+        "speed_before_braking",
+        "intervals: samples | time_left, speed, distance_left, acceleration, drag_factor",
+    ),
+    examples=(
+        'dynamics skid record --speeds "78,78,78,78,77,76,74,66,54,41,29 km/h" --interval "0.5 s" --brake-on 8',
+        'dynamics skid record --speeds "78,78,78,78,77,76,74,66,54,41,29 km/h" --greatest-acceleration "9 m/s^2" '
+        '--least-slip "8 %" --greatest-slip "18 %"',
+    ),
+    table="intervals",
+    arrays=False,
+    plot="dynamics_cli.skid.timing.pictures:record",
+)
+
+TASKS = (TIMELINE, MEET, FOLLOW, SIGHT, RECORD)

@@ -117,7 +117,10 @@ def follow(
         follower_distance=way,
         least_gap=None,
         least_gap_time=None,
-        moments=tuple(_table(front, behind, gap, contact, steps)),
+        moments=(
+            *_table(front, behind, gap, contact, steps)[:-1],
+            OneBehind(contact, 0.0, front.at(contact)[0], slow, way, fast),
+        ),
     )
 
 

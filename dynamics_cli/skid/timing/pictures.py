@@ -1,9 +1,10 @@
 """Time–distance diagrams of phases, of two parties and of one behind another; the line of sight past a corner."""
 
 import math
+from itertools import pairwise
 
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import STANDARD_GRAVITY, Length, RoadSpeed, Time
+from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
 from dynamics_cli.skid.timing.phases import Leg, legs
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
@@ -132,4 +133,34 @@ def sight(
     return Picture(
         (Panel(Axis("along the way of the first", Length), Axis("aside", Length), items, equal=True),),
         "where the sight opens",
+    )
+
+
+def record(
+    made: "Any", *, interval: float = 0.5, greatest_age: "float | None" = None, tolerance: float = 1.0 / 3.6, **_: "Any"
+) -> Picture:
+    """Recorded speeds with their tolerance, what the last deceleration leads to at the event, and the decelerations."""
+    oldest = interval if greatest_age is None else greatest_age
+    rows = made.intervals
+    times = [row.time_left + oldest for row in rows]
+    speeds = [row.speed for row in rows]
+    outline = [speed + tolerance for speed in speeds] + [max(speed - tolerance, 0.0) for speed in reversed(speeds)]
+    items: list[Any] = [
+        Curve(times, speeds, "recorded", role=0),
+        Curve(times, speeds, style="points", role=0),
+        Curve([*times, *reversed(times)], outline, "tolerance", "filled", role=0),
+        Curve([times[-1], 0.0], [speeds[-1], made.least_event_speed], "to the event", "dashed", role=1),
+    ]
+    if made.brake_earliest is not None and made.brake_latest is not None:
+        items.append(Band(made.brake_latest, made.brake_earliest, "braking began"))
+    axis = Axis("time before the event, at its greatest", Time, ends=(1.03 * times[0], 0.0))
+    changes = [row.acceleration for row in rows[:-1]]
+    steps = [time for pair in pairwise(times) for time in pair]
+    slowing = Curve(steps, [change for change in changes for _ in (0, 1)], role=2)
+    return Picture(
+        (
+            Panel(axis, Axis("speed", RoadSpeed), tuple(items)),
+            Panel(axis, Axis("acceleration", Acceleration), (slowing,)),
+        ),
+        "a recorded approach",
     )

@@ -143,16 +143,17 @@ def summed(motion: "list[Leg]") -> "list[PhaseTravelled]":
 
 
 def _moments(motion: "list[Leg]", travelled: "list[PhaseTravelled]", steps: int) -> "list[Moment]":
-    """Equal steps of time within each phase; the first row is the start."""
-    whole, way = travelled[0].begins, travelled[0].from_distance
-    rows = [Moment(motion[0].kind, 0.0 * whole, whole, 0.0 * way, way, motion[0].start)]
-    for leg, row in zip(motion, travelled, strict=True):
-        for step in range(1, steps + 1):
-            if step == steps:
-                gone, speed, time = leg.distance, leg.end, leg.duration
-            else:
-                time = leg.duration * step / steps
-                gone, speed = leg.at(time)
-            left, ahead = row.begins - time, row.from_distance - gone
-            rows.append(Moment(leg.kind, whole - left, left, way - ahead, ahead, speed))
+    """Equal steps of time within each phase; the first row is the start, and the last has nothing left."""
+    time, way = 0.0, 0.0
+    rows = [Moment(motion[0].kind, time, travelled[0].begins, way, travelled[0].from_distance, motion[0].start)]
+    for index, leg in enumerate(motion):
+        last = index == len(motion) - 1
+        left, ahead = (0.0, 0.0) if last else (travelled[index + 1].begins, travelled[index + 1].from_distance)
+        for step in range(1, steps):
+            since = leg.duration * step / steps
+            gone, speed = leg.at(since)
+            rest = leg.duration * (steps - step) / steps
+            rows.append(Moment(leg.kind, time + since, left + rest, way + gone, ahead + (leg.distance - gone), speed))
+        time, way = time + leg.duration, way + leg.distance
+        rows.append(Moment(leg.kind, time, left, way, ahead, leg.end))
     return rows

@@ -6,16 +6,14 @@ Written `3 ± 0.1, 0 m/s` or `30 ± 2 mph @ 45 ± 3 deg`. Components have the ad
 
 from dynamics_cli.core.inputs.quantity_text import number_end
 from dynamics_cli.core.inputs.uncertain.values import PLUS_MINUS, UncertainValue
-from dynamics_cli.core.inputs.values import NOTHING, Value, VectorValue
+from dynamics_cli.core.inputs.values import Value, VectorValue
 from dynamics_cli.errors import UsageError
-from dynamics_cli.numerics.turns import turned
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.core.inputs.values import Values
     from dynamics_cli.quantities import Kind
 
 # What a result of an earlier document says of its components, beside their values.
@@ -35,31 +33,6 @@ class UncertainVector(VectorValue):
         """The JSON form, which reads back: nominal value, unit, and the distribution of every uncertain component."""
         made = [part.echo() if isinstance(part, UncertainValue) else None for part in self._parts]
         return {**super().echo(), "distributions": made}
-
-
-class PolarVector(VectorValue):
-    """A planar vector by magnitude and direction, one of which at least has a distribution."""
-
-    def __init__(self, address: str, kind: "Kind", magnitude: Value, direction: Value) -> None:
-        self._magnitude = magnitude
-        self._direction = direction
-        si = self.assemble()
-        super().__init__(address, kind, si, list(si), kind.unit)
-
-    def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """Both components."""
-        size, angle = self._magnitude.assemble(values), self._direction.assemble(values)
-        cosine, sine = turned(angle)
-        return size * cosine, size * sine
-
-    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
-        """The magnitude and the direction."""
-        yield from self._magnitude.leaves()
-        yield from self._direction.leaves()
-
-    def echo(self) -> "Any":
-        """The JSON form, which reads back: nominal components, magnitude and direction."""
-        return {**super().echo(), "magnitude": self._magnitude.echo(), "direction": self._direction.echo()}
 
 
 def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":

@@ -1,0 +1,1 @@
+"""Vectors, frames, lines and planes, small matrices."""

@@ -1,0 +1,177 @@
+"""Right-handed triads of unit vectors, from directions or points that need not be square to one another."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.elementary import absolute, atan2
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.typed_products import cross, difference, dot, norm, scaled, triple, unit
+from dynamics_cli.quantities import Angle, Annotated, FreeVector, MatrixOfNumbers, Ratio, Text
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.vec import kinds
+from dynamics_cli.vec.angles import ROUNDING
+from dynamics_cli.vec.products import require_spanning
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.numerics.typed_products import Vector
+
+SQUARE = 1e-14
+# Departures from right angles above this are not drawing errors.
+NOTED = 1e-6
+AXES = "xyz"
+
+
+@record
+class Frame:
+    """A right-handed triad of unit vectors."""
+
+    x_axis: Annotated[FreeVector, "Its first axis."]
+    y_axis: Annotated[FreeVector, "Its second axis."]
+    z_axis: Annotated[FreeVector, "Its third axis."]
+    kept: Annotated[Text, "Which input kept its direction, and which kept its plane."]
+    departure: Annotated[Angle, "How far the directions given were from right angles, at most [rad]."]
+    handedness: Annotated[Text | None, "Of three directions: right-handed or left-handed."]
+    matrix: Annotated[MatrixOfNumbers, "Its rows are the axes: times the old components it gives the new ones."]
+    components: Annotated[FreeVector | None, "The components of the vector in the triad."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def frame(
+    *points: Annotated[FreeVector, "Three points: the origin, one on the x-axis, one in the x-y plane."],
+    x: Annotated[FreeVector | None, "The direction of the x-axis."] = None,
+    y: Annotated[FreeVector | None, "The direction of the y-axis."] = None,
+    z: Annotated[FreeVector | None, "The direction of the z-axis."] = None,
+    vector: Annotated[FreeVector | None, "A vector to resolve in the triad, e.g. 0, 0, -9.81 m/s^2."] = None,
+) -> Frame:
+    """Right-handed triad from two or three directions, or from three points.
+
+    The first direction given, in the order x, y, z, is kept; the second keeps its plane with it.
+
+    Equation
+    --------
+    e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁, and so in turn; components v·e₁, v·e₂, v·e₃.
+
+    Returns
+    -------
+    Frame
+        The axes, how far the input was from right angles, and a vector in the triad.
+
+    Raises
+    ------
+    InadmissibleError
+        When fewer than two directions are given, one is zero, two are parallel, or three lie in one plane.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 2.11.
+
+    Examples
+    --------
+    >>> frame(x=(0.0, 2.0, 0.0), y=(-3.0, 1.0, 0.0)).y_axis.value
+    (-1.0, 0.0, 0.0)
+    """
+    given = _directions(points, x, y, z)
+    order = [name for name in AXES if name in given]
+    first, second = order[0], order[1]
+    a, b = scaled(given[first].parts), scaled(given[second].parts)
+    product = cross(a, b)
+    share = plain(norm(product)) / (plain(norm(a)) * plain(norm(b)))
+    require(
+        share > ROUNDING,
+        "the directions of {first} and {second} are parallel (sine {share:2})",
+        first=first,
+        second=second,
+        share=(share, Ratio),
+        code="parallel",
+        hint="give two directions that are not parallel",
+    )
+    i, j = AXES.index(first), AXES.index(second)
+    kept = unit(a)
+    forward = (j - i) % 3 == 1
+    last = unit(product if forward else (-product[0], -product[1], -product[2]))
+    turned = cross(last, kept) if forward else cross(kept, last)
+    axes: dict[int, Vector] = {i: kept, j: unit(turned), 3 - i - j: last}
+    rows = (axes[0], axes[1], axes[2])
+    handedness, advice = _handedness(given)
+    departure = _departure(given, order)
+    return Frame(
+        x_axis=kinds.direction(rows[0]),
+        y_axis=kinds.direction(rows[1]),
+        z_axis=kinds.direction(rows[2]),
+        kept=f"{first} kept its direction, {second} its plane with {first}",
+        departure=departure,
+        handedness=handedness,
+        matrix=rows,
+        components=_seen(kinds.Vector(vector), rows) if vector is not None else None,
+        checks=(_square(rows),),
+        advice=advice,
+    )
+
+
+def _directions(points: "tuple[Any, ...]", x: "Any", y: "Any", z: "Any") -> "dict[str, kinds.Vector]":
+    given = {name: kinds.Vector(one, f"the direction of {name}") for name, one in zip(AXES, (x, y, z), strict=True)
+             if one is not None}  # fmt: skip
+    if points:
+        require(
+            len(points) == 3 and not given,
+            "a triad is of three points, or of two or three directions; {points} points and {given} directions given",
+            points=str(len(points)),
+            given=str(len(given)),
+            code="points",
+            hint="give origin, a point on the x-axis and a point in the x-y plane, without --x, --y, --z",
+        )
+        those = kinds.vectors(points, ("the origin", "the second point", "the third point"))
+        kinds.require_same_kind(those, "points of unlike kinds")
+        for name, one in zip("xy", those[1:], strict=True):
+            one.parts = difference(one.parts, those[0].parts)
+            given[name] = one
+    require(
+        len(given) > 1,
+        "a triad needs two directions, {count} given",
+        count=str(len(given)),
+        code="directions",
+        hint='for example --x "1, 2, 0" --y "0, 1, 0"',
+    )
+    for name, one in given.items():
+        kinds.require_direction(one, f"the direction of {name}")
+    return given
+
+
+def _departure(given: "dict[str, kinds.Vector]", order: "list[str]") -> float:
+    """The largest departure of two directions from a right angle, small ones exactly."""
+    pairs = [(one, other) for n, one in enumerate(order) for other in order[n + 1 :]]
+    off = []
+    for one, other in pairs:
+        a, b = scaled(given[one].parts), scaled(given[other].parts)
+        off.append(absolute(atan2(dot(a, b), norm(cross(a, b)))))
+    return max(off, key=plain)
+
+
+def _handedness(given: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Advice, ...]]":
+    if len(given) < 3:
+        return None, ()
+    those = (given["x"], given["y"], given["z"])
+    value = plain(triple(*(scaled(one.parts) for one in those)))
+    for one in those:
+        one.parts = scaled(one.parts)
+    require_spanning(those, value)
+    if value > 0.0:
+        return "right-handed", ()
+    message = worded("the three directions are left-handed: the z-axis of the triad is against the one given")
+    return "left-handed", (Advice("left-handed", message, remedy="exchange two of them, or turn one round"),)
+
+
+def _seen(one: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
+    return kinds.vector([dot(one.parts, row) for row in rows], one.kind)
+
+
+def _square(rows: "tuple[Vector, Vector, Vector]") -> Check:
+    plains = [[plain(x) for x in row] for row in rows]
+    off = max(
+        abs(sum(p * q for p, q in zip(plains[i], plains[j], strict=True)) - (i == j))
+        for i in range(3)
+        for j in range(3)
+    )
+    return Check("axes are square to one another and of length one", off <= SQUARE, off, SQUARE)

@@ -1,0 +1,154 @@
+"""Vectors with their kinds: a force is not added to a velocity, and a force times a length is a torque or an energy."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.typed_products import as_typed, norm
+from dynamics_cli.quantities import (
+    Acceleration,
+    AngularImpulse,
+    Area,
+    Energy,
+    Kind,
+    Power,
+    Speed,
+    Torque,
+    Volume,
+)
+from dynamics_cli.records import Quantity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    Components = tuple[float, float, float]
+
+NUMBER = Kind("number", "")
+# Kinds of products by the units of their factors: of a scalar product, and of a vector product.
+_SCALAR: "dict[tuple[str, str], Any]" = {
+    ("N", "m"): Energy, ("N", "m/s"): Power, ("m", "m"): Area, ("m^2", "m"): Volume,
+}  # fmt: skip
+_VECTOR: "dict[tuple[str, str], Any]" = {
+    ("N", "m"): Torque, ("N*s", "m"): AngularImpulse, ("m", "m"): Area,
+    ("rad/s", "m"): Speed, ("rad/s", "m/s"): Acceleration, ("rad/s^2", "m"): Acceleration,
+}  # fmt: skip
+
+
+class Vector:
+    """The three components of a vector in SI, its kind, and whether it was planar."""
+
+    __slots__ = ("kind", "parts", "planar")
+
+    def __init__(self, given: "Any", name: str = "the vector") -> None:
+        value = given.value if isinstance(given, Quantity) else given
+        self.kind: Any = given.kind if isinstance(given, Quantity) else NUMBER
+        parts = value if isinstance(value, tuple | list) else (value,)
+        require(
+            len(parts) in (2, 3),
+            "{name} is a magnitude without a direction",
+            name=name,
+            code="no-direction",
+            hint="write 20 N @ 30 deg, or components such as 3, 4 N",
+        )
+        self.planar = len(parts) == 2
+        x, y, z = (as_typed(part) for part in (*parts, 0.0)[:3])
+        self.parts: Components = (x, y, z)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether every component is zero."""
+        return all(plain(part) == 0.0 for part in self.parts)
+
+
+def vectors(given: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]":
+    """Several vectors, by their names in messages."""
+    return [Vector(one, names[index] if names else f"vector {index + 1}") for index, one in enumerate(given)]
+
+
+def require_same_kind(those: "Sequence[Vector]", what: str) -> None:
+    """Refuse a sum of unlike kinds."""
+    for index, other in enumerate(those[1:], 2):
+        require(
+            other.kind.unit == those[0].kind.unit,
+            "{what}: vector 1 is a {first}, vector {index} a {other}",
+            what=what,
+            first=those[0].kind.name,
+            index=str(index),
+            other=other.kind.name,
+            code="mixed-kinds",
+            hint="give vectors of one kind, with their units",
+        )
+
+
+def require_direction(vector: Vector, name: str) -> None:
+    """Refuse a zero vector where a direction is needed."""
+    require(
+        not vector.is_zero,
+        "{name} is a zero vector, which has no direction",
+        name=name,
+        code="zero-vector",
+        hint="give a vector that is not zero",
+    )
+
+
+def scalar(kind: "Any") -> Kind:
+    """The kind of one number of a vector."""
+    return Kind(kind.name, kind.unit, si=kind.si, us=kind.us)
+
+
+def number(value: float, kind: "Any") -> Quantity:
+    """A number of the kind of a vector's components."""
+    return Quantity(value, scalar(kind))
+
+
+def vector(parts: "Sequence[float]", kind: "Any", *, planar: bool = False) -> Quantity:
+    """A vector with its kind; a planar one has two components."""
+    size = 2 if planar else 3
+    form = "planar" if planar else "vector"
+    return Quantity(tuple(parts[:size]), Kind(kind.name, kind.unit, form=form, si=kind.si, us=kind.us, size=size))
+
+
+def direction(parts: "Sequence[float]", *, planar: bool = False) -> Quantity:
+    """A unit vector."""
+    return vector(parts, NUMBER, planar=planar)
+
+
+def magnitude(those: Vector) -> Quantity:
+    """A vector's magnitude."""
+    return number(norm(those.parts), those.kind)
+
+
+def times(one: "Any", other: "Any", *, cross: bool = False) -> Kind:
+    """The kind of a product, shown in the units of its factors where these are not SI's."""
+    if not one.unit or not other.unit:
+        return scalar(one if one.unit else other)
+    table = _VECTOR if cross else _SCALAR
+    for first, second in ((one, other), (other, one)):
+        known = table.get((first.unit, second.unit))
+        if known is not None:
+            return _known(known, first, second)
+    return Kind(f"{one.name} times {other.name}", _joined(one.unit, other.unit), si=_joined(one.si, other.si))
+
+
+def over(one: "Any", other: "Any") -> Kind:
+    """The kind of a quotient."""
+    if not other.unit:
+        return scalar(one)
+    if one.unit == other.unit:
+        return NUMBER
+    return Kind(f"{one.name} per {other.name}", f"{one.unit or '1'}/({other.unit})", si=f"{one.si or '1'}/({other.si})")
+
+
+def _known(known: "Any", first: "Any", second: "Any") -> Kind:
+    written = (first.si, second.si) != (first.unit, second.unit) and "rad" not in first.unit
+    if not written or known is Power:
+        return Kind(known.name, known.unit, si=known.unit, us=known.us)
+    # an energy is written length first, a torque force first
+    joined = _joined(second.si, first.si) if known is Energy else _joined(first.si, second.si)
+    return Kind(known.name, known.unit, si=joined, us=known.us)
+
+
+def _joined(one: str, other: str) -> str:
+    simple = one.isalpha() and other.isalpha()
+    first, second = (f"({unit})" if "/" in unit else unit for unit in (one, other))
+    return f"{one}^2" if one == other and simple else f"{first}*{second}"

@@ -1,0 +1,268 @@
+"""Points, lines and planes: distances, feet of the common perpendicular, intersections, angles."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.elementary import absolute, atan2
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.typed_products import cross, difference, dot, norm, sum_of_products
+from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio, Text
+from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.vec import kinds
+from dynamics_cli.vec.angles import ROUNDING
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.numerics.typed_products import Vector
+
+NEARLY = 1e-6
+FEET = 1e-9
+
+
+@record
+class Item:
+    """A point; with a direction or a second point a line, with a normal a plane."""
+
+    point: Annotated[FreeVector, "A point, or one on the line or the plane, e.g. 1, 2, 3 m."]
+    direction: Annotated[FreeVector | None, "The direction of a line, e.g. 1, 1, 1."] = None
+    to: Annotated[FreeVector | None, "A second point of a line, e.g. 4, 0, 1 m."] = None
+    normal: Annotated[FreeVector | None, "The normal of a plane, e.g. 0, 0, 1."] = None
+
+
+@record
+class Lines:
+    """How two points, lines or planes lie to one another."""
+
+    relation: Annotated[Text, "Skew, intersecting, parallel, coincident, apart, and how that is known."]
+    distance: Annotated[FreeNumber, "The shortest distance."]
+    angle: Annotated[Angle | None, "The angle between them, from 0 to 90 degrees [rad]."]
+    first_foot: Annotated[FreeVector | None, "Where the shortest connection ends on the first."]
+    second_foot: Annotated[FreeVector | None, "Where it ends on the second."]
+    intersection: Annotated[FreeVector | None, "Where they meet: a point, or one of the line common to two planes."]
+    common_direction: Annotated[FreeVector | None, "The direction of the line common to two planes."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+class _Read:
+    """An item as read: what it is, a point of it, and its direction or normal."""
+
+    __slots__ = ("kind", "point", "shape", "way")
+
+    def __init__(self, item: Item, name: str) -> None:
+        point = kinds.Vector(item.point, f"the point of the {name}")
+        given = [word for word in ("direction", "to", "normal") if getattr(item, word) is not None]
+        require(
+            len(given) < 2,
+            "the {name} has {given}: a line has a direction or a second point, a plane a normal",
+            name=name,
+            given=" and ".join(given),
+            code="shape",
+            hint="give one of them",
+        )
+        self.point = point.parts
+        self.kind = point.kind
+        self.shape = "point"
+        self.way: Vector = (0.0, 0.0, 0.0)
+        if given:
+            self.shape = "plane" if given[0] == "normal" else "line"
+            way = kinds.Vector(getattr(item, given[0]), f"the {given[0]} of the {name}")
+            if given[0] == "to":
+                kinds.require_same_kind((point, way), f"the two points of the {name} are of unlike kinds")
+                way.parts = difference(way.parts, point.parts)
+            kinds.require_direction(way, f"the direction of the {name}" if self.shape == "line" else f"the normal of "
+                                    f"the {name}")  # fmt: skip
+            self.way = way.parts
+
+
+def lines(*, first: Item, second: Item) -> Lines:
+    """Distance, angle, feet of the common perpendicular and intersection of two points, lines or planes.
+
+    Equation
+    --------
+    Skew lines: d = |(q − p)·(u×v)|/|u×v|; parallel: |(q − p)×u|/|u|; from a plane: |n·(q − p)|/|n|.
+
+    Returns
+    -------
+    Lines
+        How they lie to one another, with the points that decide it.
+
+    Raises
+    ------
+    InadmissibleError
+        When a direction or a normal is zero, or points are of unlike kinds.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 2.7 and 2.8.
+
+    Examples
+    --------
+    >>> x_axis, other = Item((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)), Item((0.0, 2.0, 3.0), (0.0, 1.0, 0.0))
+    >>> lines(first=x_axis, second=other).distance.value
+    3.0
+    """
+    one, other = _Read(first, "first"), _Read(second, "second")
+    require(
+        one.kind.unit == other.kind.unit,
+        "the points are of unlike kinds: a {first} and a {other}",
+        first=one.kind.name,
+        other=other.kind.name,
+        code="mixed-kinds",
+        hint="give both points in units of length, or both without",
+    )
+    order = ("point", "line", "plane")
+    swapped = order.index(one.shape) > order.index(other.shape)
+    a, b = (other, one) if swapped else (one, other)
+    pose = _CASES[a.shape, b.shape](a, b)
+    feet = pose.pop("feet", (None, None))
+    if swapped:
+        feet = feet[::-1]
+
+    def point(parts: "Vector | None") -> "Any":
+        return None if parts is None else kinds.vector(parts, one.kind)
+
+    distance = pose["distance"]
+    return Lines(
+        relation=pose["relation"],
+        distance=kinds.number(distance, one.kind),
+        angle=pose.get("angle"),
+        first_foot=point(feet[0]),
+        second_foot=point(feet[1]),
+        intersection=point(pose.get("meet")),
+        common_direction=kinds.direction(pose["common"]) if "common" in pose else None,
+        checks=_feet_apart(feet, distance, one.point, other.point) if feet[0] is not None else (),
+        advice=_nearly_parallel(pose),
+    )
+
+
+def _moved(p: "Vector", factor: float, u: "Vector") -> "Vector":
+    x, y, z = (sum_of_products((start,), (factor, way)) for start, way in zip(p, u, strict=True))
+    return x, y, z
+
+
+def _apart(p: "Vector", q: "Vector", n: "Vector") -> float:
+    """(q − p)·n, from the points as typed."""
+    return sum_of_products(*((q[i], n[i]) for i in range(3)), *((-1.0, p[i], n[i]) for i in range(3)))
+
+
+def _is_small(value: float, size: float) -> bool:
+    return abs(plain(value)) <= ROUNDING * size
+
+
+def _two_points(a: _Read, b: _Read) -> "dict[str, Any]":
+    distance = norm(difference(b.point, a.point))
+    relation = "apart" if plain(distance) else "one point"
+    return {"distance": distance, "relation": relation, "feet": (a.point, b.point)}
+
+
+def _point_and_line(a: _Read, b: _Read) -> "dict[str, Any]":
+    gap = difference(a.point, b.point)
+    distance = norm(cross(gap, b.way)) / norm(b.way)
+    foot = _moved(b.point, dot(gap, b.way) / dot(b.way, b.way), b.way)
+    on = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+    relation = _touch("the point is on the line", distance) if on else "apart"
+    return {"distance": distance, "relation": relation, "feet": (a.point, foot)}
+
+
+def _point_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
+    height = _apart(b.point, a.point, b.way) / norm(b.way)
+    foot = _moved(a.point, -height / norm(b.way), b.way)
+    on = _is_small(height, plain(norm(a.point)) + plain(norm(b.point)))
+    side = "on the side of the normal" if plain(height) > 0.0 else "on the side away from the normal"
+    relation = _touch("the point is in the plane", height) if on else f"apart, {side}"
+    return {"distance": absolute(height), "relation": relation, "feet": (a.point, foot)}
+
+
+def _touch(words: str, value: float) -> str:
+    return f"{words}, exactly as typed" if plain(value) == 0.0 else f"{words}, within rounding"
+
+
+def _two_lines(a: _Read, b: _Read) -> "dict[str, Any]":
+    u, v = a.way, b.way
+    product = cross(u, v)
+    sine = norm(product)
+    size = plain(norm(u)) * plain(norm(v))
+    angle = atan2(sine, absolute(dot(u, v)))
+    gap = difference(b.point, a.point)
+    reach = plain(norm(a.point)) + plain(norm(b.point))
+    if _is_small(sine, size):
+        distance = norm(cross(gap, u)) / norm(u)
+        foot = _moved(b.point, -dot(gap, v) / dot(v, v), v)
+        one = _is_small(distance, reach)
+        relation = _touch("coincident" if one else "parallel", sine if not one else distance)
+        return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
+    volume = _apart(a.point, b.point, product)
+    distance = absolute(volume) / sine
+    square = dot(product, product)
+    s = dot(cross(gap, v), product) / square
+    t = dot(cross(gap, u), product) / square
+    feet = _moved(a.point, s, u), _moved(b.point, t, v)
+    meet = _is_small(distance, reach)
+    pose = {"distance": distance, "angle": angle, "feet": feet, "sine": plain(sine) / size}
+    return {**pose, "relation": _touch("intersecting", distance), "meet": feet[0]} if meet else {
+        **pose, "relation": "skew"}  # fmt: skip
+
+
+def _line_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
+    u, n = a.way, b.way
+    along = dot(u, n)
+    size = plain(norm(u)) * plain(norm(n))
+    angle = atan2(absolute(along), norm(cross(u, n)))
+    height = _apart(b.point, a.point, n)
+    if _is_small(along, size):
+        distance = absolute(height) / norm(n)
+        inside = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+        foot = _moved(a.point, -height / dot(n, n), n)
+        relation = _touch("the line is in the plane" if inside else "parallel", distance if inside else along)
+        return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
+    meet = _moved(a.point, -height / along, u)
+    pose = {"distance": 0.0 * height, "relation": "intersecting", "angle": angle, "meet": meet}
+    return {**pose, "sine": abs(plain(along)) / size}
+
+
+def _two_planes(a: _Read, b: _Read) -> "dict[str, Any]":
+    m, n = a.way, b.way
+    product = cross(m, n)
+    sine = norm(product)
+    size = plain(norm(m)) * plain(norm(n))
+    angle = atan2(sine, absolute(dot(m, n)))
+    height = _apart(b.point, a.point, n)
+    if _is_small(sine, size):
+        distance = absolute(height) / norm(n)
+        one = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+        relation = _touch("coincident" if one else "parallel", distance if one else sine)
+        return {"distance": distance, "relation": relation, "angle": angle}
+    # within the first plane, square to the common line, down to the second plane
+    way = cross(product, m)
+    meet = _moved(a.point, -height / dot(way, n), way)
+    common = tuple(part / sine for part in product)
+    pose = {"distance": 0.0 * height, "relation": "intersecting in a line", "angle": angle, "meet": meet}
+    return {**pose, "common": common, "sine": plain(sine) / size}
+
+
+_CASES: "dict[tuple[str, str], Any]" = {
+    ("point", "point"): _two_points,
+    ("point", "line"): _point_and_line,
+    ("point", "plane"): _point_and_plane,
+    ("line", "line"): _two_lines,
+    ("line", "plane"): _line_and_plane,
+    ("plane", "plane"): _two_planes,
+}
+
+
+def _nearly_parallel(pose: "dict[str, Any]") -> "tuple[Advice, ...]":
+    sine = pose.get("sine")
+    if sine is None or sine > NEARLY:
+        return ()
+    message = worded("the two are nearly parallel (sine {sine:2}): where they meet or come nearest moves by "
+                     "{times:2} times an error across", sine=(sine, Ratio), times=(1.0 / sine, Ratio))  # fmt: skip
+    return (Advice("near-parallel", message, remedy="rely on the distance and the angle rather than on the points"),)
+
+
+def _feet_apart(feet: "Any", distance: float, p: "Vector", q: "Vector") -> "tuple[Check, ...]":
+    one, other = ([plain(x) for x in foot] for foot in feet)
+    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
+    size = max(map(abs, [*one, *other, *map(plain, p), *map(plain, q)])) or 1.0
+    off = abs(apart - plain(distance)) / size
+    return (Check("the feet are the distance apart", off <= FEET, off, FEET),)

@@ -1,0 +1,312 @@
+"""Vector polygons head to tail, components, angles and triads, to scale."""
+
+import math
+
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle
+from dynamics_cli.vec import kinds
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    Pair = tuple[float, float]
+
+# Roles of colours: vectors take turns in the first four, sums are black.
+COLOURS, SUM = 4, 6
+# An arrow this near to level or upright has its words squarely above or beside it.
+FLAT = 0.12
+# The oblique view of space: x towards the reader to the lower left, y to the right, z up.
+FORWARD = (-0.5 * math.cos(0.6), -0.5 * math.sin(0.6))
+ARC = 41
+
+
+def resultant(made: "Any", *_: "Any", **__: "Any") -> Picture:
+    """The vectors head to tail with their sum; in space, from above and from the front."""
+    values = [row.vector.value for row in made.parts]
+    kind = kinds.scalar(made.resultant.kind)
+    names = [_size(row.magnitude.value, row.angle, kind) for row in made.parts]
+    total = made.resultant.value
+    sum_name = worded("R = {size}", size=(made.magnitude.value, kind))
+    if len(total) == 2:
+        panel = _chain(values, names, total, sum_name, kind, ("x", "y"))
+        return Picture((panel,), "vectors head to tail and their resultant")
+    panels = []
+    for (i, j), view in (((0, 1), "from above"), ((0, 2), "from the front")):
+        parts = [(value[i], value[j]) for value in (_spatial(value) for value in values)]
+        axes = ("xyz"[i], "xyz"[j])
+        panels.append(_chain(parts, names, (total[i], total[j]), sum_name, kind, axes, view))
+    return Picture(tuple(panels), "vectors head to tail and their resultant", columns=2)
+
+
+def _spatial(value: "Sequence[float]") -> "tuple[float, float, float]":
+    return value[0], value[1], value[2] if len(value) == 3 else 0.0
+
+
+def _size(size: float, angle: "float | None", kind: "Any") -> str:
+    if angle is None:
+        return worded("{size}", size=(size, kind))
+    return worded("{size} at {angle}", size=(size, kind), angle=(angle, Angle))
+
+
+def _chain(
+    values: "Sequence[Any]", names: "Sequence[str]", total: "Sequence[float]", sum_name: str, kind: "Any",
+    axes: "tuple[str, str]", title: str = "",
+) -> Panel:  # fmt: skip
+    """Arrows from tip to tail, and the sum from the first tail to the last tip."""
+    arrows: list[tuple[Pair, Pair, str, int]] = []
+    x = y = 0.0
+    for nth, (value, name) in enumerate(zip(values, names, strict=True)):
+        arrows.append(((x, y), (value[0], value[1]), name, nth % COLOURS))
+        x, y = x + value[0], y + value[1]
+    arrows.append(((0.0, 0.0), (total[0], total[1]), sum_name, SUM))
+    return _panel(arrows, kind, axes, title)
+
+
+def _panel(
+    arrows: "Sequence[tuple[Pair, Pair, str, int]]",
+    kind: "Any",
+    axes: "tuple[str, str]",
+    title: str = "",
+    more: "Sequence[Any]" = (),
+) -> Panel:
+    """Arrows with their words beside them, where most room is."""
+    points = [point for (x, y), (dx, dy), _, _ in arrows for point in ((x, y), (x + dx, y + dy))]
+    left, right = min(x for x, _ in points), max(x for x, _ in points)
+    low, high = min(y for _, y in points), max(y for _, y in points)
+    size = max(right - left, high - low) or 1.0
+    shown = [one for one in arrows if math.hypot(*one[1]) > 1e-9 * size]
+    items: list[Any] = list(more)
+    for tail, way, name, role in shown:
+        items.append(Arrow(*tail, *way, "", role))
+        others = [(other, reach) for other, reach, _, which in shown if (other, reach, which) != (tail, way, role)]
+        items.append(_beside(tail, way, name, role, others, size))
+    # words stand beyond the outermost arrows: unseen corners keep room for them
+    room_x, room_y = 0.3 * size, 0.08 * size
+    items.append(Curve([left - room_x, right + room_x], [low - room_y, high + room_y], "", "fill", SUM))
+    return Panel(Axis(axes[0], kind), Axis(axes[1], kind), tuple(items), title, equal=True)
+
+
+def _beside(
+    tail: "Pair", way: "Pair", name: str, role: int, others: "Sequence[tuple[Pair, Pair]]", size: float
+) -> Mark:
+    """Words beside an arrow, on the side and at the place that is farthest from the other arrows."""
+    length = math.hypot(*way)
+    ends = [tail, *(start for start, _ in others), *((x + dx, y + dy) for (x, y), (dx, dy) in others)]
+    centre = sum(x for x, _ in ends) / len(ends), sum(y for _, y in ends) / len(ends)
+    best: tuple[float, Pair, Pair] | None = None
+    for share in (0.5, 0.35, 0.65):
+        at = tail[0] + share * way[0], tail[1] + share * way[1]
+        for sign in (1.0, -1.0):
+            normal = -sign * way[1] / length, sign * way[0] / length
+            middle = at[0] + (0.06 + 0.1 * abs(normal[0])) * size * normal[0], at[1] + 0.06 * size * normal[1]
+            room = min((_distance(middle, *other) for other in others), default=size)
+            away = normal[0] * (at[0] - centre[0]) + normal[1] * (at[1] - centre[1]) > 0.0
+            score = min(room, 0.12 * size) - 0.02 * size * abs(share - 0.5) + 0.06 * size * away
+            if best is None or score > best[0] + 1e-9 * size:
+                best = (score, at, normal)
+    assert best is not None
+    _, at, normal = best
+    across = 0.0 if abs(normal[0]) < FLAT else math.copysign(5.0, normal[0])
+    up = 0.0 if abs(normal[1]) < FLAT else math.copysign(4.0, normal[1])
+    return Mark(*at, name, (across, up), dot=False, role=role)
+
+
+def _distance(point: "Pair", tail: "Pair", way: "Pair") -> float:
+    """From a point to an arrow."""
+    square = way[0] * way[0] + way[1] * way[1]
+    along = ((point[0] - tail[0]) * way[0] + (point[1] - tail[1]) * way[1]) / square
+    along = min(max(along, 0.0), 1.0)
+    return math.hypot(point[0] - tail[0] - along * way[0], point[1] - tail[1] - along * way[1])
+
+
+def angle(made: "Any", *_: "Any", **__: "Any") -> Picture:
+    """The two directions from one point with the angle between, in the plane that they span."""
+    turn = abs(made.angle)
+    arrows = [((0.0, 0.0), (1.0, 0.0), "first", 0), ((0.0, 0.0), (math.cos(turn), math.sin(turn)), "second", 1)]
+    steps = [turn * i / (ARC - 1) for i in range(ARC)]
+    arc = Curve([0.3 * math.cos(t) for t in steps], [0.3 * math.sin(t) for t in steps], "", "thin", SUM)
+    name = worded("{angle}", angle=(turn, Angle))
+    label = Label(0.45 * math.cos(0.5 * turn), 0.45 * math.sin(0.5 * turn), name, SUM)
+    panel = _panel(arrows, kinds.NUMBER, ("", ""), "", (arc, label))
+    bare = Panel(panel.x, panel.y, panel.items, equal=True, bare=True)
+    return Picture(
+        (bare,), "the angle between two vectors, in their plane", subtitle="directions alone: both of length one"
+    )
+
+
+def resolve(made: "Any", vector: "Any", **_: "Any") -> Picture:
+    """A vector and its parts."""
+    value = getattr(vector, "value", vector)
+    kind = kinds.scalar(getattr(vector, "kind", kinds.NUMBER))
+    if made.components is not None:
+        parts = [(row.part.value, worded("{size}", size=(row.component.value, kind))) for row in made.components]
+    else:
+        one, other = (made.part_along, made.part_across) if made.component is not None else (
+            made.part_out_of_plane, made.part_in_plane)  # fmt: skip
+        names = ("along", "across") if made.component is not None else ("along the normal", "in the plane")
+        parts = [
+            (part.value, worded("{size} " + name, size=(math.hypot(*part.value), kind)))
+            for part, name in zip((one, other), names, strict=True)
+        ]
+    size = worded("{size}", size=(math.hypot(*value), kind))
+    flat = len(value) == 2 and all(len(part) == 2 for part, _ in parts)
+
+    def drawn(view: "Any") -> "list[tuple[Pair, Pair, str, int]]":
+        at = (0.0, 0.0)
+        arrows: list[tuple[Pair, Pair, str, int]] = []
+        for nth, (part, name) in enumerate(parts):
+            way = view(part)
+            arrows.append((at, way, name, nth % COLOURS))
+            at = at[0] + way[0], at[1] + way[1]
+        return [*arrows, ((0.0, 0.0), view(value), size, SUM)]
+
+    if flat:
+        return Picture((_panel(drawn(lambda part: (part[0], part[1])), kind, ("x", "y")),), "a vector and its parts")
+    panels = []
+    for (i, j), title in (((0, 1), "from above"), ((0, 2), "from the front")):
+        arrows = drawn(lambda part, i=i, j=j: (_spatial(part)[i], _spatial(part)[j]))
+        panels.append(_panel(arrows, kind, ("xyz"[i], "xyz"[j]), title))
+    return Picture(tuple(panels), "a vector and its parts", columns=2)
+
+
+def polygon(made: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Picture:
+    """Every solution: the known vectors, then the two that were looked for, and what all add up to."""
+    kind = kinds.scalar(made.missing.kind)
+    panels = []
+    for nth, one in enumerate(made.solutions, 1):
+        values = [getattr(each, "value", each) for each in known]
+        names = [_size(math.hypot(*value), math.atan2(value[1], value[0]), kind) for value in values]
+        values += [one.first.value, one.second.value]
+        names += [_size(one.first_magnitude.value, one.first_angle, kind)]
+        names += [_size(one.second_magnitude.value, one.second_angle, kind)]
+        total = getattr(sum_, "value", sum_) or (0.0, 0.0)
+        sum_name = worded("sum {size}", size=(math.hypot(*total), kind))
+        title = f"solution {nth}" if len(made.solutions) > 1 else ""
+        panels.append(_chain(values, names, total, sum_name, kind, ("x", "y"), title))
+    return Picture(tuple(panels), "vector polygon", columns=len(panels))
+
+
+def _seen(v: "Sequence[float]") -> "Pair":
+    """Space seen obliquely: x comes towards the reader, y goes to the right, z up."""
+    return v[1] + FORWARD[0] * v[0], v[2] + FORWARD[1] * v[0]
+
+
+def _axes(reach: float) -> "list[Any]":
+    """The axes of space, named at their ends."""
+    # an unseen line keeps the name of Z off the title
+    items: list[Any] = [Curve([0.0, 0.0], [0.0, 1.4 * reach], "", "fill", SUM)]
+    asides = ((-6.0, 4.0), (4.0, 4.0), (4.0, 4.0))
+    for name, axis, aside in zip("XYZ", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), asides, strict=True):
+        x, y = _seen([1.25 * reach * part for part in axis])
+        items += [Curve([0.0, x], [0.0, y], "", "centre", SUM), Mark(x, y, name, aside, dot=False, role=SUM)]
+    return items
+
+
+def _line(points: "Sequence[Sequence[float]]", style: "Any", role: int) -> Curve:
+    """A line through points of space."""
+    pairs = [_seen(point) for point in points]
+    return Curve([x for x, _ in pairs], [y for _, y in pairs], "", style, role)
+
+
+def _scene(items: "Sequence[Any]", title: str, subtitle: str) -> Picture:
+    panel = Panel(Axis(""), Axis(""), tuple(items), equal=True, bare=True)
+    return Picture((panel,), title, subtitle=subtitle)
+
+
+def _arrow(v: "Sequence[float]", name: str, role: int) -> "list[Any]":
+    """An arrow from the origin with its name beyond its tip."""
+    x, y = _seen(v)
+    aside = math.copysign(6.0, x), math.copysign(5.0, y)
+    return [Arrow(0.0, 0.0, x, y, "", role), Mark(x, y, name, aside, dot=False, role=role)]
+
+
+def _unit(v: "Sequence[float]") -> "tuple[float, ...]":
+    size = math.hypot(*v) or 1.0
+    return tuple(part / size for part in v)
+
+
+def direction(made: "Any", *_: "Any", **__: "Any") -> Picture:
+    """The direction in the axes, over its shadow on the X-Y plane."""
+    v = _unit(_spatial(made.vector.value))
+    name = worded("{size}", size=(made.magnitude.value, kinds.scalar(made.magnitude.kind)))
+    shadow = [(0.0, 0.0, 0.0), (v[0], v[1], 0.0), v]
+    steps = [(v[0], 0.0, 0.0), (v[0], v[1], 0.0), (0.0, v[1], 0.0)]
+    lines_ = [_line(points, "thin", SUM) for points in (shadow, steps)]
+    return _scene([*_axes(1.0), *lines_, *_arrow(v, name, 0)], "a direction in space", "seen obliquely; length one")
+
+
+def product(made: "Any", first: "Any", second: "Any", third: "Any" = None, /) -> Picture:
+    """The factors and their vector product, as directions."""
+    items = _axes(1.0)
+    given = [("a", first), ("b", second), *([("c", third)] if third is not None else [])]
+    for role, (name, vector) in enumerate(given):
+        items += _arrow(_unit(_spatial(getattr(vector, "value", vector))), name, role)
+    if any(made.vector_product.value):
+        items += _arrow(_unit(made.vector_product.value), "a×b", 3)
+    return _scene(items, "the vectors and their vector product", "seen obliquely; directions alone, of length one")
+
+
+def lines(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
+    """Points, lines and planes with their shortest connection, obliquely."""
+    known = [_spatial(getattr(one.point, "value", one.point)) for one in (first, second)]
+    ends = [one.value for one in (made.first_foot, made.second_foot, made.intersection) if one is not None]
+    middle = [sum(point[i] for point in (*known, *ends)) / len((*known, *ends)) for i in range(3)]
+    reach = max([math.dist(point, middle) for point in (*known, *ends)]) or 1.0
+    items: list[Any] = []
+    for role, (name, one, point) in enumerate(zip(("first", "second"), (first, second), known, strict=True)):
+        x, y = _seen(point)
+        aside = (6.0, 6.0) if role else (-6.0, -6.0)
+        items.append(Mark(x, y, name, aside, role=role))
+        way = _way(one, point)
+        if way is None:
+            continue
+        u = _unit(way)
+        if one.normal is not None:
+            items.append(_patch(point, u, reach, role))
+        else:
+            feet = (made.first_foot, made.second_foot)[role] or made.intersection
+            far = max(1.3 * reach, math.dist(feet.value, point) + 0.3 * reach) if feet is not None else 1.3 * reach
+            points = [[p + t * far * q for p, q in zip(point, u, strict=True)] for t in (-1.0, 1.0)]
+            items.append(_line(points, "solid", role))
+    if made.first_foot is not None and made.distance.value > 0.0:
+        (x0, y0), (x1, y1) = _seen(made.first_foot.value), _seen(made.second_foot.value)
+        items.append(Curve([x0, x1], [y0, y1], "", "thick", SUM))
+        name = worded("{size}", size=(made.distance.value, kinds.scalar(made.distance.kind)))
+        items.append(Mark(0.5 * (x0 + x1), 0.5 * (y0 + y1), name, (6.0, -4.0), dot=False, role=SUM))
+    if made.intersection is not None:
+        items.append(Mark(*_seen(made.intersection.value), "they meet", (6.0, -8.0), role=SUM))
+    return _scene(items, f"how they lie: {made.relation}", "seen obliquely; black: the shortest connection")
+
+
+def _way(one: "Any", point: "Sequence[float]") -> "tuple[float, ...] | None":
+    given = one.direction or one.normal or one.to
+    if given is None:
+        return None
+    value = _spatial(getattr(given, "value", given))
+    return tuple(b - a for a, b in zip(point, value, strict=True)) if given is one.to else value
+
+
+def _patch(point: "Sequence[float]", n: "Sequence[float]", reach: float, role: int) -> Curve:
+    """A square of a plane about a point."""
+    helper = (1.0, 0.0, 0.0) if abs(n[0]) < 0.7 else (0.0, 1.0, 0.0)
+    u = _unit([n[1] * helper[2] - n[2] * helper[1], n[2] * helper[0] - n[0] * helper[2],
+               n[0] * helper[1] - n[1] * helper[0]])  # fmt: skip
+    v = (n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0])
+    corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)]
+    points = [[p + 1.2 * reach * (s * a + t * b) for p, a, b in zip(point, u, v, strict=True)] for s, t in corners]
+    return _line(points, "filled", role)
+
+
+def frame(made: "Any", *_: "Any", x: "Any" = None, y: "Any" = None, z: "Any" = None, **__: "Any") -> Picture:
+    """The triad in the old axes, seen obliquely, with the directions given as dashed lines."""
+    items = _axes(1.0)
+    for role, (name, axis) in enumerate((("x", made.x_axis), ("y", made.y_axis), ("z", made.z_axis))):
+        items += _arrow(axis.value, name, role)
+    for role, given in enumerate((x, y, z)):
+        if given is not None:
+            a, b = _seen(_unit(_spatial(getattr(given, "value", given))))
+            items.append(Curve([0.0, a], [0.0, b], "", "dashed", role))
+    return _scene(items, "the triad x, y, z in the axes X, Y, Z", "seen obliquely; dashed: directions as given")

@@ -1,0 +1,87 @@
+"""Recorded speeds: exact rationals for distance, limits, deviations and the event; brute force between the samples."""
+
+import math
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from harness import run
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.skid.timing.recorder import record_of
+
+TABLE = (78, 78, 78, 78, 77, 76, 74, 66, 54, 41, 29)
+SPEEDS = tuple(speed / 3.6 for speed in TABLE)
+
+
+def test_the_distance_is_the_sum_of_trapezoids() -> None:
+    exact = sum(Fraction(a + b) / 2 * Fraction(1, 2) for a, b in pairwise(TABLE)) / Fraction(36, 10)
+    found = record_of(speeds=SPEEDS)
+    assert found.distance == pytest.approx(float(exact), rel=1e-15)
+    assert found.intervals[6].distance_left == pytest.approx(29.513888888888888889, rel=1e-15)
+
+
+def test_common_and_rounding_errors_are_kept_apart() -> None:
+    found = record_of(speeds=SPEEDS)
+    weights = [Fraction(1, 4), *[Fraction(1, 2)] * 9, Fraction(1, 4)]
+    rounding = math.sqrt(float(sum(w * w for w in weights) / 12)) / 3.6
+    assert found.rounding_deviation == pytest.approx(rounding, rel=1e-14)
+    assert found.common_deviation == pytest.approx(5.0 / math.sqrt(3.0) / 3.6, rel=1e-14)
+    assert found.distance_deviation == pytest.approx(0.81134176705193907018, rel=1e-14)
+
+
+def test_limits_between_the_samples() -> None:
+    found = record_of(speeds=SPEEDS, greatest_acceleration=0.9 * 9.80665)
+    assert found.greatest_distance == pytest.approx(found.distance + 4.3644264012359221025496, rel=1e-14)
+    assert found.least_distance == pytest.approx(found.distance - 4.3644264012359221025496, rel=1e-14)
+
+
+@given(st.lists(st.floats(0.0, 30.0), min_size=2, max_size=4), st.floats(0.2, 2.0), st.floats(1.0, 1.6))
+def test_limits_are_those_of_hardest_braking_and_driving(speeds: list[float], interval: float, more: float) -> None:
+    most = more * max(abs(b - a) for a, b in pairwise(speeds)) / interval + 1.0
+    found = record_of(speeds=tuple(speeds), interval=interval, greatest_acceleration=most)
+    least = greatest = 0.0
+    for before, after in pairwise(speeds):
+        # speeds at a fine grid of times: the least are cut off by both ends and by rest, the greatest by both ends
+        steps = 2000
+        times = [interval * (i + 0.5) / steps for i in range(steps)]
+        least += sum(max(before - most * t, after - most * (interval - t), 0.0) for t in times) * interval / steps
+        greatest += sum(min(before + most * t, after + most * (interval - t)) for t in times) * interval / steps
+    assert found.least_distance == pytest.approx(least, abs=1e-5 * (1.0 + found.distance + most * interval**2))
+    assert found.greatest_distance == pytest.approx(greatest, abs=1e-5 * (1.0 + found.distance + most * interval**2))
+
+
+def test_the_speed_at_the_event_and_the_slip_of_its_wheels() -> None:
+    found = record_of(speeds=SPEEDS)
+    assert found.least_event_speed == pytest.approx(4.7222222222222222222, rel=1e-14)
+    assert found.greatest_event_speed == pytest.approx(8.0555555555555555556, rel=1e-14)
+    slipping = record_of(speeds=SPEEDS, greatest_age=0.0, least_slip=0.08, greatest_slip=0.18)
+    assert slipping.least_event_speed == pytest.approx(8.7560386473429951691, rel=1e-14)
+    assert slipping.greatest_event_speed == pytest.approx(9.8238482384823848238, rel=1e-14)
+
+
+def test_braking_began_within_an_interval_and_the_age() -> None:
+    found = record_of(speeds=SPEEDS, brake_on=8)
+    assert (found.brake_latest, found.brake_earliest, found.speed_before_braking) == (1.5, 2.5, SPEEDS[6])
+    assert record_of(speeds=SPEEDS, brake_on=1).brake_earliest is None
+
+
+def test_what_the_wheels_did_is_said() -> None:
+    assert [one.code for one in record_of(speeds=SPEEDS).advice] == ["wheel-slip"]
+    assert record_of(speeds=SPEEDS, greatest_slip=0.1).advice == ()
+    assert [one.code for one in record_of(speeds=(20.0, 5.0)).advice] == ["wheel-locked"]
+    assert [one.code for one in record_of(speeds=(60.0, 60.0)).advice] == ["end-of-range"]
+
+
+@pytest.mark.parametrize("more", [{"speeds": (20.0,)}, {"brake_on": 12}, {"least_age": 2.0}, {"least_slip": 0.3}])
+def test_what_no_record_can_be(more: dict) -> None:
+    with pytest.raises(InadmissibleError):
+        record_of(**{"speeds": SPEEDS, **more})
+
+
+def test_a_jump_names_what_it_needs() -> None:
+    outcome = run("skid", "record", "--speeds", "78, 20 km/h", "--greatest-acceleration", "0.9 g")
+    assert outcome.status == 3
+    assert "needs 3.286 g, and 0.9 g is the most" in outcome.err
