@@ -60,7 +60,7 @@ def body_picture(
     items += [Mark(at[0], at[1], name.strip(), (-12.0, -12.0)) for at, _, name in marks]
     items += _arrows(marks, size, 0, "v")
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((panel,), f"plane motion of a body\n{body_line(made)}")
+    return Picture((panel,), f"plane motion of a body\n{body_line(result)}")
 
 
 def chain_picture(result: "Any", **_: "Any") -> Picture:
