@@ -1,12 +1,17 @@
 """The four-bar at its hard places: change points from both sides, limits, toggles, signs, and refusals."""
 
+import shlex
+import subprocess
+import sys
 from math import cos, degrees, hypot, pi, radians, sin
+from pathlib import Path
 
 import pytest
 from harness import answer, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from dynamics_cli import cli
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.linkage.fourbar.closure import Branch
 from dynamics_cli.linkage.fourbar.four_bar import four_bar
@@ -169,3 +174,28 @@ def test_the_table_covers_what_can_be_reached_and_is_silent_at_toggles() -> None
     assert angles[0] == pytest.approx(-78.584842257269508863)
     assert angles[-1] == pytest.approx(78.584842257269508863)
     assert [row.get("rocker_ratio") is not None for row in table] == [False, True, True, True, False]
+
+
+LEAN = """
+import sys
+sys.path.insert(0, {root!r})
+from dynamics_cli.cli import run_argv
+from dynamics_cli.core.terminal import Terminal
+import io
+for argv in {calls!r}:
+    assert run_argv(argv, Terminal(io.BytesIO(), io.BytesIO(), io.BytesIO(), {{}})) == 0, argv
+sys.exit(sorted(set(sys.modules) & {{"numpy", "typer", "pint"}}) or None)
+"""
+
+
+def test_plain_calls_load_no_numpy() -> None:
+    calls = [
+        shlex.split(task.examples[0])[1:]
+        for task in cli.family("linkage").tasks.values()
+        if task.name in ("four-bar", "class", "slider-crank", "quick-return", "body", "chain", "synthesize")
+    ]
+    assert len(calls) == 7
+    plain = [call for call in calls if not any(word.startswith(("--chain-link", "--pair")) for word in call)]
+    code = LEAN.format(root=str(Path(__file__).parents[2]), calls=plain)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

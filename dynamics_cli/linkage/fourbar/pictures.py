@@ -224,7 +224,7 @@ def moving_four_bar(
     side = _circuit_side(lengths, 1.0 if branch == OPEN else -1.0, crank_angle)
     every = _frames(lengths, side, place, FRAMES)
     o4 = complex(ground)
-    frames = [((0j, a), (o4, b), (a, b) if place is None else (a, p, b, a)) for a, b, p in every]
+    frames = [((0j, a), (a, b) if place is None else (a, p, b, a), (o4, b)) for a, b, p in every]
     tips = [one[2] for one in every] if place is not None else [one[1] for one in every]
     pins = [(a, b, p) if place is not None else (a, b) for a, b, p in every]
     return animated("One motion of a four-bar", frames, [[*tips, tips[0]]], (0j, o4), pins)
