@@ -124,6 +124,8 @@ def filled(template: str, values: "Mapping[str, Any]", write: "Callable[[float, 
             value = filled(value.template, value.values, write)
         elif isinstance(value, tuple):
             number: Any = getattr(value[0], "value", value[0])
+            if getattr(number, "ndim", 0):  # of many cases at once, the first: their words are not shown
+                number = number.flat[0]
             value = write(float(number), value[1], int(digits or 4))
         out += [before, str(value)]
     return "".join(out) + rest

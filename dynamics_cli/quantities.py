@@ -13,7 +13,8 @@ class Kind:
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
     "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
     "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
-    exact rational with its unit), "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
+    exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
+    "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
@@ -122,7 +123,7 @@ STANDARD_GRAVITY = 9.80665
 STANDARD_GRAVITY_TEXT = "9.80665 m/s²"
 
 if TYPE_CHECKING:
-    from dynamics_cli.records import Quantity
+    from dynamics_cli.records import Formula, Let, Quantity
 
     # lengths, areas, volumes
     Length = float
@@ -200,6 +201,7 @@ if TYPE_CHECKING:
     AngularVelocity = tuple[float, float, float]
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
+    JerkVector = tuple[float, float, float]
     PartPosition = tuple[float, float, float]
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
@@ -222,6 +224,10 @@ if TYPE_CHECKING:
     MatrixOfNumbers = tuple[tuple[float, ...], ...]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
+    LengthFormula = Formula
+    AngleFormula = Formula
+    AccelerationFormula = Formula
+    Variable = Let
     Text = str
     Unit = str
     InputFile = str
@@ -448,6 +454,16 @@ else:
         example="0, 0, 3 m/s^2",
         about="an acceleration",
     )
+    JerkVector = Kind(
+        "jerk vector",
+        "m/s^3",
+        form="vector",
+        size=3,
+        si="m/s^3",
+        us="ft/s^3",
+        example="0, 1, 0 m/s^3",
+        about="a rate of change of acceleration",
+    )
     PartPosition = Kind(
         "part position",
         "m",
@@ -588,6 +604,20 @@ else:
     MatrixOfNumbers = Kind("matrix", "", form="matrix", about="rows of numbers")
     ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
     WholeRange = Kind("range", "", form="range", low=0.0, example="12..120", about="whole numbers from one to another")
+    LengthFormula = Kind(
+        "length formula", "m", form="formula", example="20*t - 2*t^2 m", about="a length over time, its unit at its end"
+    )
+    AngleFormula = Kind(
+        "angle formula", "rad", form="formula", example="90*t deg", about="an angle over time, its unit at its end"
+    )
+    AccelerationFormula = Kind(
+        "acceleration formula",
+        "m/s^2",
+        form="formula",
+        example="-0.004*v^2 m/s^2",
+        about="an acceleration, its unit at its end",
+    )
+    Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
     InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")

@@ -64,6 +64,12 @@ FAMILIES: "dict[str, Entry]" = {
         "Vectors: sums, angles, products, components, frames, lines.",
         references=("vec.json",),
     ),
+    "path": Entry(
+        "dynamics_cli.path.commands",
+        GROUPS[3],
+        "Motion of a point: straight, on circles and curves, tracks.",
+        references=("path.json",),
+    ),
     "linkage": Entry(
         "dynamics_cli.linkage.commands",
         GROUPS[3],

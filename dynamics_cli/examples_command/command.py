@@ -51,6 +51,13 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "gps_track",
+        "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
+        "cd gps_track && sh gps_track.sh",
+        "gps_track/gps_track.sh",
+        "gps_track/track.csv",
+    ),
+    Example(
         "corner_strike",
         "A car strikes the corner of another: a scene for impact solve.",
         "dynamics impact solve corner_strike.toml",

@@ -8,6 +8,7 @@ points. Floats, arrays and tracked numbers get the same bits: arrays see only + 
 
 import math
 
+from dynamics_cli.numerics.elementary import in_class_of_first, tan
 from dynamics_cli.numerics.number import is_array
 
 TYPE_CHECKING = False
@@ -87,7 +88,7 @@ def involute(phi: float) -> float:
             return _near(phi)
         return math.tan(phi) - phi
     if is_array(phi):
-        return _involute_of_array(phi)  # type: ignore[no-any-return]
+        return in_class_of_first(_involute_of_array(phi), phi)  # type: ignore[no-any-return]
     if isinstance(phi, int):
         return involute(float(phi))
     return _involute_in_other_numbers(phi)  # type: ignore[no-any-return]
@@ -105,8 +106,6 @@ def _near(phi: float) -> float:
 
 def _involute_of_array(phi: "Any") -> "Any":
     import numpy as np
-
-    from dynamics_cli.numerics.elementary import tan
 
     phi = np.asarray(phi, dtype=float)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -154,7 +153,7 @@ def inverse_involute(value: float) -> float:
     if type(value) is float:
         return _inverse(value)
     if is_array(value):
-        return _inverse_of_array(value)  # type: ignore[no-any-return]
+        return in_class_of_first(_inverse_of_array(value), value)  # type: ignore[no-any-return]
     if isinstance(value, int):
         return _inverse(float(value))
     return _inverse_in_other_numbers(value)  # type: ignore[no-any-return]

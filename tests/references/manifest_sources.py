@@ -77,6 +77,13 @@ FILES: dict[str, Origin] = {
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
+    "path": Origin(
+        "path",
+        _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
+        | {"moving_frame": "moving-frame"},
+        "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
+        "90 digits", BOUNDS, "drawn|motion",
+    ),
     "linkage": Origin(
         "linkage",
         _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},

@@ -202,20 +202,17 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
     try:
         plan = Plan(points, points.point(index), [axis.name for axis in points.axes], [None] * len(points.axes))
         columns = [column_of(tokens) for tokens in _tokens(points)]
-        results, good = plan.run([column for column in columns if column is not None])
+        answered = plan.run([column for column in columns if column is not None])
     except Unsuited:
         return
-    places = range(points.count) if good is None else good.nonzero()[0].tolist()
-    columns_out = []
-    for _, how, value in results:
-        columns_out.append(value.tolist() if how == "each" else [value] * len(places))
-    made = list(map(list, zip(*columns_out, strict=True)))
-    # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
-    for nth in {0, len(made) - 1} if made else ():
-        if points.single(places[nth])[1] != made[nth]:
-            return
-    for place, row in zip(places, made, strict=True):
-        rows[place] = row
+    for one in answered:
+        places = one.rows.tolist()
+        columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in one.results]
+        made = list(map(list, zip(*columns_out, strict=True)))
+        # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
+        if all(points.single(places[nth])[1] == made[nth] for nth in {0, len(made) - 1}):
+            for place, row in zip(places, made, strict=True):
+                rows[place] = row
 
 
 def _tokens(points: _Points) -> "list[list[bytes]]":

@@ -318,9 +318,15 @@ def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
 
 
 def _tensor(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
-    from dynamics_cli.core.inputs.tensors import read_tensor
+    from dynamics_cli.core.inputs.forms.tensors import read_tensor
 
     return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, raw, context)))
+
+
+def _formula(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    from dynamics_cli.core.inputs.forms.formulas import read
+
+    return read(_text_of(kind, raw), kind, address, context, read_number_of)
 
 
 _FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
@@ -337,4 +343,6 @@ _FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
     "vector": read_vector,
     "planar": read_planar,
     "tensor": _tensor,
+    "formula": _formula,
+    "let": _formula,
 }

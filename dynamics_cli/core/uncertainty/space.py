@@ -54,6 +54,8 @@ class Space:
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
         self.pool: Any = None
+        # The lines that results share.
+        self.shared: list[Any] = []
 
     @property
     def size(self) -> int:

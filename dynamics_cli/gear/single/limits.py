@@ -5,7 +5,7 @@ from math import ceil, pi
 from dynamics_cli.gear.single.gear import Gear
 from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
-from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.numerics.number import is_array, like, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -84,6 +84,10 @@ def bisect(function: "Callable[[float], float]", low: float, high: float) -> flo
     Illinois steps kept within the bracket; every third step halves it.
     """
     f_low, f_high = function(low), function(high)
+    if is_array(f_low):
+        from dynamics_cli.numerics.lanes import bisected
+
+        return bisected(function, low, high)  # type: ignore[no-any-return]
     for count in range(200):
         middle = 0.5 * (low + high)
         if count % 3 != 2 and f_low > 0.0 > f_high:

@@ -4,7 +4,7 @@ The state is the matrix of second moments S = ∫ (r − c)(r − c)ᵀ dm, not 
 is any matrix without a negative eigenvalue, so laminae, rods and needles need no exception and keep their digits.
 """
 
-from dynamics_cli.numerics.number import is_tracked
+from dynamics_cli.numerics.number import is_array, is_tracked
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -37,7 +37,7 @@ def symmetric(xx: float, yy: float, zz: float, xy: float = 0.0, yz: float = 0.0,
 def minus(x: float) -> float:
     """The opposite number; the opposite of zero is plain zero, with its slopes turned."""
     opposite = -x
-    if type(opposite) is float:
+    if type(opposite) is float or is_array(opposite):
         return opposite + 0.0
     if opposite == 0.0 and is_tracked(opposite):
         opposite.value = 0.0  # type: ignore[attr-defined]

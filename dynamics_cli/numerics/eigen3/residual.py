@@ -5,6 +5,8 @@ Doubles are whole multiples of a power of two, so that the matrix along the vect
 
 from math import asin, frexp, hypot, inf, ldexp, sqrt
 
+from dynamics_cli.numerics.number import is_array
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -147,6 +149,10 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     >>> quotients(((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0)), ((1, 1, 0), (1, -1, 0), (0, 0, 1)))
     (3.0, 1.0, 5.0)
     """
+    if any(is_array(x) for row in matrix for x in row):
+        from dynamics_cli.numerics.lanes import each_lane
+
+        return each_lane(quotients, matrix, vectors)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
     a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
