@@ -164,6 +164,7 @@ if TYPE_CHECKING:
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
+    AngularRate = float
     AngularAcceleration = float
     TurnRate = float
     # angles and pure numbers
@@ -209,6 +210,11 @@ if TYPE_CHECKING:
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
+    AngleTriple = tuple[float, float, float]
+    AngleRates = tuple[float, float, float]
+    AngleAccelerations = tuple[float, float, float]
+    RotationVector = tuple[float, float, float]
+    RotationMatrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ImpulseVector = tuple[float, float, float]
     MomentVector = tuple[float, float, float]
     PlanarPosition = tuple[float, float]
@@ -341,6 +347,7 @@ else:
     AngularSpeed = Kind(
         "angular velocity", "rad/s", si="deg/s", us="deg/s", example="1500 rpm", about="an angular velocity"
     )
+    AngularRate = Kind("angular velocity", "rad/s", example="2 rad/s", about="an angular velocity")
     ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
     AngularAcceleration = Kind(
         "angular acceleration",
@@ -551,6 +558,38 @@ else:
         size=4,
         example="0.92388, 0, 0, 0.382683",
         about="a rotation as the quaternion w, x, y, z, its scalar first",
+    )
+    AngleTriple = Kind(
+        "three angles",
+        "rad",
+        form="vector",
+        size=3,
+        si="deg",
+        us="deg",
+        example="30, 20, -40 deg",
+        about="three angles",
+    )
+    AngleRates = Kind(
+        "rates of three angles", "rad/s", form="vector", size=3, example="0.1, 0.2, 0.3 rad/s", about="rates of angles"
+    )
+    AngleAccelerations = Kind(
+        "second rates of three angles",
+        "rad/s^2",
+        form="vector",
+        size=3,
+        example="0.4, -0.5, 0.6 rad/s^2",
+        about="second rates of angles",
+    )
+    RotationVector = Kind(
+        "rotation vector",
+        "rad",
+        form="vector",
+        size=3,
+        example="0, 0, 1.2 rad",
+        about="a rotation as its axis times its angle",
+    )
+    RotationMatrix = Kind(
+        "rotation matrix", "", form="tensor", size=3, about="a rotation as its matrix, the turned axes in its columns"
     )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"

@@ -70,6 +70,13 @@ FAMILIES: "dict[str, Entry]" = {
         "Motion of a point: straight, on circles and curves, tracks.",
         references=("path.json",),
     ),
+    "orient": Entry(
+        "dynamics_cli.orient.commands",
+        GROUPS[3],
+        "Orientation in every notation, turning motion, rolling.",
+        references=("orient.json",),
+        questions="dynamics_cli.accuracy.alternatives.orient",
+    ),
     "linkage": Entry(
         "dynamics_cli.linkage.commands",
         GROUPS[3],

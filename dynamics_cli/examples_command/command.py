@@ -151,6 +151,13 @@ WORKED = (
         "dynamics gear train --input ravigneaux.toml",
         "ravigneaux.toml",
     ),
+    Example(
+        "imu",
+        "An IMU's quaternion log to roll, pitch, yaw; the turn between two readings.",
+        "cd imu && sh imu.sh",
+        "imu/imu.sh",
+        "imu/log.csv",
+    ),
     Example("units", "A drawing's dimensions in the units of another trade.", "sh units.sh", "units.sh"),
     Example(
         "cleaning",

@@ -33,10 +33,10 @@ def segments(count: int, folder: Path) -> list[str]:
 
 
 def bodies(count: int, folder: Path) -> list[str]:
-    """A row of bodies, each slower than the one before."""
-    parts = [{"mass": "1 kg", "velocity": f"{1.0 - index / count:.6f} m/s"} for index in range(count)]
+    """A row of balls at rest, and one that runs into it."""
+    parts = [{"mass": "1 kg", "velocity": "0 m/s" if index else "1 m/s"} for index in range(count)]
     file = folder / f"bodies-{count}.json"
-    file.write_text(json.dumps({"bodies": parts, "restitution": 0.5, "law": "sequential"}))
+    file.write_text(json.dumps({"bodies": parts, "restitution": 1, "law": "sequential"}))
     return ["impact", "chain", "--input", str(file)]
 
 
@@ -98,7 +98,7 @@ def triangles(count: int, folder: Path) -> list[str]:
 # The first size of each, its maker, and what is counted.
 CASES: dict[str, tuple[int, Callable[[int, Path], list[str]]]] = {
     "segments": (1250, segments),
-    "bodies": (100, bodies),
+    "bodies": (60, bodies),
     "parts": (250, parts),
     "rows": (20_000, rows),
     "columns": (100, columns),
@@ -117,7 +117,7 @@ def seconds(argv: list[str], rounds: int) -> float:
         start = time.process_time()
         status = cli.run_argv([*argv], Terminal(io.BytesIO(), io.BytesIO(), errors, {}))
         best = min(best, time.process_time() - start)
-        if status not in (0, 3):
+        if status:
             raise SystemExit(f"{' '.join(argv[:2])} ended with status {status}: {errors.getvalue().decode()[:300]}")
     return best
 

@@ -11,7 +11,7 @@ from dynamics_cli.linkage.fourbar.closure import frame
 from dynamics_cli.linkage.fourbar.four_bar import four_bar
 from dynamics_cli.linkage.fourbar.table import poses
 
-POSES, RUNS = 4096, 100
+POSES, RUNS = 2048, 300
 MOST = 10.0
 
 

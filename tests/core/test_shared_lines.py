@@ -95,7 +95,8 @@ def test_a_result_on_a_straight_line_with_another_has_its_distribution() -> None
 def test_a_result_that_leaves_the_line_now_and_then_is_not_on_it() -> None:
     def rarely(inputs: dict) -> tuple[dict, None]:
         a, b = (np.asarray(inputs[name], dtype=float) for name in "ab")
-        return {"a": a + b, "b": 2.0 * (a + b) + np.where(a > 2.0, 1.0, 0.0), "c": 1.0 - (a + b)}, None
+        more = {"d": a * a, "e": b * b}
+        return {"a": a + b, "b": 2.0 * (a + b) + np.where(a > 2.0, 1.0, 0.0), "c": 1.0 - (a + b), **more}, None
 
     made = Space(rarely, dict.fromkeys("ab", Normal(0.0, 1.0)), {})
     probe = made.evaluate(np.linspace(-1.0, 1.0, 10).reshape(2, 5))

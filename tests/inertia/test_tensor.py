@@ -17,11 +17,11 @@ from dynamics_cli.inertia.assembly.writers import markdown, mjcf, sdf, urdf
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.mass_moments import second_of, tensor_of
 from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import QuarterDisk, Wedge
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.tensors.tensor import Parts, Whole, tensor
 from dynamics_cli.inertia.tensors.torque import torque
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 ROOT = Path(__file__).parents[2]
 FULL = ((10.0, -2.0, 1.0), (-2.0, 12.0, 3.0), (1.0, 3.0, 14.0))

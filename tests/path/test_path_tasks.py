@@ -335,6 +335,33 @@ def test_curve_refuses(given_: dict[str, Any], words: str) -> None:
     assert words in refused(lambda: curve(**given_)).message
 
 
+def test_a_motion_that_changes_too_often_says_so() -> None:
+    made = curve(x=metres("sin(1000*t)"), y=metres("t"), end=100.0)
+    assert [one.code for one in made.advice] == ["busy"]
+    assert made.numerics is not None
+    # the mean of √(10⁶cos² + 1) over a period is 636.62
+    assert abs(made.arc_length - 63662.1) <= made.numerics.bounds[0].bound
+
+
+def test_hard_cases_with_known_digits() -> None:
+    nearly = components(velocity=(300.0, 0.0, 0.0), acceleration=(9.8, 1e-7, 0.0))
+    assert (nearly.normal, nearly.radius_of_curvature) == pytest.approx((1e-7, 9e11), rel=1e-15)
+    slow = rectilinear(phases=Phase(start_speed=20.0, acceleration=1e-14, distance=100.0))
+    assert slow.time == pytest.approx(4.99999999999999375, rel=2e-16)
+    angles = {"polar_angle": math.radians(50.0), "azimuth": math.radians(20.0), "polar_rate": 0.4, "azimuth_rate": -0.7}
+    seconds = {"radial_rate": 0.05, "polar_second": -0.2, "azimuth_second": 0.6}
+    made = spherical(radius=2.0, radial_speed=0.3, **angles, **seconds)
+    parts = (made.radial_acceleration, made.polar_acceleration, made.azimuth_acceleration, made.radius_of_curvature)
+    wanted = (-0.84508760705679587094, -0.64255579897598194909, -0.12240745721612117802, 1.9531206754748342100)
+    assert parts == pytest.approx(wanted, rel=1e-14)
+    grazing = relative(first=Mover(), second=Mover((1000.0, 500.0, 0.0), (-10.0, -5.000001, 0.0)))
+    # as doubles the inputs differ from the decimals by their rounding, which the small distance shows
+    assert grazing.closest_time == pytest.approx(99.99999599999952, rel=1e-15)
+    assert grazing.closest_distance == pytest.approx(8.9442715522282680748e-5, rel=1e-8)
+    wide = curve(shape=Helix(1e-8, 2.0 * math.pi), at=0.3)
+    assert (wide.curvature, wide.torsion) == pytest.approx((9.999999999999999e-9, 0.9999999999999999), rel=1e-15)
+
+
 # relative, moving frame
 
 

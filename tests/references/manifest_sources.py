@@ -96,6 +96,16 @@ FILES: dict[str, Origin] = {
         "by QR",
         "90 digits", "tests/inertia/exact_search.py", ".",
     ),
+    "orient": Origin(
+        "orient",
+        _same(
+            "convert", "compose", "between", "screw", "rates", "addition", "points", "moving_point", "rolling", "disk",
+            "bearing", "joint",
+        ),
+        "turns as exponentials of matrices, angles by arc sines and arc cosines, velocities and accelerations as "
+        "derivatives of motions, contacts as linear equations",
+        "130 digits", "", r"angles|quaternion to|any|matrix in|two dir|Rodrigues|\d+ |apart|turn of|two rates|from",
+    ),
     "inertia_mesh": Origin(
         "inertia", {"mesh": "mesh", "large mesh": "mesh", "overlapping mesh": "mesh"},
         "exact rational sums over triangles about the file's origin, areas by square roots, principal moments by QR",

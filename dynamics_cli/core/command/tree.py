@@ -14,10 +14,11 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from dynamics_cli.core.answering.task import Family, Task
 from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
+from dynamics_cli.core.command.parsed import call_of, near_option, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
 from dynamics_cli.core.inputs.options import Option
-from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.specification import Tagged
 from dynamics_cli.errors import UsageError
 from dynamics_cli.version import __version__
@@ -67,7 +68,7 @@ def _refusal(error: "Any") -> UsageError:
         return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
     task = getattr(getattr(error.ctx, "command", None), "task", None)
     near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
-    hint = near if task is None else _near_option(task, error.option_name)
+    hint = near if task is None else near_option(task, error.option_name)
     name = error.option_name.lstrip("-") or None
     return UsageError(f"there is no option {error.option_name}", code="unknown-option", parameter=name, hint=hint)
 
@@ -189,52 +190,7 @@ class _TaskCommand(TyperCommand):
     def _carry_out(self, **given: "Any") -> int:
         from dynamics_cli.core.command.execute import execute
 
-        return execute(self.task, _call(self.task, given), self.terminal)
-
-
-def _call(task: Task, given: "dict[str, Any]") -> Call:
-    call = Call()
-    call.words = list(given.pop("words__", None) or ())
-    for word in call.words:
-        if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
-            raise UsageError(f"there is no option {word}", code="unknown-option", hint=_near_option(task, word))
-    for name in UNIVERSAL_OPTIONS:
-        value = given.pop(_variable("setting", name), None)
-        if value:
-            call.settings[name] = _single(name, value, UNIVERSAL_OPTIONS[name][0])
-    for name, option in task.options.items():
-        value = given.pop(_variable("option", name), None)
-        if value:
-            how = "flag" if option.flag else "many" if option.repeats else "value"
-            call.options[name] = _single(name, value, how)
-    return call
-
-
-def _variable(side: str, name: str) -> str:
-    return f"{side}__{name.replace('-', '_')}"
-
-
-def _single(name: str, value: "Any", how: str) -> "Any":
-    if how == "flag":
-        return True
-    if how == "many":
-        return list(value)
-    if value[-1].startswith("--"):
-        raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
-    if len(value) > 1:
-        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
-    return value[0]
-
-
-def _near_option(task: Task, word: str) -> str:
-    from dynamics_cli.core.inputs.suggestions import suggestions
-
-    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
-    return (
-        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
-        if near
-        else f"try: dynamics {task.path} --help"
-    )
+        return execute(self.task, call_of(self.task, given), self.terminal)
 
 
 def _arguments(task: Task) -> "list[TyperArgument]":
@@ -259,7 +215,7 @@ def _word_metavar(field: "Any") -> str:
 
 
 def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str | None") -> TyperOption:
-    decls = [_variable("option", option.name), f"--{option.name}"]
+    decls = [variable("option", option.name), f"--{option.name}"]
     text = option_help(option, texts)
     choice = option.leaf.choice if option.leaf is not None else None
     if option.flag:
@@ -287,7 +243,7 @@ def _universal_options(task: Task) -> "list[TyperOption]":
     for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
         if name == "template" and not takes_scene(task):
             continue
-        decls = [_variable("setting", name), f"--{name}"]
+        decls = [variable("setting", name), f"--{name}"]
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
@@ -336,7 +292,7 @@ def _plain_command(
 
     def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
         options = {
-            name: "yes" if value is True else _single(name, value, "value") for name, value in given.items() if value
+            name: "yes" if value is True else single(name, value, "value") for name, value in given.items() if value
         }
         command.carry_out(words, options, families, find, terminal)
         return 0

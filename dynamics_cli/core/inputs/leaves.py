@@ -48,7 +48,8 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         return [{**value, "value": item} for item in value["value"]]
     if isinstance(value, str) and not isinstance(value, Token):
         form = getattr(getattr(node.item, "kind", None), "form", "")
-        items = split_list(value)
+        text = value.strip()
+        items = split_list(text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else value)
         return share_unit(items) if form in ("scalar", "slope") else items
     return [value]
 
@@ -274,6 +275,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
+    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
     return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
 
 

@@ -211,7 +211,12 @@ class Reader(Context):
             if field.required:
                 self._fail(own, f"{own} is missing", code="missing")
             return None
-        items = split_items(node, value)
+        try:
+            items = split_items(node, self._resolved(node, value, own))
+        except DynamicsError as error:
+            error.parameter = error.parameter or own
+            self.errors.append(error)
+            return None
         if not items and field.place != "words":
             self._fail(own, f"{own} is empty", code="missing")
             return None
@@ -221,6 +226,15 @@ class Reader(Context):
             return kept[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None
         return Several(kept, row)
+
+    def _resolved(self, node: Many, value: "Any", address: str) -> "Any":
+        """A list that is a reference as a whole: the list of an earlier document."""
+        form = getattr(getattr(node.item, "kind", None), "form", "text")
+        if form in ("text", "file") or not isinstance(value, str) or value[:1] != "@" or "," in value:
+            return value
+        from dynamics_cli.core.inputs.sources.references import resolve
+
+        return resolve(value, self, address)
 
     def _plain_item(self, node: Many, given: "dict[str, Any]", address: str) -> Bound | None:
         item = node.item

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 CASES = 1024
+# Of so few results it saves nothing.
+FEW_RESULTS = 4
 # How far from a straight line, in deviations, rounding may leave a result.
 ROUNDING = 1e-9
 
@@ -29,10 +31,11 @@ class Straight:
         self._names = space.results
         self._probe = probe
         self._sample = probe
-        if not space.slow and 0 < space.size <= MOST_DIMENSIONS:
+        many = len(space.results) > FEW_RESULTS
+        if many and not space.slow and 0 < space.size <= MOST_DIMENSIONS:
             drawn = space.evaluate(quantile(lattice(space.size, CASES, 1, seed)))
             self._sample = np.concatenate([probe, drawn], axis=1)
-        self._exact = space.slow or space.heavy
+        self._exact = space.slow or space.heavy or not many
         sound = ~np.isnan(self._sample)
         count, whole = np.maximum(sound.sum(axis=1), 1), np.where(sound, self._sample, 0.0)
         with np.errstate(all="ignore"):

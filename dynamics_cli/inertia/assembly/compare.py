@@ -6,10 +6,11 @@ from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.inertia.assembly.assembly import Assembly, compose_scene
 from dynamics_cli.inertia.assembly.parts import each_number
 from dynamics_cli.inertia.assembly.report import stated
-from dynamics_cli.inertia.bodies.mass_moments import less, product, tensor_of, transposed
+from dynamics_cli.inertia.bodies.mass_moments import less, tensor_of
 from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.orientation.rotations import product, transposed
 from dynamics_cli.quantities import (
     Angle,
     Annotated,

@@ -1,8 +1,9 @@
 """Whether what is cut out of an assembly was there: holes within their bodies, and of a density that a body has."""
 
-from dynamics_cli.inertia.bodies.mass_moments import less, plus, times, transposed
+from dynamics_cli.inertia.bodies.mass_moments import less, plus, times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import transposed
 from dynamics_cli.records import Advice, over_parts
 
 TYPE_CHECKING = False

@@ -139,7 +139,7 @@ def _mesh_advice(whole: "Composed") -> tuple[Advice, ...]:
 
 
 def _rotation(view: View, whole: "Composed") -> "Matrix":
-    from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
+    from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
     if view.axes == "principal":
         return whole.spread.axes

@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.assembly.parts import Group
 from dynamics_cli.inertia.bodies.mass_moments import (
-    IDENTITY,
     NOTHING,
     Lump,
     added,
@@ -11,7 +10,6 @@ from dynamics_cli.inertia.bodies.mass_moments import (
     less,
     outer,
     plus,
-    product,
     scaled,
     times,
     turned,
@@ -26,8 +24,8 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
     spread_of,
     tilts_of,
 )
-from dynamics_cli.inertia.bodies.rotation import departure
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, departure, product
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False

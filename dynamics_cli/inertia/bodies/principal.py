@@ -1,8 +1,8 @@
 """Principal moments and axes of a body from its second moments, with axes declared undetermined where they are."""
 
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -6,13 +6,13 @@ from dynamics_cli.inertia.bodies.mass_moments import Lump
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, properties, view_of
 from dynamics_cli.inertia.bodies.records import Shaft
-from dynamics_cli.inertia.bodies.rotation import Turn
 from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
 from dynamics_cli.inertia.mesh.report import advice_of, checks_of, surface_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import is_carrier, is_tracked
+from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import Annotated, InputFile, PartPosition, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 

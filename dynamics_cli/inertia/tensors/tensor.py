@@ -16,9 +16,9 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
 )
 from dynamics_cli.inertia.bodies.properties import ProductSign
 from dynamics_cli.inertia.bodies.records import PrincipalMoments
-from dynamics_cli.inertia.bodies.rotation import Turn, matrix_of
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import Turn, matrix_of
 from dynamics_cli.quantities import (
     Annotated,
     Direction,

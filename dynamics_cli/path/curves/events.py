@@ -1,6 +1,7 @@
 """What happens along a curve: extremes of speed and curvature, cusps and inflections; and its arc length."""
 
 import math
+from heapq import heappush, heapreplace
 from itertools import pairwise
 
 from dynamics_cli.numerics.quadrature.gauss import legendre
@@ -21,7 +22,7 @@ NOTHING = 1e-9
 # A speed or curvature this small beside the largest is zero.
 ZERO = 1e-6
 NODES = 12
-DEEPEST = 40
+MOST_HALVINGS = 600
 LENGTH = 1e-13
 
 
@@ -118,10 +119,10 @@ def arc_lengths(motion: "MovingPoint", times: list[float]) -> tuple[list[float],
     total, doubt, out = 0.0, 0.0, [0.0]
     size = (times[-1] - times[0]) * max(map(motion.speed, times))
     for low, high in pairwise(times):
-        part, error = _integral(motion.speed, low, high, _gauss(motion.speed, low, high), LENGTH * size, DEEPEST)
+        part, error = _integral(motion.speed, low, high, LENGTH * size, MOST_HALVINGS // (len(times) - 1) + 1)
         total, doubt = total + part, doubt + error
         out.append(total)
-    return out, doubt + 1e-15 * total
+    return out, 4.0 * doubt + 1e-15 * total
 
 
 def _gauss(function: "Callable[[float], float]", low: float, high: float) -> float:
@@ -129,16 +130,25 @@ def _gauss(function: "Callable[[float], float]", low: float, high: float) -> flo
 
 
 def _integral(
-    function: "Callable[[float], float]", low: float, high: float, whole: float, allowed: float, depth: int
+    function: "Callable[[float], float]", low: float, high: float, allowed: float, halvings: int
 ) -> tuple[float, float]:
+    """The integral, the piece with the largest error halved again and again, and the sum of the errors."""
+    pieces = [_piece(function, low, high, _gauss(function, low, high))]
+    for _ in range(halvings):
+        error, start, end, _whole, left, right = pieces[0]
+        middle = 0.5 * (start + end)
+        if math.fsum(-piece[0] for piece in pieces) <= allowed or not start < middle < end or error == 0.0:
+            break
+        heapreplace(pieces, _piece(function, start, middle, left))
+        heappush(pieces, _piece(function, middle, end, right))
+    return math.fsum(piece[3] for piece in pieces), math.fsum(-piece[0] for piece in pieces)
+
+
+def _piece(function: "Callable[[float], float]", low: float, high: float, whole: float) -> tuple[float, ...]:
+    """Minus the error of a piece, its ends, its integral, and those of its halves."""
     middle = 0.5 * (low + high)
     left, right = _gauss(function, low, middle), _gauss(function, middle, high)
-    error = abs(left + right - whole)
-    if error <= allowed or depth == 0 or not low < middle < high:
-        return left + right, error
-    one, doubt = _integral(function, low, middle, left, 0.5 * allowed, depth - 1)
-    other, more = _integral(function, middle, high, right, 0.5 * allowed, depth - 1)
-    return one + other, doubt + more
+    return -abs(left + right - whole), low, high, left + right, left, right
 
 
 _RULE = legendre(NODES)

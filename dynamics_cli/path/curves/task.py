@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.path.bends import Bend, advice_of
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 MOST_STEPS = 2000
 # A derivative beside the difference quotient of the function itself.
 QUOTIENT = 1e-5
+# An arc length less certain than this share of it is said to be.
+LOOSE = 1e-6
 DUST = 4e-15
 
 
@@ -160,7 +162,7 @@ def curve(
         points=rows,
         numerics=_numerics(lengths),
         checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
-        advice=_advice(made, motion.flat),
+        advice=(*_advice(made, motion.flat), *_loose(lengths)),
     )
 
 
@@ -232,6 +234,18 @@ def _numerics(lengths: "tuple[float | None, float]") -> Numerics | None:
         return None
     method = "Taylor jets (exact derivatives); arc length by Gauss–Legendre, its error estimated by halving"
     return Numerics(method, (ErrorBound("arc_length", lengths[1], relative=False),))
+
+
+def _loose(lengths: "tuple[float | None, float]") -> tuple[Advice, ...]:
+    """That the motion changes too often for the range of times."""
+    if lengths[0] is None or lengths[1] <= LOOSE * lengths[0]:
+        return ()
+    message = worded(
+        "the motion changes too often in this range of times: the length of the path is known to {doubt:2} only, and "
+        "events may be missed",
+        doubt=(lengths[1], Length),
+    )
+    return (Advice("busy", message, remedy="take a shorter range of times"),)
 
 
 def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tuple[Check, ...]:

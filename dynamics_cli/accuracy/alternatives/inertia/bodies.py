@@ -107,7 +107,7 @@ def placed(case: "Any") -> "list[tuple[float, Array, Array]]":
     import numpy as np
 
     from dynamics_cli.inertia.assembly.parts import Walk
-    from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
+    from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
     walk = Walk()
     walk.into(groups(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
