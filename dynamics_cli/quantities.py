@@ -172,6 +172,7 @@ if TYPE_CHECKING:
     ShaftSpeed = float
     AngularRate = float
     AngularAcceleration = float
+    TurnRate = float
     # angles and pure numbers
     Angle = float
     Ratio = float
@@ -225,6 +226,9 @@ if TYPE_CHECKING:
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     PlanarImpulse = tuple[float, float]
+    PartPoint = tuple[float, float]
+    PartVelocity = tuple[float, float]
+    PartAcceleration = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     FreeVector = Quantity
     FreeNumber = Quantity
@@ -364,6 +368,9 @@ else:
         us="rad/s^2",
         example="3 rad/s^2",
         about="an angular acceleration",
+    )
+    TurnRate = Kind(
+        "angular velocity", "rad/s", si="rad/s", us="rad/s", example="10 rad/s", about="the angular velocity of a link"
     )
     # angles and pure numbers
     Angle = Kind("angle", "rad", si="deg", us="deg", example="30 deg", about="an angle")
@@ -619,6 +626,17 @@ else:
         example="3000, 400 N*s",
         about="an impulse in the plane",
     )
+    PartPoint = Kind(
+        "part point", "m", form="planar", size=2, si="mm", us="in", example="60, 40 mm", about="a point in the plane"
+    )
+    PartVelocity = Kind(
+        "velocity in the plane", "m/s", form="planar", size=2, si="m/s", us="ft/s", example="1, 2 m/s",
+        about="a velocity in the plane",
+    )  # fmt: skip
+    PartAcceleration = Kind(
+        "acceleration in the plane", "m/s^2", form="planar", size=2, si="m/s^2", us="ft/s^2", example="3, -4 m/s^2",
+        about="an acceleration in the plane",
+    )  # fmt: skip
     InertiaTensor = Kind(
         "inertia tensor",
         "kg*m^2",

@@ -70,6 +70,18 @@ WORKED = (
         "thrown_block.toml",
     ),
     Example(
+        "wiper",
+        "A windscreen wiper: a four-bar for its swing, the motor's torque.",
+        "cd wiper && sh wiper.sh",
+        "wiper/wiper.sh",
+    ),
+    Example(
+        "six_bar",
+        "A six-bar linkage: every pin's motion from a scene.",
+        "dynamics linkage solve six_bar.toml",
+        "six_bar.toml",
+    ),
+    Example(
         "flywheel",
         "A flywheel with holes and a keyway: an assembly of shapes.",
         "dynamics inertia body flywheel.toml --about hub",
