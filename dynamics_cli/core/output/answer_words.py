@@ -80,7 +80,7 @@ def node_at(results: "Any", address: str) -> "Any":
 
 
 def deviation(results: "Any", address: str) -> float:
-    """How far an uncertain number spreads: its deviation, a quarter of its interval where it has none; 0 for another."""
+    """How far an uncertain number spreads: its deviation, or a quarter of its interval; 0 for a certain one."""
     node = node_at(results, address)
     if not isinstance(node, dict) or "std" not in node or isinstance(node["std"], list):
         return 0.0
