@@ -51,6 +51,14 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "pedestrian",
+        "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
+        "cd pedestrian && sh pedestrian.sh",
+        "pedestrian/pedestrian.sh",
+        "pedestrian/car.toml",
+        "pedestrian/parties.toml",
+    ),
+    Example(
         "gps_track",
         "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
         "cd gps_track && sh gps_track.sh",
