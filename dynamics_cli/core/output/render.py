@@ -19,7 +19,7 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Any
 
     Document = dict[str, Any]
@@ -263,15 +263,12 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
     from dynamics_cli.core.output.answer_words import deviation
 
     results = document["results"]
+    if "sweep" in document["inputs"]:
+        return _of_sweep(document, names, digits, form)
     flat = {name: (value, unit) for name, value, unit in flatten(results)}
     unknown = [name for name in names if name not in flat and not is_table(results.get(name))]
     if unknown:
-        raise UsageError(
-            f"there is no result {unknown[0]!r}",
-            parameter="only",
-            code="unknown-result",
-            hint=f"results are {', '.join(flat)}",
-        )
+        raise _unknown_result(unknown[0], flat)
     if form in ("json", "ndjson"):
         picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
         return to_json(picked) + "\n"
@@ -282,6 +279,25 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
         return f"{decimals(value, std)} {unit}".rstrip() if std and form == "table" else quantity(value, unit, digits)
 
     return "".join(bare(name) + "\n" if name in flat else whole_table(document, name, digits, form) for name in names)
+
+
+def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
+    """Some columns of a sweep with their spread, beside what was swept and its errors."""
+    columns_of = document["results"]["sweep"]
+    swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
+    known = [name for name in columns_of if name not in (*swept, "error")]
+    for name in names:
+        if name not in known:
+            raise _unknown_result(name, known)
+    wanted = (*swept, *names, "error")
+    spread = tuple(f"{name}." for name in names)
+    kept = {name: node for name, node in columns_of.items() if name in wanted or name.startswith(spread)}
+    return whole_table({**document, "results": {"sweep": kept}}, "sweep", digits, form)
+
+
+def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
+    hint = f"results are {', '.join(known)}"
+    return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
 
 
 def _quantity_node(value: "Any", unit: str) -> "Any":
