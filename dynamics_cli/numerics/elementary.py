@@ -11,7 +11,7 @@ from dynamics_cli.numerics.number import is_array, is_carrier, is_many
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Any
 
 
@@ -228,3 +228,11 @@ def multiply_add(a: float, b: float, c: float) -> float:
         large = np.maximum(np.maximum(abs(a), abs(b)), abs(product)) > _SPLIT_LIMIT
         made = np.where(large, product + c, _compensated(a, b, c, product))
         return in_class_of_first(made, product)  # type: ignore[no-any-return]
+
+
+def total(numbers: "Iterable[float]") -> float:
+    """The sum from the first to the last, of any kind of number; Python's own rounds doubles otherwise since 3.12."""
+    added: float = 0.0
+    for number in numbers:
+        added = added + number
+    return added

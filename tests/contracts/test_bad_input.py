@@ -67,7 +67,7 @@ WRONG = [
     (f"{SKID}|--distance|60 ft|--friction|0,7", 2, "write 1.5 with a point"),
     (f"{SKID}|--distance|60 kg|--friction|0.7", 2, "kg is a mass, m is a length"),
     (f"{OK}|--braking|120 %", 2, "it must be at most 1"),
-    (f"{SKID}|--distance|60 ft|--friction|0.02|--grade|-3 %", 3, "the drag factor of -0.9996 % is not above zero"),
+    (f"{SKID}|--distance|60 ft|--friction|0.02|--grade|-3 %", 3, "the drag factor of -0.009996 is not above zero"),
     (f"{OK}|--grade|90 deg", 2, "90 deg or more"),
     (f"{SKID}|--distance|60 ft|--friction|0.75..0.65", 2, "above the upper one"),
     (f"{SKID}|--distance|60 ft|--friction|lognormal(0.7)", 2, "does not consist of mean, std"),

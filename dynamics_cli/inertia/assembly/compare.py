@@ -8,7 +8,7 @@ from dynamics_cli.inertia.assembly.parts import each_number
 from dynamics_cli.inertia.assembly.report import stated
 from dynamics_cli.inertia.bodies.mass_moments import less, tensor_of
 from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
-from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
+from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import product, transposed
 from dynamics_cli.quantities import (
@@ -26,8 +26,6 @@ from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from dynamics_cli.inertia.bodies.compose import Composed
     from dynamics_cli.inertia.bodies.mass_moments import Matrix
 
@@ -161,14 +159,6 @@ def _distance(rows: "tuple[MomentRow, ...]") -> float:
     error = getattr(away, "error", 0.0)
     # differences that all round to nothing: of their tracked squares only the errors are left
     return type(away)(0.0, (error / (plain(size) - size.error)) ** 0.5, away.slopes) if error else 0.0  # type: ignore[attr-defined, call-arg]
-
-
-def total(numbers: "Iterable[float]") -> float:
-    """The sum of numbers that may be tracked."""
-    made = 0.0
-    for number in numbers:
-        made = made + number
-    return made
 
 
 def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, ...]]":

@@ -1,7 +1,7 @@
 """Points of a rigid body: their velocities and accelerations, or the body's motion from theirs."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import maximum, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, sqrt, total, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import length
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
@@ -160,7 +160,7 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     velocity = scale(share, _total(given))
     arms = [subtract(point.position, base) for point in points]
     moved = [subtract(own, velocity) for own in given]
-    second = [[sum(d[i] * d[j] for d in arms) for j in range(3)] for i in range(3)]
+    second = [[total(d[i] * d[j] for d in arms) for j in range(3)] for i in range(3)]
     trace = second[0][0] + second[1][1] + second[2][2]
     right = _total([cross(d, u) for d, u in zip(arms, moved, strict=True)])
     # the cofactors of tr(S)·1 − S give its inverse; it is singular when all points lie on a line

@@ -1,7 +1,7 @@
 """Two parties that meet at a point: where each was when, and from what speed the impact could have been avoided."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.elementary import sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -200,10 +200,7 @@ def _driver(motion: "list[Leg]") -> "tuple[float, float, float] | None":
     braking = [leg for leg in motion if leg.kind == "braking"]
     if not braking:
         return None
-    times = [
-        sum((leg.duration for leg in motion if leg.kind == kind), start=0.0 * braking[-1].duration)
-        for kind in ("reaction", "build-up")
-    ]
+    times = [total(leg.duration for leg in motion if leg.kind == kind) for kind in ("reaction", "build-up")]
     return times[0], times[1], -braking[-1].rate
 
 
