@@ -50,10 +50,10 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         form = getattr(getattr(node.item, "kind", None), "form", "")
         items = split_list(value)
         return share_unit(items) if form in ("scalar", "slope") else items
-    if isinstance(value, dict) and value and "name" in getattr(node.item, "names", ()):
-        # a table of named tables: [surfaces.road] is an item with that name
-        if all(isinstance(item, dict) and "name" not in item for item in value.values()):
-            return [{"name": name, **item} for name, item in value.items()]
+    # a table of named tables: [surfaces.road] is an item with that name
+    listed = isinstance(value, dict) and value and "name" in getattr(node.item, "names", ())
+    if listed and all(isinstance(item, dict) and "name" not in item for item in value.values()):
+        return [{"name": name, **item} for name, item in value.items()]
     return [value]
 
 

@@ -30,6 +30,7 @@ CRASH = Task(
         "dynamics impact crash examples/crash_scene/crash.toml --plot crash.svg",
     ),
     table="courses links agreements",
+    plot="dynamics_cli.impact.crash.pictures:crash",
     headline=(
         "first.start.speed: first at its start v₀",
         "first.start.braking_speed: first where it braked",

@@ -64,7 +64,7 @@ def _by_friction(link: str, speed: float, grip: float) -> LinkVerdict:
 
 def weakest(links: "tuple[LinkVerdict, ...]") -> str:
     """The link whose tolerance is least beside what such an input is known to; empty for arrays."""
-    if not links or not single(*(one.friction_tolerance or one.heading_tolerance for one in links)):
+    if not links or not all(single(one.friction_tolerance, one.heading_tolerance) for one in links):
         return ""
 
     def margin(one: LinkVerdict) -> float:

@@ -1,7 +1,6 @@
 """Results of a whole crash."""
 
-from dynamics_cli.impact.conventions import Conventions, DeltaV
-from dynamics_cli.impact.reconstruction.momentum_verdict import SpeedVerdict
+from dynamics_cli.impact.conventions import Conventions
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -26,19 +25,26 @@ class BeforeImpact:
     speed: Annotated[RoadSpeed, "Speed where its first phase begins: at perception, or at the first mark [m/s]."]
     time: Annotated[Time, "How long before the impact that was [s]."]
     distance: Annotated[Distance, "How far before the impact [m]."]
-    position: Annotated[
-        PlanarPosition | None, "Where, back along its approach heading; needs that heading [m]."
-    ]
+    position: Annotated[PlanarPosition | None, "Where, back along its approach heading; needs that heading [m]."]
     braking_speed: Annotated[RoadSpeed | None, "Speed where it began to brake; none without braking [m/s]."]
     braking_time: Annotated[Time | None, "How long before the impact that was; none without braking [s]."]
     braking_distance: Annotated[Distance | None, "How far before the impact; none without braking [m]."]
-    above_limit: Annotated[
-        RoadVelocity | None, "How much faster than the speed limit it was at first; needs the limit [m/s]."
-    ]
     impact_speed_at_limit: Annotated[
         RoadSpeed | None,
         "Speed into the impact had it braked alike, from the same place, from the limit: 0 when it would have stopped "
         "[m/s].",
+    ]
+
+
+@record
+class CrashDeltaV:
+    """Change of velocity of one vehicle, and where the force came from; `impact momentum` has more of it."""
+
+    magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
+    longitudinal: Annotated[RoadVelocity, "Its part along the nose, ahead positive [m/s]."]
+    lateral: Annotated[RoadVelocity, "Its part across: to the left positive, in SAE axes to the right [m/s]."]
+    pdof: Annotated[
+        Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
     ]
 
 
@@ -51,11 +57,10 @@ class CrashCourse:
     approach_heading: Annotated[Angle, "Direction of travel just before the impact [rad]."]
     exit_speed: Annotated[RoadSpeed, "Speed just after the impact, where it separates [m/s]."]
     exit_heading: Annotated[Angle, "Direction of travel just after the impact [rad]."]
-    delta_v: Annotated[DeltaV, "Change of velocity in the impact, and where the force came from."]
+    delta_v: Annotated[CrashDeltaV, "Change of velocity in the impact, and where the force came from."]
     slide_time: Annotated[Time | None, "Time of the slide after the impact; none without one [s]."]
     slide_distance: Annotated[Distance | None, "Length of the slide; none without one [m]."]
     rest_position: Annotated[PlanarPosition | None, "Where the slide ends, straight along its exit heading [m]."]
-    determined: Annotated[SpeedVerdict | None, "How far the headings decide its speed into the impact."] = None
 
 
 @record

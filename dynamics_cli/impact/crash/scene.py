@@ -38,9 +38,9 @@ class NamedSurface:
 class PhaseBefore:
     """One phase before the impact; skid marks are a phase of braking with their length."""
 
-    kind: Annotated[
-        Kind, "What it does: waiting, constant, reaction, build-up, braking, coasting or accelerating."
-    ] = BRAKING
+    kind: Annotated[Kind, "What it does: waiting, constant, reaction, build-up, braking, coasting or accelerating."] = (
+        BRAKING
+    )
     duration: Annotated[Time | None, "How long it takes, e.g. 1.2 s [s]."] = None
     distance: Annotated[Distance | None, "How far it goes: the length of the marks, e.g. 12.4 m [m]."] = None
     speed: Annotated[RoadSpeed | None, "Speed where it begins, when that is known [m/s]."] = None
@@ -76,7 +76,8 @@ class CrashVehicle:
         RoadSpeed | None, "Speed just before the impact, where it is known otherwise and used: 0 standing [m/s]."
     ] = None
     exit_heading: Annotated[
-        Angle | None, "Direction of travel of the mass centre just after; towards the rest position when left out [rad]."
+        Angle | None,
+        "Direction of travel of the mass centre just after; towards its rest when left out [rad].",
     ] = None
     exit_speed: Annotated[
         RoadSpeed | None, "Speed just after, where it is known otherwise than by the slide [m/s]."

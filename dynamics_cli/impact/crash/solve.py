@@ -4,18 +4,20 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import heading_of, mass_of
 from dynamics_cli.impact.crash.agreement import agreements, gap_advice, require_agreement
 from dynamics_cli.impact.crash.links import verdicts, weakest
-from dynamics_cli.impact.crash.results import BeforeImpact, Course, Crash, CrashCourse, CrashEnergy
+from dynamics_cli.impact.crash.results import BeforeImpact, Course, Crash, CrashCourse, CrashDeltaV, CrashEnergy
 from dynamics_cli.impact.crash.scene import CrashScene, named
 from dynamics_cli.impact.crash.ways import After, Before, along
 from dynamics_cli.impact.diagnostics import balance, require_sizes
 from dynamics_cli.impact.reconstruction.momentum import momentum, momentum_and_energy
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult, Reconstructed, Vehicle
 from dynamics_cli.quantities import STANDARD_GRAVITY, Annotated, Gravity
-from dynamics_cli.records import Check
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from dynamics_cli.records import Check
 
 SIDES = ("first", "second")
 
@@ -103,6 +105,10 @@ def _solved(scene: CrashScene, gravity: float, method: "Callable[..., MomentumRe
     courses = [_course(scene, *parts) for parts in zip(bodies, slides, ways, strict=True)]
     names = [named(getattr(scene, side), side) for side in SIDES]
     energy, energy_checks = _energy(masses, meeting, slides, ways)
+    whole = (courses[0], courses[1], meeting.closing_speed, meeting.restitution, meeting.angle_condition, energy)
+    if drawing():
+        # of samples nobody reads tables
+        return Crash(*whole, "", (), (), (), meeting.conventions)
     rows: list[Course] = []
     for name, mass, body, slide, way in zip(names, masses, bodies, slides, ways, strict=True):
         impact = Course(name, "impact", body.approach_speed, body.exit_speed, 0.0, 0.0, -body.energy_change)
@@ -117,8 +123,8 @@ def _solved(scene: CrashScene, gravity: float, method: "Callable[..., MomentumRe
     for part in (*slides, *ways):
         advice += part.advice()
     return Crash(
-        courses[0], courses[1], meeting.closing_speed, meeting.restitution, meeting.angle_condition, energy,
-        weakest(links), tuple(rows), links, tuple(gap.agreement for gap in twice), meeting.conventions, checks, advice,
+        *whole, weakest(links), tuple(rows), links, tuple(gap.agreement for gap in twice), meeting.conventions, checks,
+        advice,
     )  # fmt: skip
 
 
@@ -144,12 +150,13 @@ def _met(scene: CrashScene, slide: After) -> Vehicle:
 def _course(scene: CrashScene, body: Reconstructed, slide: After, way: Before) -> CrashCourse:
     slid = bool(slide.surfaces)
     start: BeforeImpact | None = way.summary(scene, body.approach_heading)
+    change = body.delta_v
     return CrashCourse(
-        start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading, body.delta_v,
+        start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading,
+        CrashDeltaV(change.magnitude, change.longitudinal, change.lateral, change.pdof),
         slide_time=slide.time if slid else None,
         slide_distance=slide.distance if slid else None,
         rest_position=along(scene, body.exit_heading, slide.distance) if slid else None,
-        determined=body.determined,
     )  # fmt: skip
 
 

@@ -119,7 +119,6 @@ class Before:
         return BeforeImpact(
             self.legs[0].start, added([leg.duration for leg in self.legs]), distance,
             None if heading is None else along(scene, heading, -distance), *braking,
-            above_limit=None if limit is None else self.legs[0].start - limit,
             impact_speed_at_limit=None if limit is None or brake is None else self._from(limit, brake),
         )  # fmt: skip
 
