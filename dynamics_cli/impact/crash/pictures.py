@@ -27,7 +27,8 @@ def crash(result: "Any", scene: "Any", **_: "Any") -> Picture:
     north = (0.0, 1.0) if scene.axes == "compass" else None
     items = drawn.items()
     note = "outlines of common size where none is given" if drawn.neutral else "outlines as given"
-    items = [*items, *scales(items, drawn.scale, drawn.fastest, north, note)]
+    bars = scales(items, drawn.scale, drawn.fastest, north, note)
+    items = [*items, *bars, *_ruler(bars)]
     title = "the crash to scale: start, impact and rest"
     return Picture((Panel(Axis("", Length), Axis("", Length), tuple(items), "", equal=True, bare=True),), title,
                    width=8.0, scene=True)  # fmt: skip
@@ -120,14 +121,15 @@ class _Scene:
             end = centre[0] - 0.55 * given.length * way[0], centre[1] - 0.55 * given.length * way[1]
             tail = end[0] - before[0], end[1] - before[1]
             items.append(Arrow(*tail, *before, "", role, dashed=True))
-            middle = tail[0] + 0.5 * before[0], tail[1] + 0.5 * before[1]
+            clear = _abeam(way, after)
+            middle = [tail[i] + 0.5 * before[i] + 0.6 * given.width * clear[i] for i in (0, 1)]
             words = f"{self.names[role]} before, {about(course.approach_speed)}"
-            items.append(beside(middle, _abeam(way, after), words, role))
+            items.append(beside((middle[0], middle[1]), clear, words, role))
         if course.exit_speed > 0.0:
             items.append(Arrow(*centre, *gone, "", role))
-            tip = centre[0] + gone[0], centre[1] + gone[1]
             turned = _abeam(after, way)
-            items.append(beside(tip, turned, f"after, {about(course.exit_speed)}", role))
+            tip = [centre[i] + gone[i] - 0.3 * after[i] + 0.4 * turned[i] for i in (0, 1)]
+            items.append(beside((tip[0], tip[1]), turned, f"after, {about(course.exit_speed)}", role))
         change = gone[0] - before[0], gone[1] - before[1]
         if math.hypot(*change) > 0.0:
             items.append(Arrow(*centre, *change, "", CHANGE))
@@ -140,3 +142,12 @@ def _abeam(way: "Pair", other: "Pair") -> "Pair":
     """Across a direction, to the side that another does not turn to."""
     left = way[0] * other[1] - way[1] * other[0] > 0.0
     return (way[1], -way[0]) if left else (-way[1], way[0])
+
+
+def _ruler(bars: "list[Any]") -> "list[Any]":
+    """Five metres of the road beneath the scale of velocities."""
+    corner = next((bar for bar in bars if isinstance(bar, Curve)), None)
+    if corner is None:
+        return []
+    x, y = corner.x[0], corner.y[0] - 3.0
+    return [Curve([x, x + 5.0], [y, y], "", "thick", 6), Mark(x, y, "distance: 5 m", (0.1, 4.0), dot=False)]
