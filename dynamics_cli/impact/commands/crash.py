@@ -27,7 +27,7 @@ CRASH = Task(
     ),
     examples=(
         "dynamics impact crash examples/crash_scene/crash.toml",
-        "dynamics impact crash examples/crash_scene/crash.toml --plot crash.svg",
+        "dynamics impact crash examples/crash_scene/crash.toml --method linear --plot crash.svg",
     ),
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",

@@ -41,8 +41,6 @@ class CrashDeltaV:
     """Change of velocity of one vehicle, and where the force came from; `impact momentum` has more of it."""
 
     magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
-    longitudinal: Annotated[RoadVelocity, "Its part along the nose, ahead positive [m/s]."]
-    lateral: Annotated[RoadVelocity, "Its part across: to the left positive, in SAE axes to the right [m/s]."]
     pdof: Annotated[
         Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
     ]
@@ -58,7 +56,6 @@ class CrashCourse:
     exit_speed: Annotated[RoadSpeed, "Speed just after the impact, where it separates [m/s]."]
     exit_heading: Annotated[Angle, "Direction of travel just after the impact [rad]."]
     delta_v: Annotated[CrashDeltaV, "Change of velocity in the impact, and where the force came from."]
-    slide_time: Annotated[Time | None, "Time of the slide after the impact; none without one [s]."]
     slide_distance: Annotated[Distance | None, "Length of the slide; none without one [m]."]
     rest_position: Annotated[PlanarPosition | None, "Where the slide ends, straight along its exit heading [m]."]
 

@@ -153,8 +153,7 @@ def _course(scene: CrashScene, body: Reconstructed, slide: After, way: Before) -
     change = body.delta_v
     return CrashCourse(
         start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading,
-        CrashDeltaV(change.magnitude, change.longitudinal, change.lateral, change.pdof),
-        slide_time=slide.time if slid else None,
+        CrashDeltaV(change.magnitude, change.pdof),
         slide_distance=slide.distance if slid else None,
         rest_position=along(scene, body.exit_heading, slide.distance) if slid else None,
     )  # fmt: skip

@@ -49,11 +49,6 @@ class After:
         """Length of the slide."""
         return added([surface.distance for surface in self.surfaces])
 
-    @property
-    def time(self) -> float:
-        """Its time."""
-        return added([surface.time for surface in self.surfaces])
-
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
         """Its surfaces as rows of the whole way."""
         parts = getattr(scene, self.side).after
