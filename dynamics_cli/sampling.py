@@ -55,4 +55,4 @@ def deviation(x: "Any") -> float | None:
     if not _deviations or len(slopes) != len(_deviations):
         return None
     squares: float = sum((slope * std) ** 2 for slope, std in zip(slopes, _deviations, strict=True))
-    return squares**0.5
+    return float(squares**0.5)

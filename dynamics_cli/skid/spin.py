@@ -4,6 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag
+from dynamics_cli.numerics.road.slide import crossing_time
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -19,7 +20,6 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.braking import crossing_time
 from dynamics_cli.skid.diagnostics import DEGREES, balance
 
 # π as the sum of two doubles, so that whole half-turns are taken off without loss.

@@ -115,8 +115,9 @@ class _Scene:
         course, given = self.courses[role], self.given[role]
         way, after, centre = self.ways[role], self._after(role), self.centres[role]
         items: list[Any] = []
-        before = tuple(self.scale * course.approach_speed * part for part in way)
-        gone = tuple(self.scale * course.exit_speed * part for part in after)
+        arriving, leaving = self.scale * course.approach_speed, self.scale * course.exit_speed
+        before = arriving * way[0], arriving * way[1]
+        gone = leaving * after[0], leaving * after[1]
         if course.approach_speed > 0.0:
             end = centre[0] - 0.55 * given.length * way[0], centre[1] - 0.55 * given.length * way[1]
             tail = end[0] - before[0], end[1] - before[1]
@@ -127,9 +128,11 @@ class _Scene:
             items.append(beside((middle[0], middle[1]), clear, words, role))
         if course.exit_speed > 0.0:
             items.append(Arrow(*centre, *gone, "", role))
-            turned = _abeam(after, way)
-            tip = [centre[i] + gone[i] - 0.3 * after[i] + 0.4 * turned[i] for i in (0, 1)]
-            items.append(beside((tip[0], tip[1]), turned, f"after, {about(course.exit_speed)}", role))
+            side = math.copysign(1.0, after[0] * after[1] or 1.0)
+            clear = side * after[1], -side * after[0]
+            head = [centre[i] + 0.85 * gone[i] + 0.5 * clear[i] for i in (0, 1)]
+            words = f"{self.names[role]} after, {about(course.exit_speed)}"
+            items.append(beside((head[0], head[1]), (clear[0] or 1.0, 0.0), words, role))
         change = gone[0] - before[0], gone[1] - before[1]
         if math.hypot(*change) > 0.0:
             items.append(Arrow(*centre, *change, "", CHANGE))

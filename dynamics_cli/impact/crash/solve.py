@@ -120,8 +120,8 @@ def _solved(scene: CrashScene, gravity: float, method: "Callable[..., MomentumRe
     for name, slide, way in zip(names, slides, ways, strict=True):
         checks += slide.forward(name) + way.forward(name)
     advice = meeting.advice + gap_advice(twice)
-    for part in (*slides, *ways):
-        advice += part.advice()
+    for slide, way in zip(slides, ways, strict=True):
+        advice += slide.advice() + way.advice()
     return Crash(
         *whole, weakest(links), tuple(rows), links, tuple(gap.agreement for gap in twice), meeting.conventions, checks,
         advice,

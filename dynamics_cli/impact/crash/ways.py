@@ -47,7 +47,8 @@ class After:
     @property
     def distance(self) -> float:
         """Length of the slide."""
-        return added([surface.distance for surface in self.surfaces])
+        total: float = added([surface.distance for surface in self.surfaces])
+        return total
 
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
         """Its surfaces as rows of the whole way."""
@@ -98,7 +99,7 @@ class Before:
     @property
     def work(self) -> float:
         """Work per mass of all phases against the motion."""
-        return added([_shed(leg) for leg in self.legs]) if self.legs else 0.0  # type: ignore[no-any-return]
+        return added([_shed(leg) for leg in self.legs]) if self.legs else 0.0
 
     def summary(self, scene: CrashScene, heading: "float | None") -> BeforeImpact | None:
         """Speeds and places at its start and where it begins to brake."""
