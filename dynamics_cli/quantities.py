@@ -13,14 +13,17 @@ class Kind:
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
     "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
     "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
-    exact rational with its unit), "unit", "text", "file", "flag" or "measured" (a result with a unit of its own).
+    exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
+    "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
+
+    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "default", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "about", "above", "below", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
         "variable",
     )  # fmt: skip
 
@@ -42,6 +45,7 @@ class Kind:
         default: str = "",
         variable: str = "",
         needs: str = "",
+        exact: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -58,6 +62,7 @@ class Kind:
         self.default = default
         self.variable = variable
         self.needs = needs
+        self.exact = exact
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -122,13 +127,15 @@ STANDARD_GRAVITY = 9.80665
 STANDARD_GRAVITY_TEXT = "9.80665 m/s²"
 
 if TYPE_CHECKING:
-    from dynamics_cli.records import Quantity
+    from dynamics_cli.records import Formula, Let, Quantity
 
     # lengths, areas, volumes
     Length = float
     Distance = float
     Size = float
     Coordinate = float
+    SectionSize = float
+    SectionCoordinate = float
     Area = float
     Volume = float
     Module = float
@@ -163,7 +170,9 @@ if TYPE_CHECKING:
     Frequency = float
     AngularSpeed = float
     ShaftSpeed = float
+    AngularRate = float
     AngularAcceleration = float
+    TurnRate = float
     # angles and pure numbers
     Angle = float
     Ratio = float
@@ -199,6 +208,7 @@ if TYPE_CHECKING:
     AngularVelocity = tuple[float, float, float]
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
+    JerkVector = tuple[float, float, float]
     PartPosition = tuple[float, float, float]
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
@@ -206,11 +216,19 @@ if TYPE_CHECKING:
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
+    AngleTriple = tuple[float, float, float]
+    AngleRates = tuple[float, float, float]
+    AngleAccelerations = tuple[float, float, float]
+    RotationVector = tuple[float, float, float]
+    RotationMatrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     ImpulseVector = tuple[float, float, float]
     MomentVector = tuple[float, float, float]
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     PlanarImpulse = tuple[float, float]
+    PartPoint = tuple[float, float]
+    PartVelocity = tuple[float, float]
+    PartAcceleration = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     FreeVector = Quantity
     FreeNumber = Quantity
@@ -218,6 +236,10 @@ if TYPE_CHECKING:
     MatrixOfNumbers = tuple[tuple[float, ...], ...]
     ExactRatio = tuple[int, int]
     WholeRange = tuple[int, int]
+    LengthFormula = Formula
+    AngleFormula = Formula
+    AccelerationFormula = Formula
+    Variable = Let
     Text = str
     Unit = str
     InputFile = str
@@ -227,6 +249,12 @@ else:
     Distance = Kind("length", "m", si="m", us="ft", low=0.0, example="60 ft", about="a length that cannot be negative")
     Size = Kind("size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length")
     Coordinate = Kind("size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part")
+    SectionSize = Kind(
+        "size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length", exact=True
+    )
+    SectionCoordinate = Kind(
+        "size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part", exact=True
+    )
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
     Module = Kind("module", "m", si="mm", us="mm", above=0.0, example="2.5 mm", about="a gear module")
@@ -331,6 +359,7 @@ else:
     AngularSpeed = Kind(
         "angular velocity", "rad/s", si="deg/s", us="deg/s", example="1500 rpm", about="an angular velocity"
     )
+    AngularRate = Kind("angular velocity", "rad/s", example="2 rad/s", about="an angular velocity")
     ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
     AngularAcceleration = Kind(
         "angular acceleration",
@@ -339,6 +368,9 @@ else:
         us="rad/s^2",
         example="3 rad/s^2",
         about="an angular acceleration",
+    )
+    TurnRate = Kind(
+        "angular velocity", "rad/s", si="rad/s", us="rad/s", example="10 rad/s", about="the angular velocity of a link"
     )
     # angles and pure numbers
     Angle = Kind("angle", "rad", si="deg", us="deg", example="30 deg", about="an angle")
@@ -441,6 +473,16 @@ else:
         example="0, 0, 3 m/s^2",
         about="an acceleration",
     )
+    JerkVector = Kind(
+        "jerk vector",
+        "m/s^3",
+        form="vector",
+        size=3,
+        si="m/s^3",
+        us="ft/s^3",
+        example="0, 1, 0 m/s^3",
+        about="a rate of change of acceleration",
+    )
     PartPosition = Kind(
         "part position",
         "m",
@@ -529,6 +571,38 @@ else:
         example="0.92388, 0, 0, 0.382683",
         about="a rotation as the quaternion w, x, y, z, its scalar first",
     )
+    AngleTriple = Kind(
+        "three angles",
+        "rad",
+        form="vector",
+        size=3,
+        si="deg",
+        us="deg",
+        example="30, 20, -40 deg",
+        about="three angles",
+    )
+    AngleRates = Kind(
+        "rates of three angles", "rad/s", form="vector", size=3, example="0.1, 0.2, 0.3 rad/s", about="rates of angles"
+    )
+    AngleAccelerations = Kind(
+        "second rates of three angles",
+        "rad/s^2",
+        form="vector",
+        size=3,
+        example="0.4, -0.5, 0.6 rad/s^2",
+        about="second rates of angles",
+    )
+    RotationVector = Kind(
+        "rotation vector",
+        "rad",
+        form="vector",
+        size=3,
+        example="0, 0, 1.2 rad",
+        about="a rotation as its axis times its angle",
+    )
+    RotationMatrix = Kind(
+        "rotation matrix", "", form="tensor", size=3, about="a rotation as its matrix, the turned axes in its columns"
+    )
     PlanarPosition = Kind(
         "planar position", "m", form="planar", size=2, si="m", us="ft", example="1, 2 m", about="a point in the plane"
     )
@@ -552,6 +626,17 @@ else:
         example="3000, 400 N*s",
         about="an impulse in the plane",
     )
+    PartPoint = Kind(
+        "part point", "m", form="planar", size=2, si="mm", us="in", example="60, 40 mm", about="a point in the plane"
+    )
+    PartVelocity = Kind(
+        "velocity in the plane", "m/s", form="planar", size=2, si="m/s", us="ft/s", example="1, 2 m/s",
+        about="a velocity in the plane",
+    )  # fmt: skip
+    PartAcceleration = Kind(
+        "acceleration in the plane", "m/s^2", form="planar", size=2, si="m/s^2", us="ft/s^2", example="3, -4 m/s^2",
+        about="an acceleration in the plane",
+    )  # fmt: skip
     InertiaTensor = Kind(
         "inertia tensor",
         "kg*m^2",
@@ -570,6 +655,20 @@ else:
     MatrixOfNumbers = Kind("matrix", "", form="matrix", about="rows of numbers")
     ExactRatio = Kind("exact ratio", "", form="fraction", example="365.2422/27.3217", about="an exact ratio")
     WholeRange = Kind("range", "", form="range", low=0.0, example="12..120", about="whole numbers from one to another")
+    LengthFormula = Kind(
+        "length formula", "m", form="formula", example="20*t - 2*t^2 m", about="a length over time, its unit at its end"
+    )
+    AngleFormula = Kind(
+        "angle formula", "rad", form="formula", example="90*t deg", about="an angle over time, its unit at its end"
+    )
+    AccelerationFormula = Kind(
+        "acceleration formula",
+        "m/s^2",
+        form="formula",
+        example="-0.004*v^2 m/s^2",
+        about="an acceleration, its unit at its end",
+    )
+    Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
     InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")

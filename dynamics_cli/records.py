@@ -32,16 +32,23 @@ else:
         after = cls.__dict__.get("__post_init__")
 
         def __init__(self, *args, **kwargs):
-            if len(args) > len(names):
-                raise TypeError(f"{cls.__name__} takes {len(names)} fields")
-            given = dict(zip(names, args, strict=False))
-            if given.keys() & kwargs.keys():
-                raise TypeError(f"{cls.__name__} got a field twice")
-            values = {**defaults, **given, **kwargs}
-            if values.keys() != set(names):
+            own = self.__dict__
+            if args:
+                if len(args) > len(names):
+                    raise TypeError(f"{cls.__name__} takes {len(names)} fields")
+                given = dict(zip(names, args, strict=False))
+                if given.keys() & kwargs.keys():
+                    raise TypeError(f"{cls.__name__} got a field twice")
+                kwargs.update(given)
+            values = {**defaults, **kwargs} if defaults else kwargs
+            try:
+                for name in names:
+                    own[name] = values[name]
+            except KeyError:
+                pass
+            if len(values) != len(names) or len(own) != len(names):
                 wrong = sorted(values.keys() ^ set(names))
                 raise TypeError(f"{cls.__name__}: missing or unknown fields: {', '.join(wrong)}")
-            self.__dict__.update((name, values[name]) for name in names)
             if after is not None:
                 after(self)
 
@@ -198,6 +205,24 @@ class ExactQuantity:
     denominator: int
     unit: str
     text: str = ""
+
+
+@record
+class Formula:
+    """A formula as written, without the unit at its end, and how many of the SI unit one of that unit is."""
+
+    text: str
+    factor: float
+    unit: str
+
+
+@record
+class Let:
+    """A variable of formulas: its name, its value in SI, and the unit it was written in."""
+
+    name: str
+    value: float
+    unit: str
 
 
 def docstring(thing: "type | Callable[..., Any]") -> str:

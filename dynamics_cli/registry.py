@@ -64,6 +64,26 @@ FAMILIES: "dict[str, Entry]" = {
         "Vectors: sums, angles, products, components, frames, lines.",
         references=("vec.json",),
     ),
+    "path": Entry(
+        "dynamics_cli.path.commands",
+        GROUPS[3],
+        "Motion of a point: straight, on circles and curves, tracks.",
+        references=("path.json",),
+    ),
+    "orient": Entry(
+        "dynamics_cli.orient.commands",
+        GROUPS[3],
+        "Orientation in every notation, turning motion, rolling.",
+        references=("orient.json",),
+        questions="dynamics_cli.accuracy.alternatives.orient",
+    ),
+    "linkage": Entry(
+        "dynamics_cli.linkage.commands",
+        GROUPS[3],
+        "Four-bars, slider-cranks, coupler curves, linkages from scenes.",
+        references=("linkage.json",),
+        questions="dynamics_cli.accuracy.alternatives.linkage",
+    ),
     "cam": Entry(
         "dynamics_cli.cam.commands",
         GROUPS[4],

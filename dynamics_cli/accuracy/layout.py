@@ -198,13 +198,13 @@ def _fitting(columns: "list[Column]", rows: "list[Entry]", width: int) -> "list[
 
 def _blocks(rows: "list[Entry]") -> "list[list[Entry]]":
     """Rows that follow one another and answer one question."""
-    made: list[list[Entry]] = []
+    blocks: list[list[Entry]] = []
     for row in rows:
-        if made and made[-1][0]["question"] == row["question"] and made[-1][0]["family"] == row["family"]:
-            made[-1].append(row)
+        if blocks and blocks[-1][0]["question"] == row["question"] and blocks[-1][0]["family"] == row["family"]:
+            blocks[-1].append(row)
         else:
-            made.append([row])
-    return made
+            blocks.append([row])
+    return blocks
 
 
 def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, width: int) -> "list[str]":
@@ -233,13 +233,13 @@ def _truly(row: "Entry") -> str:
 
 def _wrapped(text: str, room: int) -> "list[str]":
     """Words in lines that fit, those after the first set in by two."""
-    made: list[str] = []
+    wrapped: list[str] = []
     for word in text.split():
-        if made and len(made[-1]) + 1 + len(word) <= room - (2 if len(made) > 1 else 0):
-            made[-1] += f" {word}"
+        if wrapped and len(wrapped[-1]) + 1 + len(word) <= room - (2 if len(wrapped) > 1 else 0):
+            wrapped[-1] += f" {word}"
         else:
-            made.append(word)
-    return made
+            wrapped.append(word)
+    return wrapped
 
 
 def _clipped(text: str, width: int) -> str:

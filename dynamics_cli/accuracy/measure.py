@@ -41,6 +41,8 @@ class Errors:
         self.worst = ("", -1.0)
         # the true value of that result: a share of one that all but vanishes says little
         self.worst_reference: float | None = None
+        # pieces needed, where all methods keep a tolerance
+        self.entities: int | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
         self.found: dict[str, float] = {}
 

@@ -204,7 +204,7 @@ def _marks(points: "list[Point]", across: Axis, up: Axis, width: float) -> "list
     assert up.ends is not None
     places = [(width * _share(error, across.ends), HEIGHT * _share(time, up.ends)) for error, time, *_ in points]
     taken = [(x - 3.0, x + 3.0, y - 3.0, y + 3.0) for x, y in places]
-    made = []
+    marks = []
     for own, ((x, y), (error, time, name, less)) in enumerate(zip(places, points, strict=True)):
         left = x > 0.5 * width
         room = x - 5.0 if left else width - x - 5.0
@@ -216,8 +216,8 @@ def _marks(points: "list[Point]", across: Axis, up: Axis, width: float) -> "list
         inside = [pair for pair in boxes if pair[1][2] >= 0.0 and pair[1][3] <= HEIGHT] or boxes
         aside, box = min(inside, key=lambda pair: sum(_common(pair[1], other) for other in others))
         taken.append(box)
-        made.append(Mark(error, time, words, (-5.0 if left else 5.0, aside)))
-    return made
+        marks.append(Mark(error, time, words, (-5.0 if left else 5.0, aside)))
+    return marks
 
 
 def _share(value: float, ends: "tuple[float, float]") -> float:

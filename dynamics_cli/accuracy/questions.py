@@ -73,11 +73,7 @@ class Question:
 
 
 class Comparison:
-    """A question whose rows are made by a function of its own: it takes (name, hard, full, timed) and gives rows.
-
-    Where peers answer it, it also takes `more`: pairs of a name and a callable. `needs` are libraries that always take
-    part.
-    """
+    """A question whose rows a function of its own gives from a `Comparing`; `needs` libraries take part always."""
 
     def __init__(self, family: str, task: str, name: str, function: str, *, needs: "tuple[str, ...]" = ()) -> None:
         self.family = family

@@ -4,6 +4,7 @@ from statistics import median
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import load
+from dynamics_cli.accuracy.comparing import Comparing
 from dynamics_cli.accuracy.listing import ReferenceCase, listed
 from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine, whole_call
 from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
@@ -203,22 +204,21 @@ def _checks(rows: "Sequence[Row]") -> "tuple[Check, ...]":
     """Whether what the program claims of its own methods held: bounds, and an answer to every reference."""
     own = [one for one in rows if one.method.endswith(CHOSEN)]
     proved = [one for one in own if one.is_proved]
-    made = []
+    checks = []
     if proved:
         broken = sum(one.broken for one in proved)
-        made.append(Check("stated bounds below a true error", broken == 0, float(broken), 0.0))
+        checks.append(Check("stated bounds below a true error", broken == 0, float(broken), 0.0))
     refused = sum(one.refused for one in own)
-    made.append(Check("references without an answer", refused == 0, float(refused), 0.0))
-    return tuple(made)
+    checks.append(Check("references without an answer", refused == 0, float(refused), 0.0))
+    return tuple(checks)
 
 
 def _rows(question: "Question | Comparison", wanted: Asked) -> "list[Row]":
     if not isinstance(question, Comparison):
         return _answered(question, wanted)
-    options: dict[str, Any] = {"hard": wanted.hard, "full": wanted.full, "timed": wanted.timed}
-    if further := wanted.peers_of(question.name):
-        options["more"] = [(method.name, method.call()) for method in further]
-    return imported(question.function)(question.name, **options)  # type: ignore[no-any-return]
+    more = [(method.name, method.call()) for method in wanted.peers_of(question.name)]
+    comparing = Comparing(question.name, hard=wanted.hard, full=wanted.full, timed=wanted.timed, more=more)
+    return imported(question.function)(comparing)  # type: ignore[no-any-return]
 
 
 def _answered(question: "Question", wanted: Asked) -> "list[Row]":

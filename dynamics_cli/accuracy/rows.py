@@ -81,7 +81,6 @@ def row(
     array_time: "float | None" = None,
     bound: str = "bound",
     measure: str = "relative",
-    entities: "int | None" = None,
     own: "Errors | None" = None,
 ) -> Row:
     """A method's row; `base` is the chosen method's time, `own` its errors, `bound` what stated errors are called."""
@@ -109,7 +108,7 @@ def row(
         median(errors.looseness) if errors.looseness else None,
         errors.worst[0],
         array_time,
-        entities,
+        errors.entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
         share=_share(errors, own) if own else None,
         loosest=max(errors.looseness, default=None),

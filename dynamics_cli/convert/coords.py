@@ -11,10 +11,22 @@ from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, maximu
 from dynamics_cli.quantities import Angle, Annotated
 from dynamics_cli.records import Advice, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
+    Turn: TypeAlias = Callable[[float], tuple[float, float]]
+
 PI = 3.141592653589793
 LARGEST = 1.7976931348623157e308
 # Powers of two that bring components whose squares or sums would leave the range of doubles back into it, exactly.
 _SMALL, _LARGE, _UP, _DOWN = 2.0**-500, 2.0**500, 2.0**520, 2.0**-520
+
+
+def cosine_and_sine(angle: float) -> tuple[float, float]:
+    """Cosine and sine of a double as it is."""
+    return cos(angle), sin(angle)
 
 
 @record
@@ -50,28 +62,16 @@ class Spherical:
 def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
     """Cylindrical coordinates of a Cartesian point.
 
+    `x`: along the X-axis; `y`: along the Y-axis; `z`: along the Z-axis. Returns r ≥ 0, −π < θ ≤ π and z. Raises
+    InadmissibleError when r exceeds the largest double.
+
     Equation
     --------
     r = √(x² + y²), θ = atan2(y, x).
 
-    Parameters
+    References
     ----------
-    x : float
-        Along the X-axis.
-    y : float
-        Along the Y-axis.
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Cylindrical
-        r ≥ 0, −π < θ ≤ π and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When r exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -85,28 +85,16 @@ def cartesian_to_cylindrical(x: float, y: float, z: float) -> Cylindrical:
 def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     """Spherical coordinates of a Cartesian point.
 
+    `x`: along the X-axis; `y`: along the Y-axis; `z`: along the Z-axis. Returns ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π. Raises
+    InadmissibleError when ρ exceeds the largest double.
+
     Equation
     --------
     ρ = √(x² + y² + z²), φ = atan2(√(x² + y²), z), θ = atan2(y, x).
 
-    Parameters
+    References
     ----------
-    x : float
-        Along the X-axis.
-    y : float
-        Along the Y-axis.
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Spherical
-        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -123,31 +111,20 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     return Spherical(rho, phi, atan2(y + 0.0, x + 0.0), _undetermined(absolute(off_axis), rho))
 
 
-def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
+def cylindrical_to_cartesian(r: float, theta: Angle, z: float, turn: "Turn" = cosine_and_sine) -> Cartesian:
     """Cartesian coordinates of a cylindrical point.
+
+    `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
+    the Z-axis; `turn`: cosine and sine of an angle, of its double or of what was typed. Returns x, y and z. Raises
+    InadmissibleError when r is negative.
 
     Equation
     --------
     x = r cos θ, y = r sin θ.
 
-    Parameters
+    References
     ----------
-    r : float
-        Distance from the Z-axis, not negative.
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Cartesian
-        x, y and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When r is negative.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -155,34 +132,24 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
     3.4641
     """
     _require_distance("r", r)
-    return Cartesian(r * cos(theta), r * sin(theta), z)
+    cosine, sine = turn(theta)
+    return Cartesian(r * cosine, r * sine, z)
 
 
 def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
     """Spherical coordinates of a cylindrical point.
 
+    `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
+    the Z-axis. Returns ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π. Raises InadmissibleError when r is negative or ρ exceeds the
+    largest double.
+
     Equation
     --------
     ρ = √(r² + z²), φ = atan2(r, z).
 
-    Parameters
+    References
     ----------
-    r : float
-        Distance from the Z-axis, not negative.
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-    z : float
-        Along the Z-axis.
-
-    Returns
-    -------
-    Spherical
-        ρ ≥ 0, 0 ≤ φ ≤ π and −π < θ ≤ π.
-
-    Raises
-    ------
-    InadmissibleError
-        When r is negative or ρ exceeds the largest double.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -194,31 +161,20 @@ def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
     return Spherical(rho, atan2(r + 0.0, z + 0.0), _canonical(theta, r), _undetermined(r, rho))
 
 
-def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
+def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle, turn: "Turn" = cosine_and_sine) -> Cartesian:
     """Cartesian coordinates of a spherical point.
+
+    `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
+    in the X–Y plane, from X towards Y [rad]. Returns x, y and z. Raises InadmissibleError when ρ is negative or φ is
+    not within 0 to π.
 
     Equation
     --------
     x = ρ sin φ cos θ, y = ρ sin φ sin θ, z = ρ cos φ.
 
-    Parameters
+    References
     ----------
-    rho : float
-        Distance ρ from the origin, not negative.
-    phi : Angle
-        Angle φ from the Z-axis, from 0 to π [rad].
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-
-    Returns
-    -------
-    Cartesian
-        x, y and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ is negative or φ is not within 0 to π.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -227,35 +183,26 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    across = rho * sin(phi)
-    return Cartesian(across * cos(theta), across * sin(theta), rho * cos(phi))
+    along, sine = turn(phi)
+    across = rho * sine
+    ahead, aside = turn(theta)
+    return Cartesian(across * ahead, across * aside, rho * along)
 
 
-def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrical:
+def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle, turn: "Turn" = cosine_and_sine) -> Cylindrical:
     """Cylindrical coordinates of a spherical point.
+
+    `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
+    in the X–Y plane, from X towards Y [rad]. Returns r ≥ 0, −π < θ ≤ π and z. Raises InadmissibleError when ρ is
+    negative or φ is not within 0 to π.
 
     Equation
     --------
     r = ρ sin φ, z = ρ cos φ.
 
-    Parameters
+    References
     ----------
-    rho : float
-        Distance ρ from the origin, not negative.
-    phi : Angle
-        Angle φ from the Z-axis, from 0 to π [rad].
-    theta : Angle
-        Angle θ in the X–Y plane, from X towards Y [rad].
-
-    Returns
-    -------
-    Cylindrical
-        r ≥ 0, −π < θ ≤ π and z.
-
-    Raises
-    ------
-    InadmissibleError
-        When ρ is negative or φ is not within 0 to π.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6.
 
     Examples
     --------
@@ -264,10 +211,10 @@ def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrica
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    sine = sin(phi)
+    cosine, sine = turn(phi)
     # not by r, which may underflow off the axis
     off_axis = where(rho == 0.0, 0.0, sine)
-    return Cylindrical(rho * sine, _canonical(theta, off_axis), rho * cos(phi), _undetermined(off_axis, None))
+    return Cylindrical(rho * sine, _canonical(theta, off_axis), rho * cosine, _undetermined(off_axis, None))
 
 
 def _representable(distance: float) -> float:
@@ -314,13 +261,8 @@ def _undetermined(off_axis: float, distance: float | None) -> tuple[Advice, ...]
     if off_axis != 0.0:
         return ()
     if distance is not None and distance == 0.0:
-        return (
-            Advice(
-                code="angles-undetermined",
-                message="at the origin φ and θ are not determined: 0 is shown",
-                severity="note",
-            ),
-        )
+        message = "at the origin φ and θ are not determined: 0 is shown"
+        return (Advice(code="angles-undetermined", message=message, severity="note"),)
     return (
         Advice(code="angle-undetermined", message="on the Z-axis θ is not determined: 0 is shown", severity="note"),
     )

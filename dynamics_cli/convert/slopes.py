@@ -43,15 +43,10 @@ def angle_of_slope(numerator: int, denominator: int, unit: Unit) -> float:
 def slope_of_angle(numerator: int, denominator: int, unit: Unit, over: int) -> float:
     """The slope of an angle as a number of 1/`over`: over·tan(n/d), correctly rounded.
 
-    Raises
-    ------
-    InadmissibleError
-        When the angle is a right angle or more.
+    Raises InadmissibleError when the angle is a right angle or more.
     """
     if not numerator:
         return 0.0
-    if unit.pi == 1 and 4 * abs(numerator) * unit.numerator == denominator * unit.denominator:
-        return float(over if numerator > 0 else -over)
     digits = FIRST_DIGITS
     while True:
         scale: int = 10**digits

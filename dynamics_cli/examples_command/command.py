@@ -57,6 +57,21 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "pedestrian",
+        "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
+        "cd pedestrian && sh pedestrian.sh",
+        "pedestrian/pedestrian.sh",
+        "pedestrian/car.toml",
+        "pedestrian/parties.toml",
+    ),
+    Example(
+        "gps_track",
+        "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
+        "cd gps_track && sh gps_track.sh",
+        "gps_track/gps_track.sh",
+        "gps_track/track.csv",
+    ),
+    Example(
         "corner_strike",
         "A car strikes the corner of another: a scene for impact solve.",
         "dynamics impact solve corner_strike.toml",
@@ -67,6 +82,18 @@ WORKED = (
         "A block hits the floor with a corner: an impact in space.",
         "dynamics impact solve thrown_block.toml",
         "thrown_block.toml",
+    ),
+    Example(
+        "wiper",
+        "A windscreen wiper: a four-bar for its swing, the motor's torque.",
+        "cd wiper && sh wiper.sh",
+        "wiper/wiper.sh",
+    ),
+    Example(
+        "six_bar",
+        "A six-bar linkage: every pin's motion from a scene.",
+        "dynamics linkage solve six_bar.toml",
+        "six_bar.toml",
     ),
     Example(
         "flywheel",
@@ -137,6 +164,13 @@ WORKED = (
         "A Ravigneaux planetary set in first gear, as meshes.",
         "dynamics gear train --input ravigneaux.toml",
         "ravigneaux.toml",
+    ),
+    Example(
+        "imu",
+        "An IMU's quaternion log to roll, pitch, yaw; the turn between two readings.",
+        "cd imu && sh imu.sh",
+        "imu/imu.sh",
+        "imu/log.csv",
     ),
     Example("units", "A drawing's dimensions in the units of another trade.", "sh units.sh", "units.sh"),
     Example(

@@ -132,16 +132,10 @@ def module_advice(pitch: object, module: float) -> tuple[Advice, ...]:
         return ()
     first = min(SERIES_I, key=lambda standard: abs(standard - own))
     second = min((*SERIES_I, *SERIES_II), key=lambda standard: abs(standard - own))
-    return (
-        Advice(
-            code="off-series",
-            message=worded("a module of {module:6} is in neither series of ISO 54", module=(size, Module)),
-            severity="note",
-            remedy=worded(
-                "the nearest, in millimetres: {first} (series I)"
-                + ("" if first == second else ", {second} (series II)"),
-                first=f"{first:g}",
-                second=f"{second:g}",
-            ),
-        ),
+    message = worded("a module of {module:6} is in neither series of ISO 54", module=(size, Module))
+    remedy = worded(
+        "the nearest, in millimetres: {first} (series I)" + ("" if first == second else ", {second} (series II)"),
+        first=f"{first:g}",
+        second=f"{second:g}",
     )
+    return (Advice(code="off-series", message=message, severity="note", remedy=remedy),)

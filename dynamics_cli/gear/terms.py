@@ -103,7 +103,7 @@ TERMS: tuple[tuple[str, ...], ...] = (
         "i = z₃/z₁, whatever z₂",
         "a gear between two others that changes the sense of rotation but not the ratio",
     ),
-    ("interference", "", "", "r_b·tan α_A ≥ ρ_Ff", "contact of a tip with a part of the mate that is no involute"),
+    ("interference", "", "", "r_b·tan α_A ≥ ρ_Ff", "contact of a tip with a part of the mate that is not an involute"),
     (
         "internal gear",
         "z₂ < 0",

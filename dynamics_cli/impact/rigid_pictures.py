@@ -42,16 +42,16 @@ def planar(
     **_: "Any",
 ) -> Picture:
     """The bodies and the impulse, velocities before and after on one scale, and the path of the impulse."""
-    one = solid(first, contact_point, axes, gravity, "the first body")
+    body = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
-    m = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, 1.0)
+    m = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, 1.0)
     at = (0.0, 0.0) if contact_point is None else contact_point
     names = _names(first, second)
     panels = (
-        _bodies((one, two), at, towards, result.impulse, names),
-        velocities(names, [one.velocity, two.velocity], [result.first.velocity, result.second.velocity]),
+        _bodies((body, two), at, towards, result.impulse, names),
+        velocities(names, [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]),
         _routh(m, result, result.law),
     )
     return Picture(panels, "planar impact", columns=2)

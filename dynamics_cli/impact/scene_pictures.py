@@ -151,14 +151,14 @@ def scales(
     left, right = min(x for x, _ in points), max(x for x, _ in points)
     low, high = min(y for _, y in points), max(y for _, y in points)
     speed = next(s for s in (200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.0) if s * KM_H <= 0.9 * fastest or not s)
-    made: list[Any] = []
+    bars: list[Any] = []
     if speed:
-        made.append(Curve([left, left + scale * speed * KM_H], [low - 3.2, low - 3.2], "", "thick", 6))
-        made.append(Mark(left, low - 3.2, f"velocity: {speed:g} km/h", (0.1, 4.0), dot=False))
-    made.append(Mark(left, low - 3.2, note, (0.1, -4.0), dot=False))
+        bars.append(Curve([left, left + scale * speed * KM_H], [low - 3.2, low - 3.2], "", "thick", 6))
+        bars.append(Mark(left, low - 3.2, f"velocity: {speed:g} km/h", (0.1, 4.0), dot=False))
+    bars.append(Mark(left, low - 3.2, note, (0.1, -4.0), dot=False))
     if north is not None:
         # in the corner that is farthest from everything else
         corners = [(x, y) for x in (left, right) for y in (high - 1.0, low + 1.0)]
         x, y = max(corners, key=lambda corner: min(math.dist(corner, point) for point in points))
-        made += [Arrow(x, y - 1.0, 0.0, 2.0, "", 6), Mark(x, y + 1.0, "N", (0.0, 3.0), dot=False)]
-    return made
+        bars += [Arrow(x, y - 1.0, 0.0, 2.0, "", 6), Mark(x, y + 1.0, "N", (0.0, 3.0), dot=False)]
+    return bars

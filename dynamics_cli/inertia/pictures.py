@@ -4,8 +4,9 @@ from math import cos, pi, sin, sqrt
 
 from dynamics_cli.inertia.assembly.parts import Walk
 from dynamics_cli.inertia.assembly.report import bare
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, plus, times
+from dynamics_cli.inertia.bodies.mass_moments import plus, times
 from dynamics_cli.inertia.shapes.wires import wires
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Coordinate, Inertia, Mass
 
@@ -106,13 +107,13 @@ def _panel(
 def _arrows(answer: "MassProperties", i: int, j: int) -> "list[Arrow]":
     """The principal axes, each as long as its semi-axis of the ellipsoid."""
     at = answer.centroid
-    found = []
+    arrows = []
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
         dx, dy = size * axis[i], size * axis[j]
         if max(abs(dx), abs(dy)) > SEEN * max(answer.equivalent_ellipsoid):
-            found.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
-    return found
+            arrows.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
+    return arrows
 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":

@@ -36,13 +36,8 @@ TINY = 1e-300
 class Disc:
     """Complex numbers within `radius` of the real `centre`, both arrays or floats.
 
-    Parameters
-    ----------
-    centre : array
-        Centres.
-    radius : array
-        Radii, not negative; infinite or not a number where nothing is known. The centre is then what plain arithmetic
-        gives.
+    `radius`: radii, not negative; infinite or not a number where nothing is known. The centre is then what plain
+    arithmetic gives.
     """
 
     __slots__ = ("centre", "radius")

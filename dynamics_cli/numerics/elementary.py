@@ -30,13 +30,22 @@ def only_in_doubles(*numbers: "Any") -> None:
         raise ArithmeticError("known in doubles only")
 
 
-def _over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
+def over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
+    """A function of doubles over arrays, value by value; the result is of the arrays' class."""
     import numpy as np
 
     arrays = np.broadcast_arrays(*arguments)
     columns = [array.ravel().tolist() for array in arrays]
     mapped = np.fromiter(map(function, *columns), dtype=float, count=arrays[0].size)
-    return mapped.reshape(arrays[0].shape)
+    return in_class_of_first(mapped.reshape(arrays[0].shape), *arguments)
+
+
+def in_class_of_first(array: "Any", *arguments: "Any") -> "Any":
+    """An array as one of the class of the first array it came from, which numpy's functions forget."""
+    for argument in arguments:
+        if hasattr(argument, "dtype") and hasattr(argument, "__array_finalize__"):
+            return array.view(type(argument))
+    return array
 
 
 def _apply(name: str, function: "Callable[..., float]", *arguments: "Any") -> "Any":
@@ -46,7 +55,7 @@ def _apply(name: str, function: "Callable[..., float]", *arguments: "Any") -> "A
         operation = getattr(argument, "apply", None)
         if operation is not None:
             return operation(name, *arguments)
-    return _over_array(function, *arguments)
+    return over_array(function, *arguments)
 
 
 def sqrt(x: float) -> float:
@@ -100,6 +109,21 @@ def log(x: float) -> float:
     return math.log(x) if type(x) is float else _apply("log", math.log, x)
 
 
+def sinh(x: float) -> float:
+    """Hyperbolic sine."""
+    return math.sinh(x) if type(x) is float else _apply("sinh", math.sinh, x)
+
+
+def cosh(x: float) -> float:
+    """Hyperbolic cosine."""
+    return math.cosh(x) if type(x) is float else _apply("cosh", math.cosh, x)
+
+
+def tanh(x: float) -> float:
+    """Hyperbolic tangent."""
+    return math.tanh(x) if type(x) is float else _apply("tanh", math.tanh, x)
+
+
 def atan2(y: float, x: float) -> float:
     """Angle of the point (x, y), in radians."""
     return _apply("atan2", math.atan2, y, x)  # type: ignore[no-any-return]
@@ -114,6 +138,24 @@ def hypot(x: float, y: float) -> float:
     return _apply("hypot", math.hypot, x, y)  # type: ignore[no-any-return]
 
 
+def binary_exponent(x: float) -> int:
+    """The power of two next above a number's magnitude."""
+    if not is_array(x):
+        return math.frexp(x)[1]
+    import numpy as np
+
+    return np.frexp(x)[1]  # type: ignore[no-any-return]
+
+
+def times_power_of_two(x: float, exponent: int) -> float:
+    """x·2^exponent."""
+    if not is_array(x) and not is_array(exponent):
+        return math.ldexp(x, exponent)
+    import numpy as np
+
+    return np.ldexp(x, exponent)  # type: ignore[no-any-return]
+
+
 def absolute(x: float) -> float:
     """Magnitude of `x`."""
     return abs(x)
@@ -125,7 +167,7 @@ def where(condition: bool, yes: float, no: float) -> float:
         return yes if condition else no
     import numpy as np
 
-    return np.where(condition, yes, no)  # type: ignore[return-value]
+    return in_class_of_first(np.where(condition, yes, no), condition)  # type: ignore[no-any-return]
 
 
 def maximum(x: float, y: float) -> float:
@@ -184,4 +226,5 @@ def multiply_add(a: float, b: float, c: float) -> float:
     with np.errstate(all="ignore"):
         product = a * b
         large = np.maximum(np.maximum(abs(a), abs(b)), abs(product)) > _SPLIT_LIMIT
-        return np.where(large, product + c, _compensated(a, b, c, product))  # type: ignore[return-value]
+        made = np.where(large, product + c, _compensated(a, b, c, product))
+        return in_class_of_first(made, product)  # type: ignore[no-any-return]

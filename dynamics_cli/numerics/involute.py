@@ -8,6 +8,7 @@ points. Floats, arrays and tracked numbers get the same bits: arrays see only + 
 
 import math
 
+from dynamics_cli.numerics.elementary import in_class_of_first, tan
 from dynamics_cli.numerics.number import is_array
 
 TYPE_CHECKING = False
@@ -38,65 +39,25 @@ _UP, _DOWN = 2.0**300, 2.0**-100
 _BLOCK = 8192
 
 _LOW = (
-    -0.13333333333333333,
-    0.017142857142857043,
-    -0.001269841269836692,
-    -7.915893638546071e-05,
-    3.8574759376296294e-05,
-    -4.003942237843092e-06,
-    -4.997225764074921e-07,
-    2.2317950160129234e-07,
-    -2.361264242293939e-08,
-    -3.859883695373116e-09,
-    1.7368088625319459e-09,
-    -2.434611859901606e-10,
-    8.621708216646223e-13,
-    4.38277950118068e-12,
+    -0.13333333333333333, 0.017142857142857043, -0.001269841269836692, -7.915893638546071e-05, 3.8574759376296294e-05,
+    -4.003942237843092e-06, -4.997225764074921e-07, 2.2317950160129234e-07, -2.361264242293939e-08,
+    -3.859883695373116e-09, 1.7368088625319459e-09, -2.434611859901606e-10, 8.621708216646223e-13, 4.38277950118068e-12,
     -4.570054239772003e-13,
-)
+)  # fmt: skip
 _HIGH = (
-    0.6666666666666667,
-    0.8666666666665257,
-    1.3904761905619523,
-    2.479365058716133,
-    4.712268131042421,
-    9.347505172593612,
-    19.1317241977766,
-    39.66178331221444,
-    94.82550492984474,
-    2.109369177918737,
-    3045.449300004691,
-    -28200.283663953505,
-    245983.8966499789,
-    -1544480.6475553329,
-    7340083.272144027,
-    -25096042.296934314,
-    59181355.05589713,
-    -86005657.01826291,
-    59718272.00578452,
-)
+    0.6666666666666667, 0.8666666666665257, 1.3904761905619523, 2.479365058716133, 4.712268131042421, 9.347505172593612,
+    19.1317241977766, 39.66178331221444, 94.82550492984474, 2.109369177918737, 3045.449300004691, -28200.283663953505,
+    245983.8966499789, -1544480.6475553329, 7340083.272144027, -25096042.296934314, 59181355.05589713,
+    -86005657.01826291, 59718272.00578452,
+)  # fmt: skip
 # (inv φ − φ³/3)/φ⁵.
 _FORWARD = (
-    0.13333333333333333,
-    0.053968253968253,
-    0.021869488536275926,
-    0.008863235523948857,
-    0.003592128191280107,
-    0.0014558319414960143,
-    0.000590053038665535,
-    0.00023894175776774683,
-    9.790993136080742e-05,
-    3.535448883984021e-05,
-    2.7606097313513984e-05,
-    -2.0049168339061655e-05,
-    4.843459026954254e-05,
-    -5.900594916529608e-05,
-    5.925490535080751e-05,
-    -4.167339946437946e-05,
-    2.0614551265507553e-05,
-    -6.261566421646079e-06,
+    0.13333333333333333, 0.053968253968253, 0.021869488536275926, 0.008863235523948857, 0.003592128191280107,
+    0.0014558319414960143, 0.000590053038665535, 0.00023894175776774683, 9.790993136080742e-05, 3.535448883984021e-05,
+    2.7606097313513984e-05, -2.0049168339061655e-05, 4.843459026954254e-05, -5.900594916529608e-05,
+    5.925490535080751e-05, -4.167339946437946e-05, 2.0614551265507553e-05, -6.261566421646079e-06,
     9.405495364532011e-07,
-)
+)  # fmt: skip
 
 
 def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
@@ -109,23 +70,13 @@ def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
 def involute(phi: float) -> float:
     """Involute function tan φ − φ of an angle below 90°.
 
+    `phi`: angle, |φ| < π/2 [rad]. Returns inv φ, within 2.1 ulp; odd in φ.
+
+    Its condition is 3 near 0 and grows as 1/(π/2 − φ) towards 90°.
+
     Equation
     --------
     inv φ = tan φ − φ; below 0.98 rad φ³/3 + φ⁵ times a polynomial in φ².
-
-    Parameters
-    ----------
-    phi : Angle
-        Angle, |φ| < π/2 [rad].
-
-    Returns
-    -------
-    float
-        inv φ, within 2.1 ulp; odd in φ.
-
-    Notes
-    -----
-    Its condition is 3 near 0 and grows as 1/(π/2 − φ) towards 90°.
 
     Examples
     --------
@@ -137,7 +88,7 @@ def involute(phi: float) -> float:
             return _near(phi)
         return math.tan(phi) - phi
     if is_array(phi):
-        return _involute_of_array(phi)  # type: ignore[no-any-return]
+        return in_class_of_first(_involute_of_array(phi), phi)  # type: ignore[no-any-return]
     if isinstance(phi, int):
         return involute(float(phi))
     return _involute_in_other_numbers(phi)  # type: ignore[no-any-return]
@@ -155,8 +106,6 @@ def _near(phi: float) -> float:
 
 def _involute_of_array(phi: "Any") -> "Any":
     import numpy as np
-
-    from dynamics_cli.numerics.elementary import tan
 
     phi = np.asarray(phi, dtype=float)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -187,28 +136,14 @@ def _involute_in_other_numbers(phi: "Any") -> "Any":
 def inverse_involute(value: float) -> float:
     """Angle whose involute function is `value`.
 
+    `value`: inv φ, not negative. Returns φ, from 0 to π/2, within 1.3 ulp. Raises ValueError when a single value is
+    negative or not a number; in arrays such places are NaN.
+
+    d ln φ/d ln inv φ is at most 1/3: the problem is well-conditioned everywhere.
+
     Equation
     --------
     inv φ ≤ inv 60°: φ = s·P(s²), s = ∛(3 inv φ). Above: φ = π/2 − ψ, cot ψ + ψ = inv φ + π/2.
-
-    Parameters
-    ----------
-    value : float
-        inv φ, not negative.
-
-    Returns
-    -------
-    float
-        φ, from 0 to π/2, within 1.3 ulp.
-
-    Raises
-    ------
-    ValueError
-        When a single value is negative or not a number; in arrays such places are NaN.
-
-    Notes
-    -----
-    d ln φ/d ln inv φ is at most 1/3: the problem is well-conditioned everywhere.
 
     Examples
     --------
@@ -218,7 +153,7 @@ def inverse_involute(value: float) -> float:
     if type(value) is float:
         return _inverse(value)
     if is_array(value):
-        return _inverse_of_array(value)  # type: ignore[no-any-return]
+        return in_class_of_first(_inverse_of_array(value), value)  # type: ignore[no-any-return]
     if isinstance(value, int):
         return _inverse(float(value))
     return _inverse_in_other_numbers(value)  # type: ignore[no-any-return]

@@ -261,6 +261,24 @@ def _exp(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
     return value, grown * x.error + (TINY if value == 0.0 else 0.0), (value,), 2.0
 
 
+# The C library's hyperbolic functions are within two units in the last place.
+_HYPERBOLIC = 5.0
+
+
+def _sinh(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    return math.sinh(x.value), math.cosh(abs(x.value) + x.error) * x.error, (math.cosh(x.value),), _HYPERBOLIC
+
+
+def _cosh(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    return math.cosh(x.value), math.sinh(abs(x.value) + x.error) * x.error, (math.sinh(x.value),), _HYPERBOLIC
+
+
+def _tanh(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
+    steepest = 1.0 / math.cosh(min(max(abs(x.value) - x.error, 0.0), 300.0))
+    slope = 1.0 / math.cosh(min(abs(x.value), 300.0))
+    return math.tanh(x.value), steepest * steepest * x.error, (slope * slope,), _HYPERBOLIC
+
+
 def _larger(x: Tracked, y: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
     winner, loser = (x, y) if x.value >= y.value else (y, x)
     apart = winner.value - winner.error > loser.value + loser.error
@@ -309,6 +327,9 @@ _RULES: "dict[str, Rule]" = {
     "maximum": _larger,
     "minimum": _smaller,
     "log": _monotone(math.log, lambda x: 1.0 / x, 0.0, math.inf),
+    "sinh": _sinh,
+    "cosh": _cosh,
+    "tanh": _tanh,
     "tan": _monotone(math.tan, lambda x: 1.0 + math.tan(x) ** 2, -math.inf, math.inf),
     "asin": _monotone(math.asin, lambda x: 1.0 / math.sqrt((1.0 - x) * (1.0 + x)), -1.0, 1.0),
     "acos": _monotone(math.acos, lambda x: -1.0 / math.sqrt((1.0 - x) * (1.0 + x)), -1.0, 1.0),

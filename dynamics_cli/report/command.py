@@ -100,12 +100,12 @@ def _facts(options: "Mapping[str, str]") -> "list[str]":
 
 def _named(read: "Sequence[tuple[str, Document, str]]") -> "list[Source]":
     """The documents with names for their sections: their files', numbered where a file holds several."""
-    made = []
+    named = []
     for nth, (file, document, digest) in enumerate(read):
         stem = "standard input" if file == "-" else os.path.splitext(os.path.basename(file))[0]
         same = [other for other, (name, _, _) in enumerate(read) if name == file]
-        made.append(Source(file, document, digest, stem if len(same) == 1 else f"{stem} {same.index(nth) + 1}"))
-    return made
+        named.append(Source(file, document, digest, stem if len(same) == 1 else f"{stem} {same.index(nth) + 1}"))
+    return named
 
 
 def _task(

@@ -92,7 +92,7 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
             f"{axis['parameter']}={_written(axis['from'])}:{_written(axis['to'])}:{axis['count']}" for axis in swept
         ]
     except (LookupError, TypeError):
-        raise UsageError("what it says of its sweep is no sweep") from None
+        raise UsageError("its sweep cannot be read") from None
     asked: dict[str, Any] = {
         "sweep": ends,
         "to": [
@@ -106,7 +106,7 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
     if told:
         asked |= {"seed": str(told.get("seed", 1)), "coverage": repr(told.get("coverage"))}
     made, _ = sweep(task, gathered, Settings(asked, {}))
-    return made, of_sweep(made)
+    return made, of_sweep(made, task)
 
 
 def _part(node: "Any", *keys: str) -> "Document":
@@ -143,7 +143,7 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
         try:
             asked["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
         except (LookupError, TypeError):
-            raise UsageError("what it says of its limits is no list of limits") from None
+            raise UsageError("its limits cannot be read") from None
     return asked
 
 

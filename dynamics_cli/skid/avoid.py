@@ -181,15 +181,10 @@ def _sufficient(speed: float, sight: float, reaction_time: float, deceleration: 
 def _close(travelled: Approach, sight: float) -> tuple[Advice, ...]:
     if not single(travelled.margin, sight) or abs(plain(travelled.margin)) > 0.05 * plain(travelled.stopping_distance):
         return ()
-    return (
-        Advice(
-            code="close-call",
-            message=worded(
-                "the margin of {margin:3} is within 5 % of the stopping distance of {stop}: a small error of any input "
-                "changes the verdict",
-                margin=(travelled.margin, Distance),
-                stop=(travelled.stopping_distance, Distance),
-            ),
-            remedy="state the inputs with their uncertainty",
-        ),
+    message = worded(
+        "the margin of {margin:3} is within 5 % of the stopping distance of {stop}: a small error of any input "
+        "changes the verdict",
+        margin=(travelled.margin, Distance),
+        stop=(travelled.stopping_distance, Distance),
     )
+    return (Advice(code="close-call", message=message, remedy="state the inputs with their uncertainty"),)

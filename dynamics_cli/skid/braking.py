@@ -247,11 +247,8 @@ def _speed_left_squared(speed: float, gravity: float, drag: float, mark: float) 
 def _stop_advice(left: float, mark: float) -> tuple[Advice, ...]:
     if not single(left, mark) or plain(left) > 0.0 or plain(mark) == 0.0:
         return ()
-    return (
-        Advice(
-            code="mark-at-stop",
-            message="the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
-            "condition number describes how it and the time there depend on the inputs",
-            remedy="read distance and time of the stop instead",
-        ),
+    message = (
+        "the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
+        "condition number describes how it and the time there depend on the inputs"
     )
+    return (Advice(code="mark-at-stop", message=message, remedy="read distance and time of the stop instead"),)

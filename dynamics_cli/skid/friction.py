@@ -173,24 +173,15 @@ def _absurd(made: tuple[TestSkid, ...], found: list[float]) -> tuple[Advice, ...
 
 def _advice(spread: float | None, mean: float) -> tuple[Advice, ...]:
     if spread is None:
-        return (
-            Advice(
-                code="one-test-skid",
-                message="one test skid shows no scatter",
-                severity="note",
-                remedy="make at least two more test skids",
-            ),
-        )
+        text = "one test skid shows no scatter"
+        remedy = "make at least two more test skids"
+        return (Advice(code="one-test-skid", message=text, severity="note", remedy=remedy),)
     if not single(spread, mean) or plain(spread) <= 0.1 * plain(mean):
         return ()
-    return (
-        Advice(
-            code="test-skids-scatter",
-            message=worded(
-                "the test skids scatter by {spread:3}, more than a tenth of their mean of {mean:3}",
-                spread=(spread, Friction),
-                mean=(mean, Friction),
-            ),
-            remedy="look for the skid that does not belong, or state the range",
-        ),
+    message = worded(
+        "the test skids scatter by {spread:3}, more than a tenth of their mean of {mean:3}",
+        spread=(spread, Friction),
+        mean=(mean, Friction),
     )
+    remedy = "look for the skid that does not belong, or state the range"
+    return (Advice(code="test-skids-scatter", message=message, remedy=remedy),)

@@ -176,13 +176,9 @@ def _turn_advice(drag: Rotation | Share) -> tuple[Advice, ...]:
         return ()
     if plain(drag.rotation) * DEGREES >= 45.0:
         return ()
-    return (
-        Advice(
-            code="short-rotation",
-            message=worded(
-                "a rotation of {turned:3} is short for a mean: near straight ahead tyres still grip",
-                turned=(drag.rotation, Angle),
-            ),
-            remedy="give drag-share, or take the rotation over the whole spin",
-        ),
+    message = worded(
+        "a rotation of {turned:3} is short for a mean: near straight ahead tyres still grip",
+        turned=(drag.rotation, Angle),
     )
+    remedy = "give drag-share, or take the rotation over the whole spin"
+    return (Advice(code="short-rotation", message=message, remedy=remedy),)

@@ -45,7 +45,7 @@ def vault_least_speed(
     distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
     rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
     take_off: Annotated[
-        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed [rad]."
+        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed, e.g. 6 deg [rad]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
@@ -112,7 +112,7 @@ def vault_known_angle(
     *,
     distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
     rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
-    take_off: Annotated[Angle | None, "Angle of the take-off above the horizontal [rad]."] = None,
+    take_off: Annotated[Angle | None, "Angle of the take-off above the horizontal, e.g. 6 deg [rad]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
     """Take-off speed of a vehicle that left the ground at a known angle and landed at a known place.
@@ -193,18 +193,13 @@ def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, .
     """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
     if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
         return ()
-    return (
-        Advice(
-            code="near-line-of-sight",
-            message=worded(
-                "the take-off points only {above:3} above the landing point: an error of a tenth of that angle changes "
-                "the speed by 5 %",
-                above=(plain(over) / plain(slant), Angle),
-            ),
-            severity="serious",
-            remedy="measure the take-off angle more closely, or leave it out for the least speed",
-        ),
+    message = worded(
+        "the take-off points only {above:3} above the landing point: an error of a tenth of that angle changes "
+        "the speed by 5 %",
+        above=(plain(over) / plain(slant), Angle),
     )
+    remedy = "measure the take-off angle more closely, or leave it out for the least speed"
+    return (Advice(code="near-line-of-sight", message=message, severity="serious", remedy=remedy),)
 
 
 def _energy_check(speed: float, landing: float, distance: float, rise: float, gravity: float) -> tuple[Check, ...]:

@@ -23,15 +23,15 @@ from dynamics_cli.skid.diagnostics import balance
 class Radius:
     """A mark of known radius."""
 
-    radius: Annotated[Distance, "Radius of the mark [m]."]
+    radius: Annotated[Distance, "Radius of the mark, e.g. 80 m [m]."]
 
 
 @record
 class Chord:
     """A mark measured by a chord and its middle ordinate."""
 
-    chord: Annotated[Distance, "Straight distance between two points of the mark [m]."]
-    middle_ordinate: Annotated[Distance, "Distance from the middle of the chord to the mark, across the chord [m]."]
+    chord: Annotated[Distance, "Straight distance between two points of the mark, e.g. 20 m [m]."]
+    middle_ordinate: Annotated[Distance, "From the middle of the chord to the mark, across the chord, e.g. 0.6 m [m]."]
 
     @property
     def radius(self) -> float:
@@ -62,7 +62,7 @@ def yaw(
     ] = 0.0,
     track_width: Annotated[
         Distance | None,
-        "Track width, when the mark is that of the outer tyres and the path of the mass centre is wanted [m].",
+        "Track width, where the outer tyres left the mark and the path of the mass centre is wanted, e.g. 1.5 m [m].",
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> CriticalSpeed:
@@ -164,17 +164,13 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
         return ()
     chord, ordinate = plain(path.chord), plain(path.middle_ordinate)
     if ordinate > 0.5 * chord:
-        return (
-            Advice(
-                code="beyond-half-circle",
-                message=worded(
-                    "the middle ordinate of {ordinate} exceeds half the chord of {chord}: more than half a turn",
-                    ordinate=(ordinate, Distance),
-                    chord=(chord, Distance),
-                ),
-                remedy="check that chord and middle ordinate are not exchanged",
-            ),
+        message = worded(
+            "the middle ordinate of {ordinate} exceeds half the chord of {chord}: more than half a turn",
+            ordinate=(ordinate, Distance),
+            chord=(chord, Distance),
         )
+        remedy = "check that chord and middle ordinate are not exchanged"
+        return (Advice(code="beyond-half-circle", message=message, remedy=remedy),)
     if ordinate >= 0.25:
         return ()
     percent = 0.5 / ordinate
@@ -195,13 +191,7 @@ def _arc_advice(path: Radius | Chord) -> tuple[Advice, ...]:
 def _bank_advice(lean: float) -> tuple[Advice, ...]:
     if not single(lean) or plain(lean) > 0.2:
         return ()
-    return (
-        Advice(
-            code="near-self-holding-bank",
-            message=worded(
-                "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit",
-                lean=(lean, Ratio),
-            ),
-            severity="serious",
-        ),
+    message = worded(
+        "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit", lean=(lean, Ratio)
     )
+    return (Advice(code="near-self-holding-bank", message=message, severity="serious"),)

@@ -21,9 +21,9 @@ from mpmath import cos, eigsy, matrix, mp, mpf, sin, sqrt
 from dynamics_cli.inertia.assembly.assembly import Assembly, body, compose_scene
 from dynamics_cli.inertia.assembly.parts import Part, each_number
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import Block, HollowSphere
 from dynamics_cli.inertia.shapes.task import shape
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 from dynamics_cli.numerics.tracked import Tracked
 
 mp.dps = 60

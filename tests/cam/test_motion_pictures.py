@@ -69,6 +69,6 @@ def test_forces_are_drawn_with_their_extremes() -> None:
 def test_the_turn_fills_the_axis_of_cam_angles() -> None:
     axes = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
     panel = svaj(motion(Program(), program=LINE), Program(), program=LINE).panels[0]
-    pages._panel(axes, panel, "si")
+    pages._panel(axes, panel, "si", 1)
     assert axes.get_xlim() == pytest.approx((0.0, 360.0))
     assert list(axes.get_xticks()) == pytest.approx([30.0 * k for k in range(-1, 14)])

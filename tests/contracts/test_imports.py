@@ -1,6 +1,7 @@
 """Which module may import which, for every family there is and for those to come."""
 
 import ast
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -140,3 +141,15 @@ def test_families_are_listed_once() -> None:
         if name != "registry" and room(name) not in families():
             text = path.read_text(encoding="utf-8")
             assert not [family for family in families() if f'"{ROOT}.{family}.commands' in text], name
+
+
+def test_no_private_names_of_others() -> None:
+    private = []
+    for name, path in MODULES.items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.ImportFrom) or not node.module:
+                continue
+            if node.module.split(".")[0] not in {ROOT, *sys.stdlib_module_names}:
+                names = [part for alias in node.names for part in (*node.module.split("."), alias.name)]
+                private += [(name, part) for part in names if part.startswith("_") and not part.startswith("__")]
+    assert private == []

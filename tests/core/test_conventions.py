@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.inputs.specification import SpecificationError, interpret
+from dynamics_cli.core.inputs.specification import Field, SpecificationError, interpret
 from dynamics_cli.quantities import Length
 from dynamics_cli.records import record
 
@@ -16,6 +16,24 @@ pytestmark = pytest.mark.usefixtures("toy")
 
 def value(document: dict, name: str) -> object:
     return document["results"][name]["value"]
+
+
+@record
+class Turned:
+    """Fields in an order that is not that of the alphabet."""
+
+    turn_axis: Length
+    turn_angle: Length
+    euler: Length
+    order: Length
+
+
+@record
+class Turning:
+    """Another."""
+
+    speed: Length
+    axis: Length
 
 
 class TestCommandLine:
@@ -67,7 +85,7 @@ class TestAlternatives:
 
     def test_none_of_them_is_an_error_that_names_all(self) -> None:
         outcome = run("toy", "arc", "--upto", "1 rad", "--json")
-        assert outcome.error["message"] == "one of these is missing: radius, or chord and ordinate"
+        assert outcome.error["message"] == "one of these is missing: --radius, or --chord and --ordinate"
 
     def test_half_of_one_says_what_is_missing(self) -> None:
         outcome = run("toy", "arc", "--chord", "8 m", "--upto", "1 rad", "--json")
@@ -85,6 +103,10 @@ class TestAlternatives:
 
         with pytest.raises(SpecificationError, match="distinguished"):
             interpret(Same | Other, {})
+
+    def test_keys_stand_in_the_order_of_the_fields(self) -> None:
+        node = interpret(Turned | Turning, {})
+        assert Field("pose", node, None).spread() == ("turn_axis", "turn_angle", "euler", "order", "speed", "axis")
 
 
 class TestGroups:

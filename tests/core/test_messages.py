@@ -8,7 +8,7 @@ from harness import answer, run
 
 from dynamics_cli.core.answering.messages import in_written_units
 from dynamics_cli.core.inputs.values import Fields, Several, Value
-from dynamics_cli.errors import InadmissibleError, require
+from dynamics_cli.errors import InadmissibleError, require, worded
 from dynamics_cli.quantities import Angle, Distance, Friction, Mass, RoadSpeed
 
 MILE = 0.44704
@@ -29,37 +29,28 @@ QUARTER = Value("distance", Distance, 0.25, 250, "mm")
 POUNDS = Value("mass", Mass, 0.90718474, 2, "lb")
 
 
+HELIX = worded("the helix of {angle:6} cancels", angle=(0.357792496658836, Angle))
+
+
 @pytest.mark.parametrize(
     ("text", "values", "wanted"),
     [
-        ("a mark of 18.288 m is long", (FEET,), "a mark of 60 ft is long"),
-        ("from 13.4112 m/s it stops after 13.1 m", (FEET, MPH), "from 30 mph it stops after 42.98 ft"),
-        ("0.25 m, not 250 mm", (METRES,), "0.25 m, not 0.25 m"),
-        ("2.5 mm of 10 m", (METRES,), "2.5 mm of 10 m"),
-        ("0.0125 m of 0.015 m", (MILLIMETRES,), "12.5 mm of 15 mm"),
-        ("0.0125 m of 0.015 m", (MILLIMETRES, METRES), "0.0125 m of 15 mm"),
-        ("0.25 m and 0.0123456 m", (QUARTER,), "250 mm and 12.3456 mm"),
-        ("0.3 m", (QUARTER, METRES), "0.3 m"),
-        ("a mass of 0.907 kg", (POUNDS,), "a mass of 2 lb"),
-        ("it turns by 0.785398 rad", (), "it turns by 45 deg"),
-        ("it turns by 0.5 rad", (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
-        ("-1e-05 m away", (FEET,), "-3.281e-05 ft away"),
-        ('for example "3 m" or model-2 m', (FEET,), 'for example "3 m" or model-2 m'),
-        ("18.288 m: say how far, such as rise 20 mm", (FEET,), "60 ft: say how far, such as rise 20 mm"),
-        ('write "rise 20 mm in 90 deg"', (FEET,), 'write "rise 20 mm in 90 deg"'),
-        ("an area of 3 m² at 2 m/s²", (FEET, MPH), "an area of 3 m² at 2 m/s²"),
-        ("sides of 3.048, 6.096 and 18.288 m do not close", (FEET,), "sides of 10, 20 and 60 ft do not close"),
-        ("moments (3.048, 6.096, 9.144 m)", (FEET,), "moments (10, 20, 30 ft)"),
-        ("helices 0.357792 and 0.5 rad", (MINUTES,), "helices 20.5 and 28.65 deg"),
-        ("helices 0.349066 and -0.349066 rad", (DEGREES, RADIANS), "helices 20 deg and -0.349066 rad"),
-        ("18.288 m, not a standard 3\u00a0mm", (FEET,), "60 ft, not a standard 3 mm"),
-        ("a standard 3\u00a0mm", (FEET,), "a standard 3 mm"),
-        ("3 teeth, 18.288 m and 4", (FEET,), "3 teeth, 60 ft and 4"),
-        ("of 5, over 3 of 3.048 m", (FEET,), "of 5, over 3 of 10 ft"),
-        ("friction 0.7 may be", (Value("friction", Friction, 0.7, 0.7, ""),), "friction 0.7 may be"),
+        (worded("a mark of {x} is long", x=(18.288, Distance)), (FEET,), "a mark of 60 ft is long"),
+        (worded("it stops after {x}", x=(13.1, Distance)), (FEET, MPH), "it stops after 42.98 ft"),
+        (worded("it stops after {x:6}", x=(13.1, Distance)), (FEET,), "it stops after 42.979 ft"),
+        (worded("{x} of {y}", x=(0.0125, Distance), y=(0.015, Distance)), (MILLIMETRES,), "12.5 mm of 15 mm"),
+        (worded("{x}", x=(0.25, Distance)), (QUARTER, METRES), "250 mm"),
+        (worded("a mass of {m}", m=(0.90718474, Mass)), (POUNDS,), "a mass of 2 lb"),
+        (worded("it turns by {a}", a=(0.7853981633974483, Angle)), (), "it turns by 45 deg"),
+        (worded("it turns by {a}", a=(0.5, Angle)), (Value("angle", Angle, 0.5, 0.5, "rad"),), "it turns by 0.5 rad"),
+        (HELIX, (MINUTES,), "the helix of 20.5 deg cancels"),
+        (worded("the helix {a}", a=(-0.349066, Angle)), (DEGREES, RADIANS), "the helix -0.349066 rad"),
+        (worded("friction {f} may be", f=(0.7, Friction)), (FEET,), "friction 0.7 may be"),
+        (worded("{where} 3 m", where="18.288 m:"), (FEET,), "18.288 m: 3 m"),
+        ("such as rise 20 mm in 18.288 m", (FEET,), "such as rise 20 mm in 18.288 m"),
     ],
 )
-def test_sizes_in_messages(text, values, wanted) -> None:
+def test_values_in_messages(text, values, wanted) -> None:
     assert in_written_units(text, inputs(*values)) == wanted
 
 
@@ -125,3 +116,47 @@ def test_values_fill_a_template_and_a_message_without_them_stands_as_it_is() -> 
         require(False, "no {0} here")
     with pytest.raises(InadmissibleError, match=re.escape("no {x} of 1.5 here")):
         require(False, "no {0} of {1:.3g} here", "{x}", 1.5)
+
+
+class TestMissingMembers:
+    """Messages name a parameter as the call gives it: options as typed, members of a file by their address."""
+
+    @pytest.mark.parametrize(
+        ("argv", "stdin", "said"),
+        [
+            (("impact", "crush"), "", "dynamics: one of these is missing: --first-mass, or --first-weight\n"),
+            (("impact", "crush", "--input", "-"), "{}", "one of these is missing: first.mass, or first.weight\n"),
+            (("impact", "crush", "--first-mass", "1 kg", "--first-stiffness-a", "9 N/m"), "",
+             "--first-stiffness-b is missing"),
+            (("impact", "crush", "--first-mass", "1 kg", "--first-width", "1 m"), "",
+             "one of these is missing: --first-stations, or --first-mean-crush"),
+            (("impact", "central", "--first-mass", "1 kg", "--first-weight", "3 lbf"), "",
+             "--first-mass and --first-weight cannot be given together"),
+            (("skid", "speed", "--segment", "distance=3 m"), "", "--segment: friction is missing"),
+            (("skid", "speed", "--segment", "distance=3 m", "--segment", "friction=0.7"), "",
+             "--segment no. 2: distance is missing"),
+            (("skid", "speed", "--input", "-"), '{"segments": [{"distance": "3 m"}]}',
+             "segments[0].friction is missing"),
+            (("skid", "speed", "--segment", "distance=3 m, friction=x"), "", "--segment: friction: 'x' is not"),
+            (("gear", "train", "--mesh", "first=a, second=b"), "", "--mesh: first_teeth is missing"),
+            (("inertia", "section", "--polygon", "0, 0, 1, 1 m, x mm, 2 mm"), "", "--polygon no. 5"),
+        ],
+    )  # fmt: skip
+    def test_named_as_given(self, argv: tuple[str, ...], stdin: str, said: str) -> None:
+        outcome = run(*argv, stdin=stdin)
+        assert outcome.status == 2
+        assert said in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (("--friction", "0.02", "--grade", "-5 %"), "the drag factor of -0.02996 is"),
+        (("--friction", "2 %", "--grade", "-3 deg"), "the drag factor of -0.03236 is"),
+        (("--friction", "0.05", "--grade", "-4.9 %"), "friction of 0.05 hardly exceeds the falling grade of 4.9 %"),
+        (("--friction", "5 %", "--grade", "-0.049"), "friction of 5 % hardly exceeds the falling grade of 0.049"),
+    ],
+)
+def test_pure_numbers_are_written_as_those_of_their_kind(argv: tuple[str, ...], said: str) -> None:
+    outcome = run("skid", "speed", "--distance", "20 m", *argv)
+    assert said in " ".join((outcome.out + outcome.err).split())

@@ -507,7 +507,7 @@ def peak_memory(rows: int, line: bytes, *command: str) -> float:
 def test_memory_is_constant(line: bytes, command: tuple[str, ...]) -> None:
     small = peak_memory(200_000, line, *command)
     large = peak_memory(1_000_000, line, *command)
-    assert large <= 45.0
+    assert large <= 48.0
     # How much comes at a time depends on the pipe.
     assert large - small < 10.0
 

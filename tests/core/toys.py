@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.core.answering.task import Family, Model, Task
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.outlines import Arc, Cubic, Drawing, Line, Outline, Points, circle
 from dynamics_cli.pictures import Arrow, Axis, Band, Mark, Panel, Picture
@@ -383,7 +383,7 @@ def curve(*, lift: Size, count: Count = 5) -> Curve:
         lift,
         points,
         (Check("ends at the lift", True, 0.0, 0.0),),
-        (Advice("steep", "the rise is steep", remedy="raise the span to 2 rad"),),
+        (Advice("steep", "the rise is steep", remedy=worded("raise the span to {span:6}", span=(2.0, Angle))),),
         Numerics("sampling", (ErrorBound("peak", 1e-15),)),
     )
 

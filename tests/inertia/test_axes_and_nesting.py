@@ -1,12 +1,13 @@
 """Axes that rounding leaves undetermined, the bound of those that are determined, and assemblies within assemblies."""
 
+import json
 import random
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from harness import answer
+from harness import answer, run
 from mpmath import matrix, mp, mpf
 from references.inertia_solids import ball, write_stl
 
@@ -14,11 +15,11 @@ from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
-from dynamics_cli.inertia.bodies.rotation import ByQuaternion
 from dynamics_cli.inertia.shapes import Block, Sphere
 from dynamics_cli.inertia.tensors.tensor import Whole, tensor
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.eigen3.residual import tilt_bounds
+from dynamics_cli.numerics.orientation.rotations import ByQuaternion
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import over_parts
 
@@ -215,3 +216,23 @@ class TestNesting:
         twice = body(Assembly(parts=tracked((deep, beside))))
         for one, other in zip(sum(once.tensor, ()), sum(twice.tensor, ()), strict=True):
             assert abs(one.value - other.value) <= one.error + other.error  # type: ignore[attr-defined]
+
+
+MATRIX = "[[0, -1, 0], [1, 0, 0], [0, 0, 1]]"
+
+
+@pytest.mark.parametrize("text", ["(0, -1, 0), (1, 0, 0), (0, 0, 1)", "[0, -1, 0], [1, 0, 0], [0, 0, 1]"])
+def test_a_matrix_is_read_as_json_and_as_people_write_rows(text: str) -> None:
+    call = ("inertia", "tensor", "--moments", "1, 2, 2.5 kg*m^2", "--rotation-matrix")
+    assert answer(*call, text)["results"]["tensor"] == answer(*call, MATRIX)["results"]["tensor"]
+
+
+def test_a_matrix_of_an_earlier_document_turns_a_body(tmp_path: Path) -> None:
+    call = ("inertia", "tensor", "--moments", "1, 2, 2.5 kg*m^2", "--products", "0.1, 0.2, 0 kg*m^2")
+    first = answer(*call)
+    (tmp_path / "first.json").write_text(json.dumps(first))
+    second = answer(*call, "--rotation-matrix", f"@{tmp_path}/first.json:principal_axes")["inputs"]
+    assert second["rotation_matrix"] == first["results"]["principal_axes"]
+    refused = run(*call, "--rotation-matrix", f"@{tmp_path}/first.json:nothing")
+    assert refused.status == 2
+    assert "no result 'nothing'" in refused.err

@@ -8,13 +8,13 @@ import pytest
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.pictures import body_picture, drawn_picture, shape_picture
 from dynamics_cli.inertia.shapes import Block, Cylinder, Ellipsoid, Shape
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.shapes.wires import wires
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 from dynamics_cli.pictures import Curve, Mark
 
 SIZES: dict[str, Any] = {

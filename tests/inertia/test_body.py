@@ -19,10 +19,10 @@ from dynamics_cli.inertia.assembly.parts import Part, each_number
 from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
-from dynamics_cli.inertia.bodies.rotation import AxisAngle, ByMatrix, ByQuaternion, Euler, departure, matrix_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Block, Cylinder, Disk, HollowSphere, Rod, Sphere
 from dynamics_cli.inertia.shapes.task import shape
+from dynamics_cli.numerics.orientation.rotations import AxisAngle, ByMatrix, ByQuaternion, Euler, departure, matrix_of
 from dynamics_cli.numerics.tracked import Tracked
 
 ROOT = Path(__file__).parents[2]

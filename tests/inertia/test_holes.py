@@ -9,9 +9,9 @@ from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Block, Cylinder, Sphere
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 
 def body_of(*items: Part) -> MassProperties:

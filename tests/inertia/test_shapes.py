@@ -13,7 +13,6 @@ from dynamics_cli.inertia.bodies.amount import OfArealDensity, OfDensity, OfLine
 from dynamics_cli.inertia.bodies.materials import TABLE, density_of, materials
 from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
 from dynamics_cli.inertia.bodies.records import Shaft
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import (
     PLATES,
     RODS,
@@ -59,6 +58,7 @@ from dynamics_cli.inertia.shapes.listing import shapes as listed
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
 from dynamics_cli.inertia.shapes.task import shape
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 SIZE = st.floats(0.05, 5.0)
 ONE = OfMass(1.0)

@@ -17,11 +17,11 @@ from dynamics_cli.inertia.assembly.writers import markdown, mjcf, sdf, urdf
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.mass_moments import second_of, tensor_of
 from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
-from dynamics_cli.inertia.bodies.rotation import AxisAngle
 from dynamics_cli.inertia.shapes import QuarterDisk, Wedge
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.tensors.tensor import Parts, Whole, tensor
 from dynamics_cli.inertia.tensors.torque import torque
+from dynamics_cli.numerics.orientation.rotations import AxisAngle
 
 ROOT = Path(__file__).parents[2]
 FULL = ((10.0, -2.0, 1.0), (-2.0, 12.0, 3.0), (1.0, 3.0, 14.0))
@@ -189,12 +189,14 @@ def test_files_for_simulators_hold_the_tensor_about_the_mass_centre(axes: str) -
         "ixx": plain.moments.xx, "iyy": plain.moments.yy, "izz": plain.moments.zz,
         "ixy": plain.products.xy, "ixz": plain.products.zx, "iyz": plain.products.yz,
     }  # fmt: skip
-    link = ET.fromstring(urdf(found))
+    robot = ET.fromstring(urdf(found))
+    assert robot.tag == "robot"
+    (link,) = robot.findall("link/inertial")
     assert {k: float(v) for k, v in link.find("inertia").attrib.items()} == pytest.approx(want, abs=1e-17)  # type: ignore[union-attr]
     assert numbers(link.find("origin").attrib["xyz"]) == list(plain.centroid)  # type: ignore[union-attr]
-    pose = ET.fromstring(sdf(found))
+    (pose,) = ET.fromstring(sdf(found)).findall("model/link/inertial")
     assert {e.tag: float(e.text or "") for e in pose.find("inertia")} == pytest.approx(want, abs=1e-17)  # type: ignore[union-attr]
-    mujoco = ET.fromstring(mjcf(found)).attrib
+    mujoco = ET.fromstring(mjcf(found)).find("worldbody/body/inertial").attrib  # type: ignore[union-attr]
     order = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
     assert numbers(mujoco["fullinertia"]) == pytest.approx([want[k] for k in order], abs=1e-17)
     assert float(mujoco["mass"]) == 2.0
@@ -218,8 +220,8 @@ def test_the_command_writes_them(tmp_path: Path, ending: str) -> None:
 
 
 def test_a_lamina_keeps_its_plane_in_every_file() -> None:
-    link = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
-    inertia = {k: float(v) for k, v in link.find("inertia").attrib.items()}  # type: ignore[union-attr]
+    robot = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
+    inertia = {k: float(v) for k, v in robot.find("link/inertial/inertia").attrib.items()}  # type: ignore[union-attr]
     assert inertia["izz"] == inertia["ixx"] + inertia["iyy"]
 
 

@@ -17,6 +17,7 @@ from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
 from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
 from dynamics_cli.accuracy.alternatives.inertia import table as inertia_table
 from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.comparing import Comparing
 from dynamics_cli.accuracy.measure import Errors
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.inertia.tensors.torque import torque
@@ -99,10 +100,9 @@ def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple
     patch.setattr(Errors, "note", of_size)
     patch.setattr(Errors, "add", of_itself)
     # the report's rows are of errors that it has noted
-    patch.setattr("dynamics_cli.accuracy.alternatives.inertia.table.row", lambda *_, **__: None)
-    patch.setattr("dynamics_cli.accuracy.alternatives.inertia.eigen.row", lambda *_, **__: None)
+    patch.setattr("dynamics_cli.accuracy.comparing.row", lambda *_, **__: None)
     mp.dps = 60
-    compare("", hard=False, full=False, timed=False)
+    compare(Comparing("", hard=False, full=False, timed=False))
     return kept
 
 

@@ -22,6 +22,9 @@ UNARY: list[tuple[Callable, Callable, Callable[[float], bool]]] = [
     (el.acos, mpmath.acos, lambda x: abs(x) < 0.999),
     (el.exp, mpmath.exp, lambda x: abs(x) < 300.0),
     (el.log, mpmath.log, lambda x: x > 0.0),
+    (el.sinh, mpmath.sinh, lambda x: abs(x) < 300.0),
+    (el.cosh, mpmath.cosh, lambda x: abs(x) < 300.0),
+    (el.tanh, mpmath.tanh, lambda x: True),
     (abs, abs, lambda x: True),
     (lambda x: -x, lambda x: -x, lambda x: True),
 ]

@@ -77,11 +77,34 @@ FILES: dict[str, Origin] = {
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
+    "path": Origin(
+        "path",
+        _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
+        | {"moving_frame": "moving-frame"},
+        "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
+        "90 digits", BOUNDS, "drawn|motion",
+    ),
+    "linkage": Origin(
+        "linkage",
+        _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
+        "angles by the cosine rule, velocities and accelerations by linear loop equations",
+        "60 digits", "", "drawn|\\d links",
+    ),
     "inertia_bodies": Origin(
         "inertia", _same("body", "compare", "shape", "tensor", "torque"),
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
         "by QR",
         "90 digits", "tests/inertia/exact_search.py", ".",
+    ),
+    "orient": Origin(
+        "orient",
+        _same(
+            "convert", "compose", "between", "screw", "rates", "addition", "points", "moving_point", "rolling", "disk",
+            "bearing", "joint",
+        ),
+        "turns as exponentials of matrices, angles by arc sines and arc cosines, velocities and accelerations as "
+        "derivatives of motions, contacts as linear equations",
+        "130 digits", "", r"angles|quaternion to|any|matrix in|two dir|Rodrigues|\d+ |apart|turn of|two rates|from",
     ),
     "inertia_mesh": Origin(
         "inertia", {"mesh": "mesh", "large mesh": "mesh", "overlapping mesh": "mesh"},

@@ -1,18 +1,17 @@
 """Conversions: exact rationals rounded once, factors held as doubles, and pint."""
 
 from functools import cache
-from statistics import median
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
 
 # pint is there wherever the program is: it is named among the libraries of others, and always takes part.
@@ -63,29 +62,21 @@ def by_pint(case: Case) -> "Callable[[], float]":
 
 # What is rounded once is within half a last bit, and the document says so.
 ONE_ROUNDING = 2.0**-53
-METHODS: "tuple[tuple[str, Callable[[Case], Callable[[], float]], float | None], ...]" = (
-    ("exact rational factor (chosen)", exact, ONE_ROUNDING),
-    ("factors as doubles", doubles, None),
-    ("pint", by_pint, None),
+METHODS = (
+    ("exact rational factor (chosen)", exact),
+    ("factors as doubles", doubles),
+    ("pint", by_pint),
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method over every case."""
-    pace = Pace(full=full)
-    cases = [case for case in load("convert.json") if case.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    for method, prepare, stated in METHODS:
-        errors = Errors()
-        for case in cases:
-            errors.cases += 1
-            value = prepare(case)()
-            errors.add(case.name, value, case.results["value"], None if stated is None else stated * abs(value))
-        time = None
-        if timed:
-            some = cases[: pace.timed_cases]
-            time = median([seconds(prepare(case), repeats=pace.repeats, least=pace.least) for case in some])
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+
+    def answer(errors: "Errors", case: Case, prepare: "Callable[[Case], Any]", _: int) -> "Callable[[], float]":
+        call = prepare(case)
+        value = call()
+        stated = ONE_ROUNDING * abs(value) if prepare is exact else None
+        errors.add(case.name, value, case.results["value"], stated)
+        return call  # type: ignore[no-any-return]
+
+    return comparing.rows(METHODS, comparing.cases("convert.json"), answer, most=comparing.pace.timed_cases)

@@ -3,8 +3,7 @@
 from decimal import Decimal
 from math import inf, isfinite
 
-from dynamics_cli.accuracy.measure import DIGITS, Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.measure import DIGITS, Errors, seconds
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,6 +11,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Parts = tuple[float, ...]
@@ -49,37 +49,25 @@ def share(case: "Case", parts: "Parts", names: "Sequence[str]") -> float:
 
 
 def compared(
-    name: str, cases: "Sequence[Case]", ways: "Sequence[Way]", names: "Sequence[str]", *, full: bool, timed: bool,
-    more: "Sequence[tuple[str, Any]]" = (),
-) -> "list[Row]":  # fmt: skip
-    """Rows of the ways, the chosen one first; times are the mean over some of the cases each can answer."""
-    pace = Pace(full=full)
-    made: list[Row] = []
-    base: float | None = None
-    own: Errors | None = None
-    for way in (*ways, *(Way(*one) for one in more)):
-        errors, calls = Errors(), []
-        for index, case in enumerate(cases):
-            try:
-                call = way.prepare(case)
-                error = share(case, call(), names)
-            except (ArithmeticError, ValueError):
-                error = inf
-            if error == inf:
-                errors.refused += 1
-                continue
-            calls.append(call)
-            errors.cases += 1
-            errors.note(case.name, error, way.stated(case) if way.stated else None)
-            errors.found[f"{index} impulse"] = error
-        some = calls[:: max(1, len(calls) // 4)]
-        time = None
-        if timed and some:
-            time = seconds(lambda: [call() for call in some], repeats=3, least=pace.least) / len(some)  # noqa: B023
-        base = base or time
-        array_time = None
-        if timed and way.many:
-            array_time = seconds(way.many(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
-        made.append(row(name, way.name, errors, time, base, array_time=array_time, own=own))
-        own = own or errors
-    return made
+    comparing: "Comparing", cases: "Sequence[Case]", ways: "Sequence[Way]", names: "Sequence[str]"
+) -> "list[Row]":
+    """Rows of the ways, the chosen one first."""
+
+    def answer(errors: "Errors", case: "Case", method: "Any", index: int) -> "Callable[[], Parts]":
+        way = method if isinstance(method, Way) else Way("", method)
+        call = way.prepare(case)
+        error = share(case, call(), names)
+        if error == inf:
+            raise ArithmeticError
+        errors.note(case.name, error, way.stated(case) if way.stated else None)
+        errors.found[f"{index} impulse"] = error
+        return call
+
+    def arrays(method: "Any") -> "float | None":
+        if not getattr(method, "many", None):
+            return None
+        pace = comparing.pace
+        return seconds(method.many(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
+
+    pairs = [(way.name, way) for way in ways]
+    return comparing.rows(pairs, cases, answer, most=4, repeats=3, shared=True, arrays=arrays)

@@ -24,32 +24,10 @@ def drawn(
 ) -> Outline:
     """The curve as an outline whose proved deviation keeps the tolerance.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    away : float
-        Distance of the curve from the contact, into the follower [m].
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    form : str
-        "arcs", "cubics" or "lines".
-    tolerance : Size
-        Largest deviation allowed.
-    name : str
-        Name of the outline.
-
-    Returns
-    -------
-    Outline
-        The outline.
-
-    Raises
-    ------
-    InadmissibleError
-        When the curve is undercut or broken, or the tolerance cannot be kept.
+    `motion`: the program; `away`: distance of the curve from the contact, into the follower [m]; `start_angle`: angle
+    by which the cam's frame is turned on; `form`: "arcs", "cubics" or "lines"; `tolerance`: largest deviation allowed;
+    `name`: name of the outline. Raises InadmissibleError when the curve is undercut or broken, or the tolerance cannot
+    be kept.
     """
     path = Path(geometry, motion, away=away, start_angle=start_angle)
     path.require_regular()
@@ -78,23 +56,9 @@ def _joints(path: Path) -> "Any":
 def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int) -> "tuple[Any, Any, Any]":
     """Exact points in polar coordinates, and the lift for a controller.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    away : float
-        Distance of the curve from the contact [m].
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    count : int
-        Points of a turn; the controller's table repeats the first at its end.
-
-    Returns
-    -------
-    tuple
-        Columns of points, of lifts or None, of swings or None.
+    `motion`: the program; `away`: distance of the curve from the contact [m]; `start_angle`: angle by which the cam's
+    frame is turned on; `count`: points of a turn; the controller's table repeats the first at its end. Returns columns
+    of points, of lifts or None, of swings or None.
     """
     theta = np.arange(count + 1) * (2.0 * pi / count)
     s, s1, s2 = sample(motion, theta, 2)

@@ -102,8 +102,8 @@ class Path:
         """Speed g, its derivative g′ and the spin, from enclosures of the lift and three derivatives."""
         f, geometry, away = self.geometry.follower, self.geometry, self.away
         if isinstance(f, FlatFace):
-            one = Disc(np.ones_like(s.centre), np.zeros_like(s.radius))
-            return s + s2 + (geometry.start + away), s1 + s3, one
+            disc = Disc(np.ones_like(s.centre), np.zeros_like(s.radius))
+            return s + s2 + (geometry.start + away), s1 + s3, disc
         if isinstance(f, OscillatingFlat):
             angle, spin = s + geometry.start, s1 + 1.0
             sin, cos, less = angle.sine(), angle.cosine(), spin.inverse()

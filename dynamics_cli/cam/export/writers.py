@@ -10,15 +10,7 @@ if TYPE_CHECKING:
 def polar(made: "CamExport") -> str:
     """A polar table: angle in degrees and radius in millimetres, in order of cam angle, for a rotary table or a CMM.
 
-    Parameters
-    ----------
-    made : CamExport
-        The export.
-
-    Returns
-    -------
-    str
-        Lines of cam angle, polar angle and radius, apart by spaces.
+    Returns lines of cam angle, polar angle and radius, apart by spaces.
     """
     arrays = made.points.arrays
     lines = [
@@ -53,15 +45,7 @@ def _rows(made: "CamExport") -> "tuple[list[tuple[float, float, float, float]], 
 def codesys(made: "CamExport") -> str:
     """A CODESYS SoftMotion cam in structured text: an array of SMC_CAMXYVA and its MC_CAM_REF.
 
-    Parameters
-    ----------
-    made : CamExport
-        The export.
-
-    Returns
-    -------
-    str
-        Structured text of a global variable list.
+    Returns structured text of a global variable list.
     """
     rows, unit = _rows(made)
     points = ",\n".join(
@@ -81,15 +65,7 @@ def codesys(made: "CamExport") -> str:
 def twincat(made: "CamExport") -> str:
     """A point list for TwinCAT: master position, slave position, velocity and acceleration, apart by semicolons.
 
-    Parameters
-    ----------
-    made : CamExport
-        The export.
-
-    Returns
-    -------
-    str
-        A header and a line for each point.
+    Returns a header and a line for each point.
     """
     rows, unit = _rows(made)
     head = f"MasterPos [deg];SlavePos [{unit}];SlaveVelo [{unit}/deg];SlaveAcc [{unit}/deg^2]"

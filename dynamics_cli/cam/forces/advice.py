@@ -23,15 +23,12 @@ def impacts(motion: "Motion") -> "tuple[Advice, ...]":
     jumps = joint_jumps(motion)[0]
     if not jumps:
         return ()
-    return (
-        Advice(
-            "velocity-jump",
-            f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
-            "the extremes reported here do not include",
-            "serious",
-            "choose laws whose velocities join; `dynamics cam motion` lists the jumps",
-        ),
+    message = (
+        f"the velocity jumps at {jumps} {'joint' if jumps == 1 else 'joints'}: the force there is an impact, which "
+        "the extremes reported here do not include"
     )
+    remedy = "choose laws whose velocities join; `dynamics cam motion` lists the jumps"
+    return (Advice("velocity-jump", message, "serious", remedy),)
 
 
 def advice_of(
@@ -39,25 +36,9 @@ def advice_of(
 ) -> "tuple[Advice, ...]":
     """Say when the follower leaves its cam or nearly does, that nothing makes it jump, and that its spring surges.
 
-    Parameters
-    ----------
-    load : Load
-        Inertia, spring and load.
-    train : Train
-        What they came from.
-    omega : float
-        Speed of the cam shaft [rad/s].
-    low : Found
-        Least force, or an arm's torque.
-    leaves : Found
-        The speed of the jump; None where there is none.
-    order : float
-        The harmonic of the cam at which the spring surges; None without its mass.
-
-    Returns
-    -------
-    tuple of Advice
-        What a user should know.
+    `load`: inertia, spring and load; `train`: what they came from; `low`: least force, or an arm's torque; `leaves`:
+    the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring surges; None
+    without its mass. Returns what a user should know.
     """
     found = []
     force: Any = Torque if load.arm else Force
@@ -94,16 +75,10 @@ def advice_of(
     if leaves is None:
         found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
     if order is not None and order < SURGE_ORDER:
-        found.append(
-            Advice(
-                "spring-surge",
-                worded(
-                    "the spring surges at {order} times the shaft's speed: "
-                    "harmonics of the cam up to the twelfth excite it",
-                    order=(order, Ratio),
-                ),
-                "caution" if order > 0.7 * SURGE_ORDER else "serious",
-                "take a lighter or a stiffer spring",
-            )
+        message = worded(
+            "the spring surges at {order} times the shaft's speed: harmonics of the cam up to the twelfth excite it",
+            order=(order, Ratio),
         )
+        remedy = "take a lighter or a stiffer spring"
+        found.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
     return tuple(found)

@@ -161,14 +161,14 @@ def check(
         code="face-width",
         hint="leave --face-width out",
     )
-    found = analyse(geometry, motion)
-    (high, high_at), (low, low_at) = found.pressure.largest(), found.pressure.smallest()
-    round_, round_at = convex(geometry, found)
-    hollow, hollow_at = concave(geometry, found)
-    forward = runs_forward(geometry, found)
+    analysis = analyse(geometry, motion)
+    (high, high_at), (low, low_at) = analysis.pressure.largest(), analysis.pressure.smallest()
+    round_, round_at = convex(geometry, analysis)
+    hollow, hollow_at = concave(geometry, analysis)
+    forward = runs_forward(geometry, analysis)
     loss = lift_lost(geometry, motion, forward=forward)
     lost = None if loss is None or isinf(loss.lift) else loss.lift
-    face = None if found.along is None else found.along.largest()[0] - found.along.smallest()[0]
+    face = None if analysis.along is None else analysis.along.largest()[0] - analysis.along.smallest()[0]
     jumps = joint_jumps(motion)
     slide, arm = (mass, spring_rate, preload), (inertia, torsion_rate, preload_torque)
     jump = asked_jump(motion, slide, arm, asked=shaft_speed is not None)
@@ -207,8 +207,8 @@ def check(
         numerics=Numerics(
             "Chebyshev proxies of every piece, every turning place certified",
             (
-                *pressure_bounds(found),
-                *radius_bounds(geometry, found),
+                *pressure_bounds(analysis),
+                *radius_bounds(geometry, analysis),
                 *_lost_bound(geometry, loss),
                 *_jump_bound(jump),
             ),

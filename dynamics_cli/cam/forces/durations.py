@@ -22,19 +22,8 @@ def durations(
 ) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
     """Give the cam angles above some lifts, and say which are never passed.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    lifts : tuple of float
-        Lifts above the lowest [m].
-    omega : float
-        Speed of the cam shaft [rad/s].
-
-    Returns
-    -------
-    (tuple of Duration, tuple of Advice)
-        One for every time a lift is passed upwards; a note for every lift that never is.
+    `lifts`: lifts above the lowest [m]. Returns one for every time a lift is passed upwards; a note for every lift that
+    never is.
     """
     found = []
     missed = []
@@ -59,26 +48,8 @@ def durations(
 def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omega: float) -> "tuple[Ramp, ...] | None":
     """Give the ramps from the lash to the highest of some lifts, opening and closing; None without a lash.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    lash : float
-        Lash of the valve gear [m].
-    lifts : tuple of float
-        Lifts above the lowest [m].
-    omega : float
-        Speed of the cam shaft [rad/s].
-
-    Returns
-    -------
-    tuple of Ramp
-        In order of the angle at which they end.
-
-    Raises
-    ------
-    InadmissibleError
-        When the lash is not below the highest lift.
+    `lash`: lash of the valve gear [m]; `lifts`: lifts above the lowest [m]. Returns in order of the angle at which they
+    end. Raises InadmissibleError when the lash is not below the highest lift.
     """
     if lash is None or not lifts:
         return None
@@ -106,17 +77,7 @@ def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omeg
 def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
     """Cam angles at which the lift passes a level, and whether upwards.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    level : float
-        The lift [m].
-
-    Returns
-    -------
-    list of (float, bool)
-        In order of the angle. A touch without passing is none.
+    `level`: the lift [m]. Returns in order of the angle. A touch without passing is none.
     """
     found = []
     for index, span in enumerate(motion.segments):

@@ -25,20 +25,9 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
 
     ω² = min (k s + P)/(−J s″) over s″ < 0; P is preload and load together, J the mass, or an arm's moment of inertia.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    load : Load
-        Inertia, spring and load.
-    survey : Survey
-        One of the same motion, when there is one.
-
-    Returns
-    -------
-    Found | None
-        The speed [rad/s], the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops
-        at a joint; None when nothing slows the follower down.
+    `load`: inertia, spring and load; `survey`: one of the same motion, when there is one. Returns the speed [rad/s],
+    the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops at a joint; None when
+    nothing slows the follower down.
     """
     survey = survey or Survey(motion)
     exact = load.enclosed()
@@ -60,27 +49,11 @@ def asked_jump(
 ) -> "tuple[float | None, float | None, float] | None":
     """Give the jump of a follower of which mass (or inertia), spring rate and preload are known, for a verdict.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    slide : (float | None, float | None, float | None)
-        Mass, spring rate and preload of a slide.
-    arm : (float | None, float | None, float | None)
-        Moment of inertia, torsion rate and preload torque of an arm.
-    asked : bool
-        Whether a verdict is wanted, so that the three must be there.
-
-    Returns
-    -------
-    (float | None, float | None, float) | None
-        Speed, place and the bound of the speed's error, None and None where nothing makes it jump; None alone where
-        nothing was asked.
-
-    Raises
-    ------
-    InadmissibleError
-        When one of the three is missing, those of the other kind of follower are given, or the spring is slack.
+    `slide`: mass, spring rate and preload of a slide; `arm`: moment of inertia, torsion rate and preload torque of an
+    arm; `asked`: whether a verdict is wanted, so that the three must be there. Returns speed, place and the bound of
+    the speed's error, None and None where nothing makes it jump; None alone where nothing was asked. Raises
+    InadmissibleError when one of the three is missing, those of the other kind of follower are given, or the spring is
+    slack.
     """
     own, other = (arm, slide) if motion.swing else (slide, arm)
     given = [value is not None for value in (*own, *other)]

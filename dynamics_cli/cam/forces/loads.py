@@ -19,12 +19,7 @@ SWINGS = 'write "rise 15 deg in 90 deg …" for an arm'
 class Load:
     """Q = k s + P + J ω² s″, which the cam has to give: a force, or for an arm a torque about its pivot.
 
-    Parameters
-    ----------
-    train : Train
-        What moves, and what presses it.
-    omega : float
-        Speed of the cam shaft [rad/s].
+    `train`: what moves, and what presses it.
     """
 
     __slots__ = ("arm", "inertia", "inertial", "preload", "rate", "spring_radius", "steady", "surging")
@@ -68,26 +63,9 @@ class Load:
 def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
     """Give the load of a train on a motion of its own kind.
 
-    Parameters
-    ----------
-    train : Train
-        What moves, and what presses it.
-    motion : Motion
-        The motion.
-    omega : float
-        Speed of the cam shaft [rad/s].
-
-    Returns
-    -------
-    Load
-        The load.
-
-    Raises
-    ------
-    UsageError
-        When the program slides and the train is an arm's, or the other way round.
-    InadmissibleError
-        When nothing moves, a preload pulls, or a spring acts at the pivot itself.
+    `train`: what moves, and what presses it. Raises UsageError when the program slides and the train is an arm's, or
+    the other way round. Raises InadmissibleError when nothing moves, a preload pulls, or a spring acts at the pivot
+    itself.
     """
     if motion.swing and isinstance(train, Slide):
         raise UsageError(
@@ -130,20 +108,8 @@ def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
 def surge(load: Load) -> float | None:
     """Lowest natural frequency of the spring between its ends, both held: f = ½√(k/m) [Hz]; None without its mass.
 
-    Parameters
-    ----------
-    load : Load
-        The load, with the mass of the spring's coils or their moment of inertia.
-
-    Returns
-    -------
-    float
-        The frequency [Hz].
-
-    Raises
-    ------
-    InadmissibleError
-        When a spring's mass is zero, or its rate.
+    `load`: the load, with the mass of the spring's coils or their moment of inertia. Returns the frequency [Hz]. Raises
+    InadmissibleError when a spring's mass is zero, or its rate.
     """
     mass, rate = load.surging
     if mass is None:

@@ -27,29 +27,8 @@ def forces(
 ) -> Picture:
     """Draw lift, force (or an arm's torque), contact force and shaft torque over the turn; below zero it leaves.
 
-    Parameters
-    ----------
-    result : Forces
-        What `cam force` found.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    shaft_speed : float
-        Speed of the cam shaft [rad/s].
-    train : Train
-        What moves and what presses it.
-    follower : DrivenFollower
-        The follower, where there is one.
-    rotation : str
-        Which way the cam turns.
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    Picture
-        Three panels over the cam angle, or four with a follower, with the extremes and the line of no force.
+    `train`: what moves and what presses it; `follower`: the follower, where there is one; `rotation`: which way the cam
+    turns. Returns three panels over the cam angle, or four with a follower, with the extremes and the line of no force.
     """
     del given
     motion = motion_of(scene, program)

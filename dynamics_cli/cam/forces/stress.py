@@ -27,14 +27,8 @@ UNIT = 2.0**-53
 class Touching:
     """How a follower's load goes into the common normal, and how close cam and follower lie; complex numbers too.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    load : Load
-        What the cam has to give: a force, or an arm's torque.
-    slip : float
-        What the start of the follower may be off, where discs are asked for.
+    `load`: what the cam has to give: a force, or an arm's torque; `slip`: what the start of the follower may be off,
+    where discs are asked for.
     """
 
     def __init__(self, geometry: Geometry, load: "Load", slip: float = 0.0) -> None:
@@ -90,18 +84,8 @@ class Touching:
 def require_lever(geometry: Geometry, motion: "Motion") -> None:
     """Refuse a follower that the contact force cannot drive all the way: certified, from the stroke.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The motion.
-
-    Raises
-    ------
-    InadmissibleError
-        When a slide comes down to the height of the cam's axis, an arm to the line of pivot and axis, a flat face to
-        the pivot, or a flat face would have to turn as fast as the cam.
+    Raises InadmissibleError when a slide comes down to the height of the cam's axis, an arm to the line of pivot and
+    axis, a flat face to the pivot, or a flat face would have to turn as fast as the cam.
     """
     least, most = (geometry.start + end for end in motion.stroke)
     if isinstance(geometry.follower, FlatFace):
@@ -129,28 +113,13 @@ def require_lever(geometry: Geometry, motion: "Motion") -> None:
 
 
 def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
-    """Give the greatest Hertz pressure over the turn.
+    """Give the greatest Hertz pressure over the turn (Hertz's line contact).
 
     p = √(N E*/(π b ρ)), 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/ρ = 1/ρ_cam + 1/R.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    touching : Touching
-        The follower on the cam.
-    contact : Contact
-        Width and materials.
-
-    Returns
-    -------
-    Found
-        The pressure [Pa], where it is [rad], and its bound.
-
-    Raises
-    ------
-    InadmissibleError
-        When the cam comes to a cusp, the follower is an edge, or the width or a modulus is zero.
+    `touching`: the follower on the cam; `contact`: width and materials. Returns the pressure [Pa], where it is [rad],
+    and its bound. Raises InadmissibleError when the cam comes to a cusp, the follower is an edge, or the width or a
+    modulus is zero.
     """
     geometry = touching.geometry
     give = _compliance(contact)

@@ -31,26 +31,9 @@ class Analysis:
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     """Find every extreme of curvature, pressure angle and contact.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
+    `motion`: the program. Returns the extremes. Raises InadmissibleError when a centre of the roller passes through the
+    cam's axis, the pressure angle passes 180 degrees, or a flat rocker turns as fast as the cam.
 
-    Returns
-    -------
-    Analysis
-        The extremes.
-
-    Raises
-    ------
-    InadmissibleError
-        When a centre of the roller passes through the cam's axis, the pressure angle passes 180 degrees, or a flat
-        rocker turns as fast as the cam.
-
-    Notes
-    -----
     Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, give the places;
     the values are those of the formulas there, with their own roundings followed. See `numerics.chebyshev` and
     `cam.proof`. No value on the turn is beyond the extremes by more than their errors.

@@ -25,6 +25,18 @@ CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
 
 
+def _moves(geometry: Geometry, shown: "Any", lifts: "list[float]") -> "tuple[str, str, list[str]]":
+    """What moves the follower, as SVG has it, where it stands without, and its steps."""
+    if geometry.oscillating:
+        pivot = _point(shown.pivot or 0j)
+        moves = [f"{degrees(lift):.4f} {pivot}" for lift in lifts]
+        kind, still = "rotate", f"rotate({moves[0].replace(' ', ',')})"
+    else:
+        moves = [f"0,{-MILLIMETRES * lift:.4f}" for lift in lifts]
+        kind, still = "translate", f"translate({moves[0]})"
+    return kind, still, moves
+
+
 def animation(
     result: CamProfile,
     scene: Program,
@@ -36,48 +48,22 @@ def animation(
 ) -> str:
     """One turn of the cam with its follower, in millimetres and in true size.
 
-    Parameters
-    ----------
-    result : CamProfile
-        The profile.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    follower : Follower
-        The follower and where it stands.
-    rotation : Rotation
-        Which way the cam turns.
-    flank : Flank
-        Which surface.
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    str
-        The file.
+    `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: which surface. Returns
+    the file.
     """
     del given
     geometry, motion = Geometry(follower, rotation, flank), motion_of(scene, program)
     table = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=STEPS).points
     outline = [complex(x, y) for x, y in zip(table.arrays["x"].tolist(), table.arrays["y"].tolist(), strict=True)]
     size = max(map(abs, outline))
-    lifts = [float(motion.at(2.0 * pi * k / FRAMES, 0)[0]) for k in range(FRAMES)]
-    lifts.append(lifts[0])
+    lifts = [float(motion.at(2.0 * pi * (k % FRAMES) / FRAMES, 0)[0]) for k in range(FRAMES + 1)]
     face = None if result.face_low is None or result.face_high is None else (result.face_low, result.face_high)
     shown = figure(geometry, 0.0, size, face)
     most = max(abs(lift) for lift in lifts) if not geometry.oscillating else 0.0
     reach = 1.05 * max(size, *(abs(point) + most for point in (*shown.shape, *shown.holder)))
     line = 0.006 * reach * MILLIMETRES
     loop = f'dur="{SECONDS}s" repeatCount="indefinite"'
-    if geometry.oscillating:
-        pivot = _point(shown.pivot or 0j)
-        moves = [f"{degrees(lift):.4f} {pivot}" for lift in lifts]
-        kind, still = "rotate", f"rotate({moves[0].replace(' ', ',')})"
-    else:
-        moves = [f"0,{-MILLIMETRES * lift:.4f}" for lift in lifts]
-        kind, still = "translate", f"translate({moves[0]})"
+    kind, still, moves = _moves(geometry, shown, lifts)
     body = f"M {_points(outline)} Z"
     if geometry.side < 0.0:
         wall = [complex(x, y) * reach for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]

@@ -59,20 +59,9 @@ class Left:
 def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     """What an undercut leaves of a cam, or None where the whole envelope is its edge.
 
-    Parameters
-    ----------
-    curve : Envelope
-        The envelope of the follower.
-    forward : bool
-        Whether the curve is known to run forwards within every zone (`analysis.runs_forward`).
+    `curve`: the envelope of the follower; `forward`: whether the curve is known to run forwards within every zone
+    (`analysis.runs_forward`). Returns the corners of what is left.
 
-    Returns
-    -------
-    Left | None
-        The corners of what is left.
-
-    Notes
-    -----
     The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
     of arcs and by Newton's method; those that no position of the follower covers are corners, and the way from corner
     to corner along the curve is the edge of each piece that is left, of which one winds about the axis. How far an
@@ -97,10 +86,10 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
 
 def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
     """Stretches as cam angles; one that runs over the end of the turn is one."""
-    found = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
-    if len(found) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
-        found[-1] = (found[-1][0], found.pop(0)[1] + TURN)
-    return found
+    wrapped = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
+    if len(wrapped) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
+        wrapped[-1] = (wrapped[-1][0], wrapped.pop(0)[1] + TURN)
+    return wrapped
 
 
 def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size: float) -> "list[Crossing]":
@@ -117,31 +106,19 @@ def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size:
         return clearance(geometry, s[None], points * np.exp(1j * geometry.turn * theta))
 
     count = len(motion.zones)
-    made = proxies(depth, np.zeros(count), np.ones(count))
+    interpolants = proxies(depth, np.zeros(count), np.ones(count))
     return [
         crossing
         for index, crossing in enumerate(found)
-        if extremes(made, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
+        if extremes(interpolants, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
     ]
 
 
 def clearance(geometry: Geometry, s: "Any", point: "Any") -> "Any":
     """How far a point of the fixed frame is from being covered by the follower at lift s.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    s : array
-        Lifts.
-    point : array
-        Points as complex numbers [m].
-
-    Returns
-    -------
-    array
-        Square of the distance from the roller's centre less that of its radius [m²], or distance from a flat face
-        towards the cam [m]; negative where covered.
+    `s`: lifts; `point`: points as complex numbers [m]. Returns square of the distance from the roller's centre less
+    that of its radius [m²], or distance from a flat face towards the cam [m]; negative where covered.
     """
     f, level = geometry.follower, geometry.start + s
     if isinstance(f, FlatFace):
@@ -170,7 +147,7 @@ def _cusps(
     curve: Envelope, backward: "list[tuple[float, float]]", found: "list[Crossing]", size: float
 ) -> "list[Corner]":
     """Backward stretches that are too short for a corner of their own: the curve stands there."""
-    made = []
+    cusps = []
     for low, high in backward:
         if any(crossing.first <= low and high <= crossing.second for crossing in found):
             continue
@@ -179,8 +156,8 @@ def _cusps(
             part = min(int(place), len(curve.parts) - 1)
             ends.append(complex(curve.at(part, np.array([place - part]))[0][0]))
         if abs(ends[1] - ends[0]) <= NOTHING * size:
-            made.append(Corner(low, high, 0.5 * (ends[0] + ends[1]), exact=False))
-    return made
+            cusps.append(Corner(low, high, 0.5 * (ends[0] + ends[1]), exact=False))
+    return cusps
 
 
 def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs: "list[Arc]") -> "list[list[Corner]]":

@@ -33,22 +33,8 @@ class Crossing:
 def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing]":
     """Every point that forward arcs share, but for those where one goes on as the next.
 
-    Parameters
-    ----------
-    curve : Envelope
-        The curve.
-    arcs : list of Arc
-        Its forward arcs, in order.
-    size : float
-        Size of the cam, for rounding [m].
+    `arcs`: its forward arcs, in order; `size`: size of the cam, for rounding [m].
 
-    Returns
-    -------
-    list of Crossing
-        The crossings.
-
-    Notes
-    -----
     An arc whose tangent turns by β lies within ½·tan β of its chord's length from the chord: pairs whose boxes are
     apart share no point. Pairs whose tangents never point alike share one point at most, found by Newton's method;
     others are halved, to 1e-12 of the size at most. The result depends on no sampling of the curve but that of how far

@@ -62,12 +62,7 @@ class Arc:
 class Envelope:
     """The curve that a follower leaves of a cam, in the cam's frame, as complex numbers.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
+    `motion`: the program.
     """
 
     def __init__(self, geometry: Geometry, motion: "Any") -> None:
@@ -84,10 +79,10 @@ class Envelope:
 
     def angle(self, part: int, share: "Any") -> "Any":
         """Cam angle at a share of a part."""
-        one = self.parts[part]
-        if isinstance(one, Bridge):
-            return one.angle + 0.0 * share
-        zone = self.motion.zones[one]
+        piece = self.parts[part]
+        if isinstance(piece, Bridge):
+            return piece.angle + 0.0 * share
+        zone = self.motion.zones[piece]
         return zone.start + (zone.end - zone.start) * share
 
     def angle_at(self, place: float) -> float:
@@ -97,24 +92,24 @@ class Envelope:
 
     def at(self, part: int, share: "Any") -> "tuple[Any, Any]":
         """Points and velocities, by the share, at an array of shares of one part."""
-        one = self.parts[part]
-        if isinstance(one, Bridge):
-            if not one.turning:
-                return one.first + share * (one.last - one.first), (one.last - one.first) + 0.0 * share
-            arm = (one.first - one.centre) * np.exp(1j * one.turning * share)
-            return one.centre + arm, 1j * one.turning * arm
-        zone = self.motion.zones[one]
-        s, s1, s2 = self.motion.in_zone(one, share, 2)
+        piece = self.parts[part]
+        if isinstance(piece, Bridge):
+            if not piece.turning:
+                return piece.first + share * (piece.last - piece.first), (piece.last - piece.first) + 0.0 * share
+            arm = (piece.first - piece.centre) * np.exp(1j * piece.turning * share)
+            return piece.centre + arm, 1j * piece.turning * arm
+        zone = self.motion.zones[piece]
+        s, s1, s2 = self.motion.in_zone(piece, share, 2)
         point, normal, run = self._turned((s, s1, s2), self.angle(part, share))
         return point, (zone.end - zone.start) * self.geometry.turn * run * (-1j) * normal
 
     def way(self, part: int, share: float) -> complex:
         """The direction in which the curve runs forwards."""
-        one = self.parts[part]
-        if isinstance(one, Bridge):
+        piece = self.parts[part]
+        if isinstance(piece, Bridge):
             velocity = self.at(part, np.array([share]))[1]
             return complex(velocity[0] / abs(velocity[0]))
-        state = self.motion.in_zone(one, np.array([share]), 2)
+        state = self.motion.in_zone(piece, np.array([share]), 2)
         return -1j * self.geometry.turn * complex(self._turned(state, self.angle(part, share))[1][0])
 
     def _turned(self, state: "tuple[Any, ...]", theta: "Any") -> "tuple[Any, Any, Any]":
@@ -127,53 +122,44 @@ class Envelope:
     def backward(self, *, forward: bool = False) -> "list[tuple[float, float]]":
         """Places between which the curve runs backwards or stands, from every turning place of its speed.
 
-        Parameters
-        ----------
-        forward : bool
-            Whether it is known to run forwards within every zone: only bridges may run backwards then.
+        `forward`: whether it is known to run forwards within every zone: only bridges may run backwards then. Returns
+        the stretches in order.
 
-        Returns
-        -------
-        list of pairs
-            The stretches in order.
-
-        Notes
-        -----
         Speeds that are zero within their error take their sign as computed.
         """
         if not self.geometry.flat and self.geometry.roller == 0.0:
             return []
-        found: list[tuple[float, float]] = []
-        made = None if forward else self._speed()
-        if made is not None and extremes(made).smallest()[0] <= 0.0:
-            every = extremes(made, every=True)
+        stretches: list[tuple[float, float]] = []
+        speed = None if forward else self._speed()
+        if speed is not None and extremes(speed).smallest()[0] <= 0.0:
+            every = extremes(speed, every=True)
             for zone, part in enumerate(self.zone_part):
-                own = np.flatnonzero(every.owner == zone)
+                here = np.flatnonzero(every.owner == zone)
                 # a dwell on the axis stands still within its error: it is a point, and loses nothing
-                if np.abs(every.values[own]).max() > every.error:
-                    found += self._backward(part, zone, every.places[own], every.values[own])
-        for number, one in enumerate(self.parts):
-            if isinstance(one, Bridge) and one.run < 0.0:
-                found.append((float(number), number + 1.0))
-        return _joined(sorted((float(low), float(high)) for low, high in found if high > low))
+                if np.abs(every.values[here]).max() > every.error:
+                    stretches += self._backward(part, zone, every.places[here], every.values[here])
+        for number, piece in enumerate(self.parts):
+            if isinstance(piece, Bridge) and piece.run < 0.0:
+                stretches.append((float(number), number + 1.0))
+        return _joined(sorted((float(low), float(high)) for low, high in stretches if high > low))
 
     def _speed(self) -> "Any":
         return over_pieces(self.motion, lambda s, s1, s2: self.geometry.touch(s, s1, s2).run[None])
 
     def _backward(self, part: int, zone: int, places: "Any", values: "Any") -> "list[tuple[float, float]]":
         """Backward stretches of one zone, the speed being monotone from each of the places to the next."""
-        found = []
+        stretches = []
         inside = None
         for index in range(places.size):
             back = values[index] <= 0.0
             if back and inside is None:
                 inside = self._zero(zone, places[index], places[index - 1]) if index else 0.0
             elif not back and inside is not None:
-                found.append((part + inside, part + self._zero(zone, places[index - 1], places[index])))
+                stretches.append((part + inside, part + self._zero(zone, places[index - 1], places[index])))
                 inside = None
         if inside is not None:
-            found.append((part + inside, part + 1.0))
-        return found
+            stretches.append((part + inside, part + 1.0))
+        return stretches
 
     def _zero(self, zone: int, bad: float, good: float) -> float:
         """Where the speed passes zero, by bisection."""
@@ -190,40 +176,32 @@ class Envelope:
     def forward(self, backward: "list[tuple[float, float]]") -> "list[Arc]":
         """Arcs of the forward parts in order, each bending little.
 
-        Parameters
-        ----------
-        backward : list of pairs
-            What `backward` found.
-
-        Returns
-        -------
-        list of Arc
-            The arcs.
+        `backward`: what `backward` found.
         """
         arcs: list[Arc] = []
         zones: list[tuple[int, float, float]] = []
         for part, low, high in self._stretches(backward):
-            one = self.parts[part]
-            if isinstance(one, Bridge):
-                arcs += self._bridged(part, one)
+            piece = self.parts[part]
+            if isinstance(piece, Bridge):
+                arcs += self._bridged(part, piece)
                 continue
-            width = (high - low) * (self.motion.zones[one].end - self.motion.zones[one].start)
+            width = (high - low) * (self.motion.zones[piece].end - self.motion.zones[piece].start)
             cuts = np.linspace(low, high, int(np.ceil(width / BEND)) + 1 or 2)
             zones += [(part, cuts[k], cuts[k + 1]) for k in range(cuts.size - 1)]
         return sorted(arcs + self._bent(zones), key=lambda arc: arc.start)
 
     def _stretches(self, backward: "list[tuple[float, float]]") -> "list[tuple[int, float, float]]":
         """What is left of every part between the backward stretches."""
-        found = []
+        stretches = []
         for part in range(len(self.parts)):
             low = 0.0
             for start, end in [(a - part, b - part) for a, b in backward if b > part and a < part + 1]:
                 if start > low:
-                    found.append((part, low, start))
+                    stretches.append((part, low, start))
                 low = max(low, end)
             if low < 1.0:
-                found.append((part, low, 1.0))
-        return found
+                stretches.append((part, low, 1.0))
+        return stretches
 
     def _bridged(self, part: int, bridge: Bridge) -> "list[Arc]":
         count = max(int(np.ceil(abs(bridge.turning) / BEND)), 1)
@@ -264,13 +242,13 @@ class Envelope:
 
 def _joined(stretches: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
     """Stretches that meet, as one."""
-    found: list[tuple[float, float]] = []
+    joined: list[tuple[float, float]] = []
     for low, high in stretches:
-        if found and low <= found[-1][1]:
-            found[-1] = (found[-1][0], max(found[-1][1], high))
+        if joined and low <= joined[-1][1]:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], high))
         else:
-            found.append((low, high))
-    return found
+            joined.append((low, high))
+    return joined
 
 
 def _bridges(geometry: Geometry, motion: "Any") -> "dict[int, Bridge]":
@@ -280,7 +258,7 @@ def _bridges(geometry: Geometry, motion: "Any") -> "dict[int, Bridge]":
         [np.atleast_1d(value) for value in motion.in_zone(index, t, 2)] for index in range(count) for t in (0.0, 1.0)
     ]
     peak = max(abs(float(state[1][0])) for state in ends)
-    found = {}
+    bridges = {}
     for index in range(count):
         before, after = ends[2 * index - 1], ends[2 * index]
         if abs(float(after[1][0] - before[1][0])) <= JUMP * peak:
@@ -297,5 +275,5 @@ def _bridges(geometry: Geometry, motion: "Any") -> "dict[int, Bridge]":
         else:
             run = geometry.turn * geometry.side * geometry.roller * turning
         x, y = (float(np.atleast_1d(value)[0]) for value in sides[0].centre)
-        found[index] = Bridge(theta, first, last, complex(x, y) * back, turning, run)
-    return found
+        bridges[index] = Bridge(theta, first, last, complex(x, y) * back, turning, run)
+    return bridges

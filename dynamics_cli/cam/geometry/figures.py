@@ -29,21 +29,8 @@ class Figure:
 def figure(geometry: Geometry, lift: float, size: float, face: "tuple[float, float] | None") -> Figure:
     """The follower at a lift.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    lift : float
-        Its lift [m or rad].
-    size : float
-        Size of the cam, which sets the length of rods [m].
-    face : pair of float
-        Where a flat face is touched along it, lowest and highest [m].
-
-    Returns
-    -------
-    Figure
-        The lines.
+    `lift`: its lift [m or rad]; `size`: size of the cam, which sets the length of rods [m]; `face`: where a flat face
+    is touched along it, lowest and highest [m]. Returns the lines.
     """
     f: Any = geometry.follower
     base = 0.0 if isinstance(f, MATES) else f.base_radius

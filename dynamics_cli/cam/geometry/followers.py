@@ -149,32 +149,19 @@ def roller_radius(follower: Follower) -> float:
 def start_height(base_radius: float, roller_radius: float, offset: float) -> float:
     """Height √(Rp² − e²) of the roller's centre above the cam's axis where the lift is zero.
 
+    `base_radius`: radius of the base circle, e.g. 25 mm [m]; `roller_radius`: radius of the roller, e.g. 6 mm [m];
+    `offset`: offset of the slide [m]. Returns the height [m]. Raises InadmissibleError when the offset exceeds the
+    radius: the follower would slide past the base circle.
+
+    The factored root keeps its digits where the offset nears the radius.
+
     Equation
     --------
     d = √((Rp − e)(Rp + e)), Rp = R_b + R_r.
 
-    Parameters
+    References
     ----------
-    base_radius : Size
-        Radius of the base circle, e.g. 25 mm [m].
-    roller_radius : Size
-        Radius of the roller, e.g. 6 mm [m].
-    offset : Coordinate
-        Offset of the slide [m].
-
-    Returns
-    -------
-    float
-        The height [m].
-
-    Raises
-    ------
-    InadmissibleError
-        When the offset exceeds the radius: the follower would slide past the base circle.
-
-    Notes
-    -----
-    The factored root keeps its digits where the offset nears the radius.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
 
     Examples
     --------
@@ -197,34 +184,19 @@ def start_height(base_radius: float, roller_radius: float, offset: float) -> flo
 def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, pivot_distance: float) -> float:
     """Angle of the arm from the line pivot–axis where the lift is zero.
 
+    `base_radius`: radius of the base circle, e.g. 25 mm [m]; `roller_radius`: radius of the roller, e.g. 6 mm [m];
+    `arm`: length of the arm [m]; `pivot_distance`: distance of the pivot from the cam's axis, e.g. 100 mm [m]. Returns
+    the angle, between 0 and π. Raises InadmissibleError when the three lengths make no triangle.
+
+    Relative error of a few roundings up to the limits of the triangle, where the arc cosine would lose half the digits.
+
     Equation
     --------
     tan(ψ₀/2) = √((Rp − |c − L|)(Rp + |c − L|)) / √((c + L − Rp)(c + L + Rp)).
 
-    Parameters
+    References
     ----------
-    base_radius : Size
-        Radius of the base circle, e.g. 25 mm [m].
-    roller_radius : Size
-        Radius of the roller, e.g. 6 mm [m].
-    arm : Size
-        Length of the arm [m].
-    pivot_distance : Size
-        Distance of the pivot from the cam's axis, e.g. 100 mm [m].
-
-    Returns
-    -------
-    float
-        The angle, between 0 and π.
-
-    Raises
-    ------
-    InadmissibleError
-        When the three lengths make no triangle.
-
-    Notes
-    -----
-    Relative error of a few roundings up to the limits of the triangle, where the arc cosine would lose half the digits.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
 
     Examples
     --------
@@ -252,28 +224,15 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
 def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: float) -> float:
     """Angle of a flat rocker from the line pivot–axis where the lift is zero: sin ψ₀ = (R_b + f)/c.
 
-    Parameters
-    ----------
-    base_radius : Size
-        Radius of the base circle, e.g. 25 mm [m].
-    face_offset : Coordinate
-        How far the face stands from the pivot towards the cam [m].
-    pivot_distance : Size
-        Distance of the pivot from the cam's axis, e.g. 100 mm [m].
+    `base_radius`: radius of the base circle, e.g. 25 mm [m]; `face_offset`: how far the face stands from the pivot
+    towards the cam [m]; `pivot_distance`: distance of the pivot from the cam's axis, e.g. 100 mm [m]. Returns the
+    angle, between 0 and π/2. Raises InadmissibleError when the pivot lies inside the circle the face has to touch.
 
-    Returns
-    -------
-    float
-        The angle, between 0 and π/2.
-
-    Raises
-    ------
-    InadmissibleError
-        When the pivot lies inside the circle the face has to touch.
-
-    Notes
-    -----
     atan2 in place of the arc sine keeps the digits near a right angle.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8.
 
     Examples
     --------

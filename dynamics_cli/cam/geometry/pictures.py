@@ -44,29 +44,8 @@ def profile_picture(
 ) -> Picture:
     """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
 
-    Parameters
-    ----------
-    result : CamProfile
-        The profile.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    follower : Follower
-        The follower and where it stands.
-    rotation : Rotation
-        Which way the cam turns.
-    flank : Flank
-        Which surface.
-    start_angle : float
-        Angle by which the cam's drawing is turned on [rad].
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    Picture
-        Three panels.
+    `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: which surface;
+    `start_angle`: angle by which the cam's drawing is turned on [rad]. Returns three panels.
     """
     del result
     cam = profile(

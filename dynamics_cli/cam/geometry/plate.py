@@ -82,29 +82,10 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
 
     A = ½∮ r·n ds, z_C = (1/3A)∮ z (r·n) ds, I_p = ¼∮ r² (r·n) ds.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    corners : tuple of Corner
-        Corners of an undercut plate, between which the curve is its edge (`undercut.Loss`).
+    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `corners`: corners of an undercut
+    plate, between which the curve is its edge (`undercut.Loss`). Returns the integrals. Raises InadmissibleError when a
+    flat rocker turns as fast as the cam.
 
-    Returns
-    -------
-    Plate
-        The integrals.
-
-    Raises
-    ------
-    InadmissibleError
-        When a flat rocker turns as fast as the cam.
-
-    Notes
-    -----
     Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
     short steep rise, a curve turns fast. Where the velocity jumps, the edge is the arc of the roller or the length of
     the face that joins both contacts. A corner that is off by δ moves every integral by what the curve adds to it on δ.
@@ -173,15 +154,15 @@ def _shares(
     curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
 ) -> "list[tuple[int, float, float]]":
     """Zones of the edge cut into pieces of 15 degrees or less: zone, and the shares of it each reaches from and to."""
-    made = []
+    shares = []
     for part, low, high in kept:
         zone = curve.parts[part]
         if isinstance(zone, Bridge):
             continue
         parts = max(1, ceil(spans[zone] * (high - low) / PIECE - 1e-9))
         cuts = [low + (high - low) * (index / parts) for index in range(parts)] + [high]
-        made += [(zone, first, last) for first, last in pairwise(cuts)]
-    return made
+        shares += [(zone, first, last) for first, last in pairwise(cuts)]
+    return shares
 
 
 def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angle: float) -> "Any":
@@ -252,25 +233,9 @@ def weighed(
 ) -> Weighed:  # fmt: skip
     """Give the plate of a cam; that of an undercut one is what is left about its axis.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    motion : Motion
-        The program.
-    start_angle : Angle
-        Angle by which the cam's frame is turned on.
-    loss : Loss | None
-        What an undercut costs.
-    thickness : float | None
-        Thickness of the plate [m].
-    density : float | None
-        Its density [kg/m³].
-
-    Returns
-    -------
-    Weighed
-        The plate; without results, and with the reason, where nothing is left about the axis.
+    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `loss`: what an undercut costs;
+    `thickness`: thickness of the plate [m]; `density`: its density [kg/m³]. Returns the plate; without results, and
+    with the reason, where nothing is left about the axis.
     """
     weight = None if thickness is None or density is None else thickness * density
     if loss is not None and not loss.corners:

@@ -175,19 +175,19 @@ def profile(
     geometry = Geometry(follower, rotation, flank)
     motion = motion_of(scene, program)
     require_lift(motion, geometry.oscillating)
-    found = analyse(geometry, motion)
-    loss = lift_lost(geometry, motion, forward=runs_forward(geometry, found))
+    analysis = analyse(geometry, motion)
+    loss = lift_lost(geometry, motion, forward=runs_forward(geometry, analysis))
     body = weighed(geometry, motion, start_angle, loss, thickness, density)
     theta = np.arange(points) * (2.0 * pi / points)
     s, s1, s2 = sample(motion, theta, 2)
     touch = geometry.touch(s, s1, s2)
     columns = table(geometry, touch, theta, start_angle, cutter_radius or 0.0)
-    face = None if found.along is None else (found.along.smallest()[0], found.along.largest()[0])
+    face = None if analysis.along is None else (analysis.along.smallest()[0], analysis.along.largest()[0])
     return CamProfile(
-        *found.pressure.largest(),
-        *found.pressure.smallest(),
-        *convex(geometry, found),
-        *concave(geometry, found),
+        *analysis.pressure.largest(),
+        *analysis.pressure.smallest(),
+        *convex(geometry, analysis),
+        *concave(geometry, analysis),
         face_low=None if face is None else face[0],
         face_high=None if face is None else face[1],
         face_width=None if face is None else face[1] - face[0],
@@ -204,10 +204,10 @@ def profile(
         inertia_about_centroid=body.inertia_about_centroid,
         points=columns,
         checks=_checks(geometry, touch),
-        advice=(*_advice(geometry, found, loss, joint_jumps(motion)[0]), *body.advice),
+        advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
             "exact envelope; certified extremes; Gauss quadrature on pieces halved until it stands",
-            (*body.bounds, *pressure_bounds(found), *radius_bounds(geometry, found)),
+            (*body.bounds, *pressure_bounds(analysis), *radius_bounds(geometry, analysis)),
         ),
     )
 

@@ -45,22 +45,10 @@ class Loss:
 def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "Loss | None":
     """The greatest lift that an undercut costs, or None where there is no undercut.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place, on either flank.
-    motion : Motion
-        The program.
-    forward : bool
-        Whether the curve is known to run forwards within every zone (`analysis.runs_forward`).
+    `geometry`: the follower in place, on either flank; `motion`: the program; `forward`: whether the curve is known to
+    run forwards within every zone (`analysis.runs_forward`). Returns the lift lost; on an outer flank, how far the
+    follower can leave its program outwards.
 
-    Returns
-    -------
-    Loss | None
-        The lift lost; on an outer flank, how far the follower can leave its program outwards.
-
-    Notes
-    -----
     The greatest gap between the program and a follower that rests on a corner, from proxies whose remainder is
     estimated. For the corners see `corners.left_by`.
     """
@@ -82,19 +70,8 @@ def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "L
 def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
     """The lift at which the follower rests on a point of the cam; minus infinity where it slips past.
 
-    Parameters
-    ----------
-    geometry : Geometry
-        The follower in place.
-    theta : array
-        Cam angles.
-    x, y : array
-        Points in the cam's frame, broadcast against `theta`.
-
-    Returns
-    -------
-    array
-        Lifts in the way in which the flank drives: negative ones of a second follower or of an outer flank [m or rad].
+    `theta`: cam angles; `x`, `y`: points in the cam's frame, broadcast against `theta`. Returns lifts in the way in
+    which the flank drives: negative ones of a second follower or of an outer flank [m or rad].
     """
     f, start, roller = geometry.follower, geometry.start, geometry.roller
     drives = geometry.way * geometry.side

@@ -61,16 +61,16 @@ def _waves(u: "Any", first: int, last: int) -> "list[Any]":
         half, other = np.sin(middle), np.cos(middle)
     versed = 2.0 * half * half
     sine = 2.0 * half * other
-    found = []
+    waves = []
     for order in range(first, last + 1):
         if order == 0:
-            found.append(u_minus_sine(u, sine))
+            waves.append(u_minus_sine(u, sine))
         elif order == 1:
-            found.append(versed)
+            waves.append(versed)
         else:
             value = 1.0 - versed if order % 2 else sine
-            found.append(-value if (order - 2) % 4 > 1 else value)
-    return found
+            waves.append(-value if (order - 2) % 4 > 1 else value)
+    return waves
 
 
 def _wave(order: int, u: "Any") -> "Any":

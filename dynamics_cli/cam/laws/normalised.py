@@ -128,34 +128,22 @@ def _fourier(name: str, *terms: tuple[int, float]) -> Law:
 def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") -> Law:
     """Sine, constant, cosine acceleration in shares b, c, d of each half, with constant velocity in between.
 
+    `b`, `c`, `d`: shares of the sine, the constant and the cosine; their sum is 1; `constant`: share of the rise at
+    constant velocity; `name`: name of the law. Raises InadmissibleError when a share is negative, the shares do not sum
+    to 1, or nothing is left for the acceleration.
+
+    (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
+    (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
+
     Equation
     --------
     Of the first half, a = C_a sin(πx/2r) to r, C_a to r + k, then C_a cos(π(x − r − k)/2g) to q = r + k + g, then none
     to ½; r = b q, k = c q, g = d q, q = (1 − constant)/2. C_a follows from f(½) = ½.
 
-    Parameters
+    References
     ----------
-    b, c, d : float
-        Shares of the sine, the constant and the cosine; their sum is 1.
-    constant : float
-        Share of the rise at constant velocity.
-    name : str
-        Name of the law.
-
-    Returns
-    -------
-    Law
-        The law.
-
-    Raises
-    ------
-    InadmissibleError
-        When a share is negative, the shares do not sum to 1, or nothing is left for the acceleration.
-
-    Notes
-    -----
-    (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
-    (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.9 and 16.11 to 16.14; laws of VDI 2143
+    as commonly published.
 
     Examples
     --------
@@ -283,24 +271,9 @@ def _remembered(name: str, b: float, c: float, d: float, constant: float) -> Law
 def law_named(name: str, shares: "tuple[float, ...] | None" = None, constant: float | None = None) -> Law:
     """Give the law of that name; `shares` (b, c, d) belong to scca, `constant` to modified constant velocity.
 
-    Parameters
-    ----------
-    name : str
-        A name or alias of `LawName`.
-    shares : tuple of float
-        Shares b, c, d of sine, constant and cosine acceleration.
-    constant : float
-        Share of the rise at constant velocity, one half when not given.
-
-    Returns
-    -------
-    Law
-        The law.
-
-    Raises
-    ------
-    InadmissibleError
-        When shares are missing, or given to a law that has none.
+    `name`: a name or alias of `LawName`; `shares`: shares b, c, d of sine, constant and cosine acceleration;
+    `constant`: share of the rise at constant velocity, one half when not given. Raises InadmissibleError when shares
+    are missing, or given to a law that has none.
 
     Examples
     --------

@@ -18,20 +18,8 @@ if TYPE_CHECKING:
 def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
     """(x, value) of every stationary point and one-sided end of that derivative (0 to 3), piece by piece.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    order : int
-        Which derivative: 0 for f, 3 for jerk.
+    `order`: which derivative: 0 for f, 3 for jerk. Returns places and values; a jump gives two values at one place.
 
-    Returns
-    -------
-    list of (float, float)
-        Places and values; a jump gives two values at one place.
-
-    Notes
-    -----
     Sign changes of the next derivative g, bisected to the last bit; that there are no others is proved from bounds of
     the law's derivatives (`cam.proof`). A step of length h with ends of one sign has none where both exceed
     h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g equals zero to rounding
@@ -43,7 +31,7 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
 
 def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
-    found: list[tuple[float, float]] = []
+    extremes: list[tuple[float, float]] = []
     turned: dict[tuple[int, float], list[float]] = {}
     for piece in law.pieces:
         # Measured from its own end, a piece and its mirror image turn at the same places.
@@ -51,10 +39,10 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
         key = (id(piece.shape), ends[0])
         if key not in turned:
             turned[key] = _turning(piece, order, *ends, 16 if law.monotone else 64)
-        found.extend(
+        extremes.extend(
             (1.0 - t if piece.far else t, law.upright(piece, t, order)[order]) for t in (ends[0], *turned[key], ends[1])
         )
-    return sorted(found)
+    return sorted(extremes)
 
 
 def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "list[float]":

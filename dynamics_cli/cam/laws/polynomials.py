@@ -19,26 +19,11 @@ MOST_CONDITIONS = 10
 def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> Law:
     """Give the polynomial of least degree that meets conditions (x, order of derivative, value).
 
-    Parameters
-    ----------
-    conditions : sequence of (float, int, float)
-        Place 0 ≤ x ≤ 1, order 0 to 4, and value of the derivative there; as many as the polynomial has coefficients.
-    name : str
-        Name of the law.
+    `conditions`: place 0 ≤ x ≤ 1, order 0 to 4, and value of the derivative there; as many as the polynomial has
+    coefficients; `name`: name of the law. Returns the law; its total is f(1) − f(0), and f(0) is taken off. Raises
+    InadmissibleError when a condition is given twice, there are more than ten, or they do not fix a polynomial
+    (Birkhoff's problem has no solution for some).
 
-    Returns
-    -------
-    Law
-        The law; its total is f(1) − f(0), and f(0) is taken off.
-
-    Raises
-    ------
-    InadmissibleError
-        When a condition is given twice, there are more than ten, or they do not fix a polynomial (Birkhoff's problem
-        has no solution for some).
-
-    Notes
-    -----
     Solved in exact rationals, expanded about both ends and the middle and rounded once: nothing is lost to the
     conditioning of the monomials, and values near both ends keep their digits.
 
@@ -125,27 +110,11 @@ def spline(
 ) -> Law:  # fmt: skip
     """Give the clamped cubic spline through points, with given slopes at its ends.
 
-    Parameters
-    ----------
-    points : sequence of (float, float)
-        Places and values, the first at x = 0 and the last at x = 1.
-    start_slope, end_slope : float
-        Slopes at the ends.
-    steps : (float, float)
-        Decimal steps that places and lifts are multiples of (`rounded_points`).
+    `points`: places and values, the first at x = 0 and the last at x = 1; `start_slope`, `end_slope`: slopes at the
+    ends; `steps`: decimal steps that places and lifts are multiples of (`rounded_points`). Returns the law: lift,
+    velocity and acceleration are continuous, jerk jumps at the points. Raises InadmissibleError when the places do not
+    increase.
 
-    Returns
-    -------
-    Law
-        The law: lift, velocity and acceleration are continuous, jerk jumps at the points.
-
-    Raises
-    ------
-    InadmissibleError
-        When the places do not increase.
-
-    Notes
-    -----
     The tridiagonal system for the slopes is dominant: its solution is good to a few roundings for any places.
 
     Examples

@@ -221,18 +221,18 @@ def _bounds(
                     still = 2.0 * ROUNDING * x * sizes[order + 1] if order and not value else 0.0
                     scaled = (error + still) * lift / span**order + (2.0 * order + 4.0) * UNIT * abs(value)
                     worst[order] = max(worst[order], scaled)
-    made = [
+    bounds = [
         ErrorBound(f"points.{name}", error * UP, relative=False)
         for name, error in zip(("lift", *DERIVATIVES[1:4]), worst, strict=True)
     ]
     if omega is None:
-        return made
+        return bounds
     rate = abs(omega)
     sizes = [max(abs(getattr(point, name)) for point in points) for name in DERIVATIVES[1:4]]
     for order, name in enumerate(("speed", "acceleration_in_time", "jerk_in_time"), 1):
         error = (worst[order] + (order + 1.0) * UNIT * sizes[order - 1]) * rate**order * UP
-        made.append(ErrorBound(f"points.{name}", error, relative=False))
-    return made
+        bounds.append(ErrorBound(f"points.{name}", error, relative=False))
+    return bounds
 
 
 def _point(

@@ -27,17 +27,7 @@ ANGLES = (1.0, pi / 180.0)
 def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -> float:
     """The largest decimal step, in one of the units, that all values are multiples of; zero where there is none.
 
-    Parameters
-    ----------
-    values : sequence of float
-        The values.
-    units : sequence of float
-        Units they may have been written in.
-
-    Returns
-    -------
-    float
-        The step.
+    `units`: units they may have been written in. Returns the step.
 
     Examples
     --------
@@ -57,20 +47,9 @@ def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -
 def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, float, float]":
     """How far velocity, acceleration and jerk of a spline can be off at most where its points are rounded.
 
-    Parameters
-    ----------
-    law : Law
-        A clamped cubic spline.
-    place_step, lift_step : float
-        Steps that the places and the lifts of its points are rounded to.
+    `law`: a clamped cubic spline; `place_step`, `lift_step`: steps that the places and the lifts of its points are
+    rounded to. Returns bounds to first order of the changes at the joints, in units of the rise.
 
-    Returns
-    -------
-    (float, float, float)
-        Bounds to first order of the changes at the joints, in units of the rise.
-
-    Notes
-    -----
     A spline is linear in its lifts: each counts half a step. A place that is off by δ counts as a lift off by f′δ.
     Slopes and second derivatives solve systems whose diagonals dominate: with the signs of all else turned to the
     worse, they give bounds of both. Points off by turns up and down reach them where they are equally spaced.
@@ -95,30 +74,20 @@ def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, fl
 
 def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]", given: "list[float]") -> "list[float]":
     """Bounds of the solution of a tridiagonal system for right sides of any sign within `given` (Thomas)."""
-    upper, found = [right[0] / middle[0]], [given[0] / middle[0]]
+    upper, solution = [right[0] / middle[0]], [given[0] / middle[0]]
     for i in range(1, len(given)):
         pivot = middle[i] - left[i] * upper[-1]
         upper.append(right[i] / pivot)
-        found.append((given[i] + left[i] * found[-1]) / pivot)
+        solution.append((given[i] + left[i] * solution[-1]) / pivot)
     for i in range(len(given) - 2, -1, -1):
-        found[i] += upper[i] * found[i + 1]
-    return found
+        solution[i] += upper[i] * solution[i + 1]
+    return solution
 
 
 def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
     """What to say of a law that goes through points of a table; nothing of any other.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    where : str
-        What to name it by.
-
-    Returns
-    -------
-    tuple of Advice
-        The largest changes that rounding can have made, as shares of the peaks.
+    `where`: what to name it by. Returns the largest changes that rounding can have made, as shares of the peaks.
     """
     if law.steps is None or len(law.breaks) < FEWEST or not law.steps[1]:
         return ()

@@ -42,30 +42,9 @@ def chosen(
 ) -> Law:
     """Give the law of a name, with what belongs to it alone: shares, conditions or points.
 
-    Parameters
-    ----------
-    name : LawName
-        Its name.
-    shares : tuple of float
-        Shares of scca.
-    constant : float
-        Share at constant velocity.
-    conditions : tuple of Condition
-        What a polynomial meets.
-    points : tuple of SplinePoint
-        What a spline goes through.
-    start_velocity, end_velocity : float
-        Slopes of a spline at its ends.
-
-    Returns
-    -------
-    Law
-        The law.
-
-    Raises
-    ------
-    InadmissibleError
-        When something belongs to another law, or is missing.
+    `shares`: shares of scca; `constant`: share at constant velocity; `conditions`: what a polynomial meets; `points`:
+    what a spline goes through; `start_velocity`, `end_velocity`: slopes of a spline at its ends. Raises
+    InadmissibleError when something belongs to another law, or is missing.
     """
     require(name == "polynomial" or not conditions, "the law {name} takes no conditions", name=name, code="law")
     require(name == "spline" or not points, "the law {name} takes no points", name=name, code="law")
@@ -96,13 +75,13 @@ CONDITION_HINT = 'for example --condition "place=0, lift=0, velocity=0" --condit
 
 def _conditions(one: Condition) -> "list[tuple[float, int, float]]":
     values = (one.lift, one.velocity, one.acceleration, one.jerk, one.rate_of_jerk)
-    found = [(one.place, order, value) for order, value in enumerate(values) if value is not None]
+    conditions = [(one.place, order, value) for order, value in enumerate(values) if value is not None]
     require(
-        bool(found),
+        bool(conditions),
         "the condition at {place} gives no lift and no derivative",
         place=(one.place, Fraction), code="conditions", hint=CONDITION_HINT,
     )  # fmt: skip
-    return found
+    return conditions
 
 
 def area_checks(law: Law) -> "tuple[Check, ...]":

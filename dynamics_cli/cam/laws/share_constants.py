@@ -13,27 +13,17 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
 
     1/2C_a = r/π − 4r²/π² + k(½ − r − k/2) + 2(½c)g/π + 4g²/π², r = bq, k = cq, g = dq, q = (1 − c)/2.
 
-    Parameters
-    ----------
-    b, c, d : float
-        Shares of the sine, the constant and the cosine.
-    constant : float
-        Share of the rise at constant velocity.
+    `b`, `c`, `d`: shares of the sine, the constant and the cosine; `constant`: share of the rise at constant velocity.
+    Returns C_a; the constant velocity; of the sine its amplitude, and lift and velocity at its end; lift and velocity
+    at the end of the constant; the amplitude of the cosine; the rates of sine and cosine, zero where there is none.
+    Raises ZeroDivisionError when nothing is left for the acceleration.
 
-    Returns
-    -------
-    tuple
-        C_a; the constant velocity; of the sine its amplitude, and lift and velocity at its end; lift and velocity at
-        the end of the constant; the amplitude of the cosine; the rates of sine and cosine, zero where there is none.
-
-    Raises
-    ------
-    ZeroDivisionError
-        When nothing is left for the acceleration.
-
-    Notes
-    -----
     In whole numbers of 2⁻²⁵⁶: each is rounded once, whatever cancels on the way.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.9 and 16.11 to 16.14; laws of VDI 2143
+    as commonly published.
 
     Examples
     --------

@@ -25,33 +25,10 @@ def fitted(
 ) -> "tuple[Law, float]":
     """Give the law of a polynomial or spline segment, and the lift its unit stands for.
 
-    Parameters
-    ----------
-    index : int
-        Which segment.
-    steps : sequence of Step
-        All segments.
-    levels : sequence of float
-        Lift at every joint.
-    spans : sequence of float
-        Spans of all segments [rad].
-    laws : sequence of Law
-        Laws of the segments that have one of their own.
-    width : float
-        Span of this one [rad].
+    `index`: which segment; `steps`: all segments; `levels`: lift at every joint; `spans`: spans of all segments [rad];
+    `laws`: laws of the segments that have one of their own; `width`: span of this one [rad]. Returns the law and its
+    scale. Raises InadmissibleError when the degree is not 3, 5, 7 or 9, or a spline's points are outside its segment.
 
-    Returns
-    -------
-    (Law, float)
-        The law and its scale.
-
-    Raises
-    ------
-    InadmissibleError
-        When the degree is not 3, 5, 7 or 9, or a spline's points are outside its segment.
-
-    Notes
-    -----
     Where neither a value is given nor the neighbour has a law of its own, the derivative is zero there.
     """
     segment = steps[index].segment

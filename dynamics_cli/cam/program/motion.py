@@ -37,15 +37,9 @@ BLOCK = 8192
 class Motion:
     """Lift over one revolution, and its derivatives per radian; periodic.
 
-    Parameters
-    ----------
-    segments : sequence of Span
-        Segments in order, each starting where the one before ends, 360° together.
-    swing : bool
-        Whether the lift is an angle.
+    `segments`: segments in order, each starting where the one before ends, 360° together; `swing`: whether the lift is
+    an angle.
 
-    Notes
-    -----
     The table of segments is exact: ends are ratios of whole numbers of degrees, and each is held in radians with what
     the double is short of, so that no rounding gathers over the turn.
 
@@ -127,22 +121,9 @@ class Motion:
     def at(self, theta: "Any", derivatives: int = 3, side: int = 1) -> "tuple[Any, ...]":
         """Lift and its derivatives per radian at cam angles; before a joint with `side=-1`, after it with +1.
 
-        Parameters
-        ----------
-        theta : float or array
-            Cam angles, of any turn [rad].
-        derivatives : int
-            How many derivatives, 0 to 4.
-        side : int
-            Which value where one jumps.
+        `theta`: cam angles, of any turn [rad]; `derivatives`: how many derivatives, 0 to 4; `side`: which value where
+        one jumps. Returns s, ds/dθ, …, each a float or an array of the shape of `theta`.
 
-        Returns
-        -------
-        tuple
-            s, ds/dθ, …, each a float or an array of the shape of `theta`.
-
-        Notes
-        -----
         Errors within 10⁻¹⁵ of the peak for s and ds/dθ besides what the rounding of `theta` itself moves.
         """
         if isinstance(theta, (int, float)):
@@ -207,19 +188,8 @@ class Motion:
     def in_zone(self, index: int, t: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
         """Lift and derivatives per radian at local coordinates 0 ≤ t ≤ 1 of a zone.
 
-        Parameters
-        ----------
-        index : int
-            Which zone.
-        t : float or array
-            Share of the zone's span.
-        derivatives : int
-            How many derivatives, 0 to 4.
-
-        Returns
-        -------
-        tuple
-            s, ds/dθ, …; at t = 0 and t = 1 the values within the zone.
+        `index`: which zone; `t`: share of the zone's span; `derivatives`: how many derivatives, 0 to 4. Returns s,
+        ds/dθ, …; at t = 0 and t = 1 the values within the zone.
         """
         pieces = self.parts_of(index)
         law = pieces[0].law_piece

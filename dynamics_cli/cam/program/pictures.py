@@ -36,21 +36,7 @@ ABOVE, BELOW, LEFT = (4.0, 4.0), (4.0, -11.0), -4.0
 def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") -> Picture:
     """Draw lift, velocity, acceleration and jerk one below another; a jump is a gap.
 
-    Parameters
-    ----------
-    result : Revolution
-        What `cam motion` found.
-    scene : Program
-        The program from a file.
-    program : str
-        The program in one line.
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    Picture
-        Four panels over the cam angle, the segments shaded in turn.
+    Returns four panels over the cam angle, the segments shaded in turn.
     """
     del given
     motion = motion_of(scene, program)
@@ -105,17 +91,7 @@ def named_program(scene: Program, program: str) -> str:
 def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":
     """Angles and the four curves, zone by zone, broken between zones where any of them may jump.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    steps : int
-        Steps on each zone.
-
-    Returns
-    -------
-    (list of float, list of list of float)
-        Angles, and s, v, a, j at them; NaN parts the zones.
+    `steps`: steps on each zone. Returns angles, and s, v, a, j at them; NaN parts the zones.
     """
     import numpy as np
 
@@ -141,23 +117,7 @@ def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
 def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any") -> Picture:
     """Draw one rise: lift, velocity, acceleration and jerk, with the points asked for.
 
-    Parameters
-    ----------
-    result : Rise
-        What `cam rise` found.
-    law : LawName
-        The law.
-    lift : float
-        The lift [m].
-    span : float
-        The span [rad].
-    **given
-        The task's other parameters.
-
-    Returns
-    -------
-    Picture
-        Four panels over the cam angle.
+    `lift`: the lift [m]; `span`: the span [rad]. Returns four panels over the cam angle.
     """
     given = {key: value for key, value in given.items() if key not in ("at", "count", "shaft_speed")}
     dense = rise(law=law, lift=lift, span=span, count=401, **given).points

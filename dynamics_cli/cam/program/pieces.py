@@ -37,12 +37,12 @@ def pieces(motion: "Motion") -> "tuple[Any, Any]":
 
 def widths(motion: "Motion") -> "list[float]":
     """Widths of the zones; the ends of a narrow one, as angles, would lose their digits."""
-    found = []
+    widths_of_zones = []
     for span in motion.segments:
         width = span.end[0] * span.start[1] - span.start[0] * span.end[1], span.end[1] * span.start[1]
         cuts = (0.0, *(span.law.breaks if span.law is not None else ()), 1.0)
-        found += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
-    return found
+        widths_of_zones += [radians(width)[0] * (high - low) for low, high in pairwise(cuts)]
+    return widths_of_zones
 
 
 def sample(motion: "Motion", theta: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
@@ -89,22 +89,11 @@ class Ends:
 class Cover:
     """Functions of lift and derivatives over a motion: their proxies, and their own values with their roundings.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    function : callable
-        Takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents, `numpy.stack` and
-        the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values do not: such a
-        function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is false); so it
-        is for a motion without `parts_of`.
-    derivatives : int
-        How many derivatives.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite inside a piece.
+    `function`: takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents,
+    `numpy.stack` and the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values
+    do not: such a function is called with arrays, and what its proxies leave out is estimated (`Proxies.proved` is
+    false); so it is for a motion without `parts_of`; `derivatives`: how many derivatives. Raises ValueError when a
+    function is not finite inside a piece.
     """
 
     def __init__(self, motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> None:
@@ -112,20 +101,26 @@ class Cover:
         self.owner: Any = None
         self.finer = False
         if not hasattr(motion, "parts_of"):
-            self.made = _estimated(motion, function, derivatives)
+            self.proxies = _estimated(motion, function, derivatives)
             return
         self.parts, self.rows = _rows(motion)
         self.whole = Parts(self.parts)
         owner = self.rows.owner
         try:
-            made = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
+            proxies = proved_proxies(self._sampled, self.rows.starts, self.rows.ends)
         except TypeError:
-            self.made = _estimated(motion, function, derivatives)
+            self.proxies = _estimated(motion, function, derivatives)
             return
-        self.owner = made.owner
-        self.still = np.array([part.law_piece is None for part in self.parts])[self.rows.which[made.owner]]
-        self.made = Proxies(
-            owner[made.owner], made.starts, made.ends, made.coefficients, made.error, made.proved, made.steep
+        self.owner = proxies.owner
+        self.still = np.array([part.law_piece is None for part in self.parts])[self.rows.which[proxies.owner]]
+        self.proxies = Proxies(
+            owner[proxies.owner],
+            proxies.starts,
+            proxies.ends,
+            proxies.coefficients,
+            proxies.error,
+            proxies.proved,
+            proxies.steep,
         )
 
     def _sampled(self, place: Disc, piece: "Any") -> "Any":
@@ -145,8 +140,8 @@ class Cover:
 
     def state(self, pieces_: "Any", units: "Any") -> "tuple[Any, ...]":
         """Lift and derivatives at places (n,) of the proxies' pieces, with what they round by."""
-        rows, made, row = self.rows, self.made, self.owner[pieces_]
-        starts, ends = made.starts[pieces_], made.ends[pieces_]
+        rows, proxies, row = self.rows, self.proxies, self.owner[pieces_]
+        starts, ends = proxies.starts[pieces_], proxies.ends[pieces_]
         share = 0.5 * (starts + ends) + 0.5 * (ends - starts) * units
         share = np.where(units == 1.0, ends, np.where(units == -1.0, starts, share))
         t = rows.first[row] + rows.width[row] * np.where(rows.far[row], 1.0 - share, share)
@@ -157,70 +152,70 @@ class Cover:
 
     def angles(self, pieces_: "Any", units: "Any") -> "Any":
         """Cam angles of places of the proxies' pieces."""
-        made = self.made
+        proxies = self.proxies
         starts, ends = pieces(self.motion)
-        middle, half = 0.5 * (made.ends + made.starts)[pieces_], 0.5 * (made.ends - made.starts)[pieces_]
-        share = np.where(units == 1.0, made.ends[pieces_], middle + half * units)
-        share = np.where(units == -1.0, made.starts[pieces_], share)
-        owner = made.owner[pieces_]
+        middle, half = 0.5 * (proxies.ends + proxies.starts)[pieces_], 0.5 * (proxies.ends - proxies.starts)[pieces_]
+        share = np.where(units == 1.0, proxies.ends[pieces_], middle + half * units)
+        share = np.where(units == -1.0, proxies.starts[pieces_], share)
+        owner = proxies.owner[pieces_]
         return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
 
     def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
         """The functions (q, n) at places of the proxies' pieces, and what they round by."""
-        found = self.function(*self.state(pieces_, units))
-        shape = np.broadcast_shapes(found.centre.shape, (1, np.size(units)))
-        return np.broadcast_to(found.centre, shape), np.broadcast_to(found.radius, shape)
+        disc = self.function(*self.state(pieces_, units))
+        shape = np.broadcast_shapes(disc.centre.shape, (1, np.size(units)))
+        return np.broadcast_to(disc.centre, shape), np.broadcast_to(disc.radius, shape)
 
     def ends(self, *which: int, again: bool = True) -> "list[Ends]":
         """The certified extremes of some of the functions, or of all; `again` about places that are too flat."""
-        which = which or tuple(range(self.made.coefficients.shape[0]))
+        which = which or tuple(range(self.proxies.coefficients.shape[0]))
         if self.owner is None:
             return [self._loose(index) for index in which]
         with np.errstate(all="ignore"):
-            found = [top for index in which for top in summits(self.made, index, self.still)]
-            rows, units = (np.concatenate([getattr(top, name) for top in found]) for name in ("rows", "units"))
+            tops = [top for index in which for top in summits(self.proxies, index, self.still)]
+            rows, units = (np.concatenate([getattr(top, name) for top in tops]) for name in ("rows", "units"))
             centres, radii = self.values(rows, units)
-            made, places, low = [], [], 0
-            for number, top in enumerate(found):
-                own = slice(low, low + top.rows.size)
-                low = own.stop
+            extremes_, places, low = [], [], 0
+            for number, top in enumerate(tops):
+                part = slice(low, low + top.rows.size)
+                low = part.stop
                 index, sign = which[number // 2], 1.0 - 2.0 * (number % 2)
-                value, place, error = settled(top, sign * centres[index, own], radii[index, own])
-                places.append(own.start + place)
+                value, place, error = settled(top, sign * centres[index, part], radii[index, part])
+                places.append(part.start + place)
                 if again and error > ROUGH * abs(value):
-                    value, error = self._closer(index, sign, top, centres[index, own], radii[index, own], error)
-                made.append((sign * value, error))
+                    value, error = self._closer(index, sign, top, centres[index, part], radii[index, part], error)
+                extremes_.append((sign * value, error))
             angles = self.angles(rows[places], units[places]).tolist()
-        ends = [(value, angle, error) for (value, error), angle in zip(made, angles, strict=True)]
+        ends = [(value, angle, error) for (value, error), angle in zip(extremes_, angles, strict=True)]
         return [Ends(*low_, *high) for high, low_ in zip(ends[::2], ends[1::2], strict=True)]
 
     def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
         """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
-        made = self.made
+        proxies = self.proxies
         starts, ends, owner = [], [], []
         for row, unit in zip(rows.tolist(), units.tolist(), strict=True):
             steps = 2.0 * 4.0 ** -np.arange(FINER)
             edges = np.concatenate((unit - steps, unit + steps[::-1]))
             inner = sorted({-1.0, unit, 1.0, *edges[np.abs(edges) < 1.0].tolist()})
-            low, high = float(made.starts[row]), float(made.ends[row])
+            low, high = float(proxies.starts[row]), float(proxies.ends[row])
             shares = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
             starts += shares[:-1]
             ends += shares[1:]
             owner += [int(self.owner[row])] * (len(shares) - 1)
-        own = Cover.__new__(Cover)
-        own.motion, own.derivatives, own.rows = self.motion, self.derivatives, self.rows
-        own.parts, own.whole = self.parts, self.whole
-        own.function, own.finer = lambda *state: which(self.function(*state)), True
+        finer = Cover.__new__(Cover)
+        finer.motion, finer.derivatives, finer.rows = self.motion, self.derivatives, self.rows
+        finer.parts, finer.whole = self.parts, self.whole
+        finer.function, finer.finer = lambda *state: which(self.function(*state)), True
         origin = np.array(owner)
-        found = proved_proxies(
-            lambda place, piece: own._sampled(place, origin[piece]), np.array(starts), np.array(ends)
+        fine = proved_proxies(
+            lambda place, piece: finer._sampled(place, origin[piece]), np.array(starts), np.array(ends)
         )
-        own.owner = origin[found.owner]
-        own.still = np.zeros(found.starts.shape, dtype=bool)
-        own.made = Proxies(
-            self.rows.owner[own.owner], found.starts, found.ends, found.coefficients, found.error, True, found.steep
+        finer.owner = origin[fine.owner]
+        finer.still = np.zeros(fine.starts.shape, dtype=bool)
+        finer.proxies = Proxies(
+            self.rows.owner[finer.owner], fine.starts, fine.ends, fine.coefficients, fine.error, True, fine.steep
         )
-        return own
+        return finer
 
     def _closer(
         self, which: int, sign: float, top: "Any", values: "Any", errors: "Any", error: float
@@ -236,8 +231,8 @@ class Cover:
         if not 0 < rows.size <= FEW:
             return best, error
         units = np.array([best_unit(top, values, row) for row in rows.tolist()])
-        own = self.cut(lambda found: sign * found[which : which + 1], rows, units)
-        (ends,) = own.ends(again=False)
+        finer = self.cut(lambda disc: sign * disc[which : which + 1], rows, units)
+        (ends,) = finer.ends(again=False)
         kept = ~loose[top.rows]
         gains = np.where(np.isinf(top.gains), 0.0, top.gains)
         reach = max(float((values + errors + gains)[kept].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
@@ -246,23 +241,23 @@ class Cover:
         return best, min(error, max(reach - best, best - sure) * (1.0 + 2.0**-40))
 
     def _loose(self, which: int) -> Ends:
-        found = extremes(self.made, which)
+        stationary = extremes(self.proxies, which)
         starts, ends = pieces(self.motion)
-        theta = starts[found.owner] + found.places * (ends - starts)[found.owner]
-        placed = Extremes(found.owner, theta, found.values, found.inside, found.error)
+        theta = starts[stationary.owner] + stationary.places * (ends - starts)[stationary.owner]
+        placed = Extremes(stationary.owner, theta, stationary.values, stationary.inside, stationary.error)
         low, high = placed.smallest(), placed.largest()
-        return Ends(*low, found.error, *high, found.error, proved=False)
+        return Ends(*low, stationary.error, *high, stationary.error, proved=False)
 
 
 def best_unit(top: "Any", values: "Any", row: int) -> float:
     """Where on a piece its best place is; its start where none is known."""
-    own = np.flatnonzero(top.rows == row)
-    return float(top.units[own[values[own].argmax()]]) if own.size else -1.0
+    places = np.flatnonzero(top.rows == row)
+    return float(top.units[places[values[places].argmax()]]) if places.size else -1.0
 
 
 def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
     """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece."""
-    return Cover(motion, function, derivatives).made
+    return Cover(motion, function, derivatives).proxies
 
 
 def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
@@ -294,13 +289,13 @@ def _rows(motion: "Motion") -> "tuple[Any, Rows]":
     owner: list[int] = []
     rows: list[tuple[float, ...]] = []
     for index in range(len(motion.zones)):
-        own = motion.parts_of(index)
-        laws = [part.law_piece for part in own]
+        parts_here = motion.parts_of(index)
+        laws = [part.law_piece for part in parts_here]
         low, high = (0.0, 1.0) if laws[0] is None else (laws[0].low, laws[-1].high)
-        for part, law in zip(own, laws, strict=True):
+        for part, law in zip(parts_here, laws, strict=True):
             a, b = (0.0, 1.0) if law is None else ((law.low - low) / (high - low), (law.high - low) / (high - low))
             steps = 1 if law is None else max(1, ceil((b - a) * (high - low) * part.span / STEP - 1e-9))
-            edges = [a + (b - a) * i / steps for i in range(steps)] + [1.0 if part is own[-1] else b]
+            edges = [a + (b - a) * i / steps for i in range(steps)] + [1.0 if part is parts_here[-1] else b]
             far = law is not None and law.far
             first, width = 1.0 - high if far else low, high - low
             own_t = [first + width * (1.0 - edge if far else edge) for edge in edges]

@@ -30,27 +30,11 @@ __all__ = ["Move", "Point", "Program", "Segment", "exact_degrees", "motion_of", 
 def motion_of(scene: Program, program: str = "") -> Motion:
     """Give the motion of a program, from records or from one line of words.
 
-    Parameters
-    ----------
-    scene : Program
-        Records, without segments when there is a line.
-    program : str
-        Segments separated by semicolons: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg
-        3-4-5; dwell`.
+    `scene`: records, without segments when there is a line; `program`: segments separated by semicolons: `rise 20 mm in
+    90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`. Returns the motion, closed over one turn. Raises
+    InadmissibleError when no program or two are given, its words are not understood, its spans do not make one turn, it
+    does not come back to where it began, or a law lacks what it needs.
 
-    Returns
-    -------
-    Motion
-        The motion, closed over one turn.
-
-    Raises
-    ------
-    InadmissibleError
-        When no program or two are given, its words are not understood, its spans do not make one turn, it does not come
-        back to where it began, or a law lacks what it needs.
-
-    Notes
-    -----
     Spans are kept as exact numbers of degrees: those of records are read back from radians to the shortest decimal that
     gives the same double.
 
@@ -79,20 +63,7 @@ def motion_of(scene: Program, program: str = "") -> Motion:
 def program_of(line: str) -> Program:
     """Give the records of a program written in one line.
 
-    Parameters
-    ----------
-    line : str
-        The line.
-
-    Returns
-    -------
-    Program
-        Its segments, with spans in radians.
-
-    Raises
-    ------
-    UsageError
-        Where a clause is not understood.
+    Returns its segments, with spans in radians. Raises UsageError where a clause is not understood.
 
     Examples
     --------

@@ -313,17 +313,17 @@ def _in_time_bounds(
     swing: bool, ends: "list[Extreme]", rms: tuple[float, float], rate: float, *, finite: bool
 ) -> "list[ErrorBound]":
     address = "swing_in_time" if swing else "in_time"
-    made = []
+    in_time_bounds = []
     for order, name in enumerate(("speed", "acceleration") if swing else ("speed", "acceleration", "jerk"), 1):
         if order == 2 and not finite:
             continue
         one = ends[order]
         error = max(one.least_error, one.greatest_error) + (order + 1.0) * UNIT * _greatest(one)
-        made.append(ErrorBound(f"{address}.{name}", error * rate**order, relative=False))
+        in_time_bounds.append(ErrorBound(f"{address}.{name}", error * rate**order, relative=False))
     if not finite:
-        return made
+        return in_time_bounds
     error = (rms[1] + 3.0 * UNIT * rms[0]) * rate * rate
-    return [*made, ErrorBound(f"{address}.rms_acceleration", error, relative=False)]
+    return [*in_time_bounds, ErrorBound(f"{address}.rms_acceleration", error, relative=False)]
 
 
 def _column_errors(found: Motion, table: "Any") -> "list[float]":

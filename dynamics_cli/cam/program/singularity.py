@@ -13,21 +13,15 @@ if TYPE_CHECKING:
 def delta(index: int, x: float) -> float:
     """Give the book's δ with that index, 1 or more.
 
+    `index`: the index, 1 for the step, 2 for the ramp; `x`: where. Returns its value.
+
     Equation
     --------
     δ_{n+1}(x) = xⁿ/n! for x ≥ 0, else 0; δ₁(0) = ½.
 
-    Parameters
+    References
     ----------
-    index : int
-        The index, 1 for the step, 2 for the ramp.
-    x : float
-        Where.
-
-    Returns
-    -------
-    float
-        Its value.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 16.10.
 
     Examples
     --------

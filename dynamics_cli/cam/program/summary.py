@@ -41,20 +41,8 @@ class Extreme:
 def extreme(motion: "Motion", order: int) -> Extreme:
     """Give the extremes of the lift (0) or a derivative per radian (1 to 3) over the turn, one-sided values included.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    order : int
-        Which derivative.
+    `order`: which derivative. Returns the first place of each.
 
-    Returns
-    -------
-    Extreme
-        The first place of each.
-
-    Notes
-    -----
     From the extremes of the normalised laws, to the last bits; equal values to 10⁻¹² count as one, the first is named.
     """
     found: list[tuple[float, float, Callable[[], float]]] = []
@@ -137,15 +125,7 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
 def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
     """Every zone boundary: its angle, what meets there, and how much lift, velocity, acceleration and jerk jump.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-
-    Returns
-    -------
-    list of (float, str, list of float)
-        Angle, words, and the four jumps; a difference that rounding explains is zero.
+    Returns angle, words, and the four jumps; a difference that rounding explains is zero.
     """
     zones = motion.zones
     sizes = [max(abs(one.least), abs(one.greatest)) for one in (extreme(motion, order) for order in range(4))]

@@ -37,20 +37,8 @@ LONGEST = 40
 def read_program(text: str) -> "tuple[list[Step], Exact | None]":
     """Segments of a program written in words, and the angle it starts at when it says one.
 
-    Parameters
-    ----------
-    text : str
-        The program.
-
-    Returns
-    -------
-    (list of Step, (int, int) | None)
-        The segments and the start in degrees.
-
-    Raises
-    ------
-    UsageError
-        Where a clause is not understood; the message says which and what was wanted.
+    `text`: the program. Returns the segments and the start in degrees. Raises UsageError where a clause is not
+    understood; the message says which and what was wanted.
     """
     steps: list[Step] = []
     start: Exact | None = None
@@ -119,7 +107,8 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     try:
         fields["law"] = LawName(given)
     except ValueError:
-        words.fail(f"there is no law {given!r}: {_near_laws(given)}`dynamics cam laws` lists them")
+        apart = "clauses are parted by semicolons; " if "," in words.clause else ""
+        words.fail(f"there is no law {given!r}: {apart}{_near_laws(given)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():
         numbers.append(words.number())

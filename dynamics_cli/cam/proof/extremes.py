@@ -37,12 +37,7 @@ class Found:
 class Sum:
     """A weighted sum of a survey's rows (s, s′, s″ and its functions) and a constant.
 
-    Parameters
-    ----------
-    weights : tuple of float or Disc
-        One for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
-    constant : float or Disc
-        The constant.
+    `weights`: one for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
     """
 
     __slots__ = ("constant", "weights")
@@ -61,9 +56,9 @@ class Sum:
 
     def middles(self, count: int) -> "tuple[Any, float]":
         """Weights of so many rows, and the constant, without what they round by."""
-        made = np.zeros(count)
-        made[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
-        return made, float(_disc(self.constant).centre)
+        padded = np.zeros(count)
+        padded[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
+        return padded, float(_disc(self.constant).centre)
 
 
 def _disc(value: "float | Disc") -> "Disc":
@@ -73,17 +68,8 @@ def _disc(value: "float | Disc") -> "Disc":
 class Survey:
     """Functions of s, s′ and s″ over a motion, ready for their extremes.
 
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    functions : callable
-        Each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there.
-
-    Raises
-    ------
-    InadmissibleError
-        When numbers overflow.
+    `functions`: each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there. Raises InadmissibleError when
+    numbers overflow.
     """
 
     def __init__(self, motion: "Motion", *functions: "Law") -> None:
@@ -96,20 +82,13 @@ class Survey:
         except ValueError:
             require(False, "the forces overflow: the speed or the spring is beyond all bounds", code="overflow")
             raise
-        self.made = self.cover.made
+        self.proxies = self.cover.proxies
 
     def extremes(self, which: int) -> tuple[Found, Found]:
         """Give the least and the greatest value of a function over the turn, one-sided values included.
 
-        Parameters
-        ----------
-        which : int
-            Which of the functions.
-
-        Returns
-        -------
-        (Found, Found)
-            The least and the greatest, each at the first place that is equal to the best within rounding.
+        `which`: which of the functions. Returns the least and the greatest, each at the first place that is equal to
+        the best within rounding.
         """
         (ends,) = self.cover.ends(3 + which)
         return Found(ends.least, ends.least_at, ends.least_error), Found(
@@ -119,29 +98,19 @@ class Survey:
     def greatest_quotient(self, top: Sum, bottom: Sum) -> Found:
         """Give the greatest quotient of two sums over the turn; the lower one is nowhere below zero.
 
-        Parameters
-        ----------
-        top, bottom : Sum
-            The sums.
+        Returns the quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
+        its rounding, zero where the upper one is that nowhere.
 
-        Returns
-        -------
-        Found
-            The quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
-            its rounding, zero where the upper one is that nowhere.
-
-        Notes
-        -----
         Dinkelbach's iteration: q = top/bottom rises to where top − q·bottom, whose greatest value over the turn is
         certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
         0/0 where a spring of no preload rests.
         """
-        found = self._places(top, None, 0.0)
-        above, below = self._sums(top, bottom, found)
+        tops = self._places(top, None, 0.0)
+        above, below = self._sums(top, bottom, tops)
         quotient = float(_quotients(above, below)[0])
         while -inf < quotient < inf:
-            found = self._places(top, bottom, quotient)
-            above, below = self._sums(top, bottom, found)
+            tops = self._places(top, bottom, quotient)
+            above, below = self._sums(top, bottom, tops)
             better = float(_quotients(above, below).max())
             if not better > quotient + 1e-15 * abs(quotient):
                 break
@@ -149,21 +118,21 @@ class Survey:
         quotients = _quotients(above, below)
         index = int(quotients.argmax())
         if not -inf < quotient < inf:
-            return Found(max(quotient, 0.0), self._angle(found, index), 0.0)
+            return Found(max(quotient, 0.0), self._angle(tops, index), 0.0)
         alike = np.flatnonzero(quotients >= quotient - ALIKE * quotient)
-        error, loose = _off(found, above, below, quotients, quotient)
+        error, loose = _off(tops, above, below, quotients, quotient)
         if loose.size and error > ROUGH * quotient:
-            more = self._closer(top, bottom, quotient, found, loose)
-            error, _ = _off(found, above, below, quotients, quotient, more)
-        return Found(quotient, self._angle(found, int(alike[0]) if alike.size else index), error)
+            more = self._closer(top, bottom, quotient, tops, loose)
+            error, _ = _off(tops, above, below, quotients, quotient, more)
+        return Found(quotient, self._angle(tops, int(alike[0]) if alike.size else index), error)
 
-    def _closer(self, top: Sum, bottom: Sum, quotient: float, found: Summits, loose: "Any") -> float:
+    def _closer(self, top: Sum, bottom: Sum, quotient: float, tops: Summits, loose: "Any") -> float:
         """The most that top − quotient·bottom is on pieces too flat for their proxies: these are cut about a place."""
         if loose.size > FEW:
             return inf
 
-        middles = top.of(Disc(*self.cover.values(found.rows, found.units))).centre
-        units = np.array([best_unit(found, middles, row) for row in loose.tolist()])
+        middles = top.of(Disc(*self.cover.values(tops.rows, tops.units))).centre
+        units = np.array([best_unit(tops, middles, row) for row in loose.tolist()])
         # what vanishes at its summit has no size to be resolved beside: it is lifted by a share of its parts
         size = 0.0625 * float(np.abs(middles).max())
 
@@ -175,9 +144,9 @@ class Survey:
         most = ends.greatest - size
         return most + ends.greatest_error + 2.0**-52 * abs(most)
 
-    def _angle(self, found: Summits, index: int) -> float:
-        own = slice(index, index + 1)
-        return float(self.cover.angles(found.rows[own], found.units[own])[0])
+    def _angle(self, tops: Summits, index: int) -> float:
+        place = slice(index, index + 1)
+        return float(self.cover.angles(tops.rows[place], tops.units[place])[0])
 
     def _places(self, top: Sum, bottom: "Sum | None", quotient: float) -> Summits:
         """Where top − quotient·bottom may be greatest."""
@@ -185,45 +154,47 @@ class Survey:
         if bottom is not None:
             lower, less = bottom.middles(self.count)
             weights, constant = weights - quotient * lower, constant - quotient * less
-        made = self.made
-        own = np.tensordot(weights, made.coefficients, 1)
-        own[:, 0] += constant
-        rounded = 2.0**-50 * np.abs(made.coefficients).sum(axis=2)
-        error = np.abs(weights) @ (made.error + rounded) + 2.0**-51 * abs(constant)
-        steep = np.abs(weights) @ (made.steep + rounded * own.shape[1] ** 2) if made.steep is not None else None
+        proxies = self.proxies
+        combined = np.tensordot(weights, proxies.coefficients, 1)
+        combined[:, 0] += constant
+        rounded = 2.0**-50 * np.abs(proxies.coefficients).sum(axis=2)
+        error = np.abs(weights) @ (proxies.error + rounded) + 2.0**-51 * abs(constant)
+        steep = (
+            np.abs(weights) @ (proxies.steep + rounded * combined.shape[1] ** 2) if proxies.steep is not None else None
+        )
         whole = Proxies(
-            made.owner, made.starts, made.ends, own[None], error[None], made.proved,
+            proxies.owner, proxies.starts, proxies.ends, combined[None], error[None], proxies.proved,
             None if steep is None else steep[None],
         )  # fmt: skip
         with np.errstate(all="ignore"):
             return summits(whole, 0, self.cover.still, (1.0,))[0]
 
-    def _sums(self, top: Sum, bottom: Sum, found: Summits) -> "tuple[Disc, Disc]":
+    def _sums(self, top: Sum, bottom: Sum, tops: Summits) -> "tuple[Disc, Disc]":
         with np.errstate(all="ignore"):
-            rows = Disc(*self.cover.values(found.rows, found.units))
+            rows = Disc(*self.cover.values(tops.rows, tops.units))
             return top.of(rows), bottom.of(rows)
 
     def integral(self, which: int) -> tuple[float, float]:
         """Integral of a function over the turn by cam angle, and a bound of that of its magnitude."""
-        made = self.made
-        own = made.coefficients[3 + which]
-        even = np.arange(0, own.shape[1], 2)
-        width = (made.ends - made.starts) * np.array(widths(self.motion))[made.owner]
+        proxies = self.proxies
+        rows = proxies.coefficients[3 + which]
+        even = np.arange(0, rows.shape[1], 2)
+        width = (proxies.ends - proxies.starts) * np.array(widths(self.motion))[proxies.owner]
         return (
-            float(width @ (own[:, even] @ (1.0 / (1.0 - even * even)))),
-            float(width @ np.abs(own).sum(axis=1)),
+            float(width @ (rows[:, even] @ (1.0 / (1.0 - even * even)))),
+            float(width @ np.abs(rows).sum(axis=1)),
         )
 
 
 def _quotients(above: Disc, below: Disc) -> "Any":
     """Quotients at places; minus infinity where rounding leaves the sign of the upper sum open."""
     with np.errstate(all="ignore"):
-        made = np.where(below.centre > 0.0, above.centre / below.centre, inf)
-    return np.where(above.centre > above.radius, made, -inf)
+        quotients = np.where(below.centre > 0.0, above.centre / below.centre, inf)
+    return np.where(above.centre > above.radius, quotients, -inf)
 
 
 def _off(
-    found: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float, most: float = inf
+    summits_: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float, most: float = inf
 ) -> "tuple[float, Any]":
     """What the greatest quotient may be off, from the greatest value of above − quotient·below, and what pieces say so.
 
@@ -235,14 +206,14 @@ def _off(
     with np.errstate(all="ignore"):
         share = slip / below.centre
         best = int(quotients.argmax())
-        more = (left + slip + np.where(np.isinf(found.gains), 0.0, found.gains)) / below.centre
+        more = (left + slip + np.where(np.isinf(summits_.gains), 0.0, summits_.gains)) / below.centre
         error = max(float(share[best]), float(more[counts].max()))
-        loose = doubtful(found, float((left - slip)[best]))
-        open_ = counts & loose[found.rows]
+        loose = doubtful(summits_, float((left - slip)[best]))
+        open_ = counts & loose[summits_.rows]
         if open_.any():
-            tops = np.minimum(found.tops[found.rows], most)
+            tops = np.minimum(summits_.tops[summits_.rows], most)
             error = max(error, float((np.maximum(tops, slip) / below.centre)[open_].max()))
-    return error * (1.0 + 2.0**-40), np.flatnonzero(np.bincount(found.rows[open_], minlength=1))
+    return error * (1.0 + 2.0**-40), np.flatnonzero(np.bincount(summits_.rows[open_], minlength=1))
 
 
 def states(motion: "Motion", count: int = 33) -> "tuple[Any, ...]":

@@ -3,10 +3,6 @@
 The bounds are those of `cam.proof.law_enclosures` around a place, and of `cam.proof.law_rounding` at it.
 """
 
-from functools import lru_cache
-from math import perm
-
-from dynamics_cli.cam.laws.components import Beta
 from dynamics_cli.cam.proof.law_enclosures import UP, U, spreads
 from dynamics_cli.cam.proof.law_rounding import HALVES, HALVES_OF_FLOATS
 from dynamics_cli.cam.proof.law_rounding import slips as running_slips
@@ -24,61 +20,10 @@ SINGLE = 256
 SCALARS = 6
 
 
-@lru_cache(maxsize=64)
-def _terms(coefficients: "tuple[float, ...]", orders: int) -> "tuple[Any, Any]":
-    """Magnitudes of the coefficients of a polynomial and its derivatives, and units that their terms round by."""
-    import numpy as np
-
-    count = len(coefficients)
-    sizes, slips = np.zeros((orders, count)), np.zeros((orders, count))
-    for order in range(orders):
-        for i in range(order, count):
-            sizes[order, i - order] = abs(coefficients[i]) * perm(i, order)
-            slips[order, i - order] = (2.0 * i + 20.0) * sizes[order, i - order]
-    return sizes, slips
-
-
-def _slips(shape: "Any", reach: "Any", t: "Any", offset: "Any", derivatives: int) -> "list[Any]":
-    """Bounds of what roundings of the computation and of the place do to f and derivatives, by rows (arrays)."""
-    import numpy as np
-
-    coefficients, waves, _, _ = shape.parts
-    orders = derivatives + 2
-    sizes = rounded = np.zeros((orders, reach.size))
-    if coefficients:
-        terms, slips = _terms(tuple(coefficients), orders)
-        powers = reach ** np.arange(len(coefficients))[:, None]
-        sizes, rounded = terms @ powers, slips @ powers
-        if isinstance(shape, Beta):
-            whole = sizes.copy()
-            for order in range(1, min(orders, 5)):
-                sizes[order] = np.minimum(whole[order], shape.largest(order))
-            for order, size in enumerate(whole):
-                rounded[order] = 20.0 * size if order in (0, 5) else 24.0 * np.minimum(size, shape.size(order))
-    for amplitude, w, start in waves:
-        u = w * reach
-        # below one u − sin u is a series, beyond it a difference; the others keep their digits
-        most = np.ones((start + orders + 1, reach.size))
-        most[0] = np.where(u < 1.0, u * u * u / 6.0, 1.0 + u)
-        most[1], most[2] = np.minimum(2.0, 0.5 * u * u), np.minimum(1.0, u)
-        size, steep = most[start:-1], most[start + 1 :]
-        factor = np.array([[abs(amplitude) * w**order] for order in range(orders)])
-        sizes = sizes + factor * size
-        rounded = rounded + factor * (64.0 * size + 4.0 * u * steep)
-    off = getattr(shape, "off", 0.0)
-    place = U * (5.0 * t + offset) + off
-    return [
-        U * rounded[order] + 8.0 * off * sizes[order] + place * sizes[order + 1] for order in range(derivatives + 1)
-    ]
-
-
 class Parts:
     """Parts of a motion as arrays: what discs of them are made from.
 
-    Parameters
-    ----------
-    parts : sequence
-        Parts of a motion, as `Motion.parts_of` gives them.
+    `parts`: parts of a motion, as `Motion.parts_of` gives them.
     """
 
     __slots__ = ("base", "ends", "inner", "members", "off", "scales", "span")
@@ -98,10 +43,10 @@ class Parts:
             shapes.setdefault(id(None if law is None else law.shape), []).append(index)
         # the shape of a dwell is none
         self.members = []
-        for own in shapes.values():
+        for members_of_shape in shapes.values():
             among = np.zeros(len(laws), dtype=bool)
-            among[own] = True
-            law = laws[own[0]]
+            among[members_of_shape] = True
+            law = laws[members_of_shape[0]]
             self.members.append((None if law is None else law.shape, among))
 
 
@@ -111,38 +56,14 @@ def discs(
 ) -> "tuple[Disc, ...]":  # fmt: skip
     """Discs of lift and derivatives by cam angle, each row of places by its part of the motion.
 
-    Parameters
-    ----------
-    parts : Parts
-        Parts of a motion.
-    which : array (m,)
-        The part of each row.
-    t : array (m, n) or (m,)
-        Places in the parts' own coordinates, within their ends.
-    radius : array (m, k) or (m,)
-        How far about the places, as cam angles [rad]; k may differ from n where one of them is 1.
-    derivatives : int
-        How many derivatives, 0 to 4.
-    shares : bool
-        Whether places come from shares of a zone, whose ends are exact, and not from cam angles.
-    exact : bool
-        Whether places are what they are, and only ends of parts among them rounded.
-    singly : int
-        So many places (m,) are computed one by one where they are what they are, by the more exact functions of the
-        C library; others where it is more than usual.
+    `parts`: parts of a motion; `which`: the part of each row; `t`: places in the parts' own coordinates, within their
+    ends; `radius`: how far about the places, as cam angles [rad]; k may differ from n where one of them is 1;
+    `derivatives`: how many derivatives, 0 to 4; `shares`: whether places come from shares of a zone, whose ends are
+    exact, and not from cam angles; `exact`: whether places are what they are, and only ends of parts among them
+    rounded; `singly`: so many places (m,) are computed one by one where they are what they are, by the more exact
+    functions of the C library; others where it is more than usual. Returns s, ds/dθ, …: centres as computed, radii with
+    all roundings in them.
 
-    Returns
-    -------
-    tuple of Disc
-        s, ds/dθ, …: centres as computed, radii with all roundings in them.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
-
-    Notes
-    -----
     A part is one analytic function, so that discs may reach over its ends.
 
     Examples
@@ -165,35 +86,31 @@ def discs(
     radii = np.zeros((derivatives + 1, *np.broadcast_shapes(t.shape, radius.shape)))
     for shape, among in parts.members:
         rows = np.flatnonzero(among[which])
-        own = which[rows]
-        if not own.size:
+        indices = which[rows]
+        if not indices.size:
             continue
-        base, off_base = parts.base[own].reshape(column), parts.off[own].reshape(column)
+        base, off_base = parts.base[indices].reshape(column), parts.off[indices].reshape(column)
         if shape is None:
             centres[0, rows], radii[0, rows] = base, off_base
             continue
-        places, scales = t[rows], parts.scales[own]
+        places, scales = t[rows], parts.scales[indices]
         single = (exact or singly > SINGLE) and t.ndim == 1 and rows.size <= singly
         values = _one_by_one(shape, places, derivatives) if single else shape(places, derivatives)
-        about = None if only else radius[rows] / parts.span[own].reshape(column) * UP
+        about = None if only else radius[rows] / parts.span[indices].reshape(column) * UP
         wide = [0.0] * 5 if only else spreads(shape, places, about, derivatives)
-        offset = np.where(parts.inner[own] | (not shares), 3.0, 0.0)
-        if t.ndim == 1:
-            near = np.abs(places)
-            off = U * (5.0 * near + offset)
-            if exact:
-                ends = parts.ends[own]
-                off = np.where((ends[:, 0] == places) | (ends[:, 1] == places), 2.0 * U * near, 0.0)
-            slips = _running(shape, places, off, derivatives, single=single)
-            # the lift's factor and its product count two roundings, each division by the span two more
-            slips = [
-                slip + (2.0 + 2.0 * order) * U * np.abs(value)
-                for order, (slip, value) in enumerate(zip(slips, values, strict=True))
-            ]
-        else:
-            # the place itself is off by a few roundings: bounds hold a hair beyond it
-            reach = np.abs(places - shape.parts[2]) + 2.0**-49
-            slips = _slips(shape, reach.max(axis=1), np.abs(places).max(axis=1), offset, derivatives)
+        offset = np.where(parts.inner[indices] | (not shares), 3.0, 0.0)
+        near = np.abs(places)
+        off = U * (5.0 * near + offset.reshape(column))
+        if exact:
+            low, high = (end.reshape(column) for end in parts.ends[indices].T)
+            off = np.where((low == places) | (high == places), 2.0 * U * near, 0.0)
+        # the lift's factor and its product count two roundings, each division by the span two more
+        slips = [
+            slip + (2.0 + 2.0 * order) * U * np.abs(value)
+            for order, (slip, value) in enumerate(
+                zip(_running(shape, places, off, derivatives, single=single), values, strict=True)
+            )
+        ]
         # what the ends of a segment are off its lift is too
         whole = np.abs(scales[:, 0].reshape(column))
         share = off_base / np.where(whole > 0.0, whole, 1.0)
@@ -202,7 +119,7 @@ def discs(
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
             size = off_base + np.where(base, U * np.abs(centres[0, rows]), 0.0) if order == 0 else 0.0
-            slip = slips[order].reshape(column) + share * np.abs(values[order])
+            slip = slips[order] + share * np.abs(values[order])
             radii[order, rows] = (np.abs(scale) * (wide[order] + slip) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
 
@@ -212,7 +129,7 @@ def _running(shape: "Any", t: "Any", off: "Any", derivatives: int, *, single: bo
     import numpy as np
 
     halves = HALVES_OF_FLOATS if single else HALVES
-    if not 0 < t.size <= SCALARS:
+    if t.ndim > 1 or not 0 < t.size <= SCALARS:
         return running_slips(shape, t, off, derivatives, halves)
     pairs = zip(t.tolist(), off.tolist(), strict=True)
     return np.array([running_slips(shape, place, slip, derivatives, halves) for place, slip in pairs]).T

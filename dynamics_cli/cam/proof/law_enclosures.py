@@ -35,27 +35,9 @@ UP = 1.0 + 2.0**-40
 def bound(shape: "Any", order: int, reach: float) -> float:
     """Bound of a derivative of a shape where its own coordinate τ is within ±reach.
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    order : int
-        Which derivative, from 0.
-    reach : float
-        Largest |τ|, τ = t less the shape's origin.
+    `shape`: what a law's piece is made of; `order`: which derivative, from 0; `reach`: largest |τ|, τ = t less the
+    shape's origin. Returns no magnitude is larger.
 
-    Returns
-    -------
-    float
-        No magnitude is larger.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
-
-    Notes
-    -----
     The triangle inequality; sharp where the terms do not cancel.
 
     Examples
@@ -120,27 +102,9 @@ def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
 def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     """How far f and its derivatives may be, within complex discs about t, from what they are at t (arrays).
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    t, radius : array
-        Places, and radii that go together with them.
-    derivatives : int
-        How many derivatives.
+    `shape`: what a law's piece is made of; `t`, `radius`: places, and radii that go together with them; `derivatives`:
+    how many derivatives. Returns a bound for f and for each derivative, in rows.
 
-    Returns
-    -------
-    array
-        A bound for f and for each derivative, in rows.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
-
-    Notes
-    -----
     Taylor's series with the magnitudes of its coefficients, each taken a little too large.
 
     Examples
@@ -161,21 +125,21 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     for amplitude, w, start in waves:
         u, v = w * tau, w * radius
         # what the slopes are made of: that of u − sin u, and sines and cosines
-        made = np.empty((3, *u.shape))
-        made[1], made[2] = np.sin(u), np.cos(u)
-        made[0] = 1.0 - made[2]
+        trio = np.empty((3, *u.shape))
+        trio[1], trio[2] = np.sin(u), np.cos(u)
+        trio[0] = 1.0 - trio[2]
         half = np.sinh(0.5 * v)
         # cosh v − 1, and v (cosh v − 1), above sinh v − v
         bent = 2.0 * half * half
         beyond = v * bent
-        sine, cosine = np.abs(made[1:]) + LESS
+        sine, cosine = np.abs(trio[1:]) + LESS
         more = np.stack((cosine * beyond + sine * bent, sine * beyond + cosine * bent))
         which = [start + order for order in orders]
         factors = [amplitude * w**order for order in orders]
         signed = [
             factor * w * (1.0 if k % 4 in (1, 2) or not k else -1.0) for factor, k in zip(factors, which, strict=True)
         ]
-        slopes = slopes + np.array(signed).reshape(column) * made[[2 - k % 2 if k else 0 for k in which]]
+        slopes = slopes + np.array(signed).reshape(column) * trio[[2 - k % 2 if k else 0 for k in which]]
         sizes = np.abs(np.array(factors).reshape(column))
         slack, rest = slack + LESS * w * sizes, rest + sizes * more[[k % 2 for k in which]]
     return ((np.abs(slopes) + slack) * radius + rest) * UP

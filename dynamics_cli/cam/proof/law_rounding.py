@@ -40,31 +40,10 @@ OFF = 8.0
 def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = HALVES) -> "list[Any]":
     """Bounds of what roundings do to f and its derivatives at places, known to within `off`.
 
-    Parameters
-    ----------
-    shape : shape
-        What a law's piece is made of.
-    t : float or array
-        Places, in the shape's own coordinate.
-    off : float or array
-        What the places may be off by.
-    derivatives : int
-        How many derivatives, 0 to 4.
-    halves : float
-        `HALVES`, or `HALVES_OF_FLOATS` where the shape was called with floats.
+    `shape`: what a law's piece is made of; `t`: places, in the shape's own coordinate; `off`: what the places may be
+    off by; `derivatives`: how many derivatives, 0 to 4; `halves`: `HALVES`, or `HALVES_OF_FLOATS` where the shape was
+    called with floats. Returns a bound for f and for each derivative, as `shape(t, derivatives)` computes them.
 
-    Returns
-    -------
-    list of float or array
-        A bound for f and for each derivative, as `shape(t, derivatives)` computes them.
-
-    Raises
-    ------
-    ValueError
-        Never for finite numbers.
-
-    Notes
-    -----
     See the module: proved from the order of operations, not from samples.
 
     Examples
@@ -85,33 +64,23 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = 
     off = off + shape.off
     rows = _rows(coefficients, derivatives + 1)
     signed = t - origin if not shape.backwards else origin - t
-    found = []
+    sums = []
     for order in range(derivatives + 1):
         value, rounded = _horner(rows[order], signed)
         size = _size(rows[order], tau)
         moved = off * _size(rows[order + 1], tau + off)
-        found.append([U * (rounded + (CONSTANT + order) * size) + moved, abs(value)])
+        sums.append([U * (rounded + (CONSTANT + order) * size) + moved, abs(value)])
     for wave in waves:
-        _add_wave(found, wave, shape.near, tau, off, halves)
+        _add_wave(sums, wave, shape.near, tau, off, halves)
     # what is left are the additions of the parts
     spread = U * (len(waves) - (0.0 if coefficients else 1.0)) + OFF * shape.off
-    return [(error + spread * size) * UP for error, size in found]
+    return [(error + spread * size) * UP for error, size in sums]
 
 
 def of_law(law: "Any", x: float) -> "list[float]":
     """What `law.at(x)`, x a float, may be off: f and three derivatives.
 
-    Parameters
-    ----------
-    law : Law
-        The law.
-    x : float
-        The place.
-
-    Returns
-    -------
-    list of float
-        Bounds; at a joint of pieces the more of both.
+    `x`: the place. Returns bounds; at a joint of pieces the more of both.
 
     Examples
     --------
@@ -123,29 +92,18 @@ def of_law(law: "Any", x: float) -> "list[float]":
     for piece in law.pieces:
         if piece.low <= x <= piece.high:
             t = 1.0 - x if piece.far else x
-            found = slips(piece.shape, t, U * t, 3, HALVES_OF_FLOATS)
+            errors = slips(piece.shape, t, U * t, 3, HALVES_OF_FLOATS)
             values = piece.shape(t, 3)
-            found[0] += U * (abs(law.total) + abs(values[0])) if piece.far else 0.0
-            worst = [max(one, other) for one, other in zip(worst, found, strict=True)]
+            errors[0] += U * (abs(law.total) + abs(values[0])) if piece.far else 0.0
+            worst = [max(one, other) for one, other in zip(worst, errors, strict=True)]
     return worst
 
 
 def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     """What lift and three derivatives by cam angle may be off at places of a part of a motion, from cam angles.
 
-    Parameters
-    ----------
-    part : part of a motion
-        As `Motion.parts_of` gives them.
-    t : float or array
-        Places in the part's own coordinate: five roundings off.
-    halves : float
-        As of `slips`.
-
-    Returns
-    -------
-    list of float or array
-        Bounds. A factor and its product count two roundings, each division by the span two more.
+    `part`: as `Motion.parts_of` gives them; `t`: places in the part's own coordinate: five roundings off; `halves`: as
+    of `slips`. Returns bounds. A factor and its product count two roundings, each division by the span two more.
 
     Examples
     --------
@@ -158,16 +116,16 @@ def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     if part.law_piece is None:
         return [level + 0.0 * t, 0.0 * t, 0.0 * t, 0.0 * t]
     shape = part.law_piece.shape
-    found = slips(shape, t, 5.0 * U * abs(t), 3, halves)
+    errors = slips(shape, t, 5.0 * U * abs(t), 3, halves)
     values = shape(t, 3)
     # what the ends are off the factor is too
     share = part.off / abs(part.scales[0]) if part.scales[0] else 0.0
-    made = [
+    bounds = [
         abs(scale) * (error + ((2.0 + 2.0 * order) * U + share) * abs(value)) * UP
-        for order, (scale, error, value) in enumerate(zip(part.scales, found, values, strict=False))
+        for order, (scale, error, value) in enumerate(zip(part.scales, errors, values, strict=False))
     ]
-    made[0] = made[0] + level + U * (abs(part.base) + abs(part.scales[0] * values[0]) if part.base else 0.0)
-    return made
+    bounds[0] = bounds[0] + level + U * (abs(part.base) + abs(part.scales[0] * values[0]) if part.base else 0.0)
+    return bounds
 
 
 def _rows(coefficients: "Sequence[float]", derivatives: int) -> "list[Sequence[float]]":
@@ -201,7 +159,7 @@ def _size(row: "Sequence[float]", reach: "Any") -> "Any":
 
 
 def _add_wave(
-    found: "list[list[Any]]", wave: "tuple[float, float, int]", near: "tuple[float, float]", tau: "Any", off: "Any",
+    sums: "list[list[Any]]", wave: "tuple[float, float, int]", near: "tuple[float, float]", tau: "Any", off: "Any",
     halves: float,
 ) -> None:  # fmt: skip
     """Add the roundings and the size of A W(wτ) and its derivatives to those of the rest."""
@@ -212,7 +170,7 @@ def _add_wave(
     sine, cosine = abs(sin(u)) + U, abs(cos(u)) + U
     whole = abs(u_minus_sine(u))
     factor = abs(amplitude)
-    for order, part in enumerate(found):
+    for order, part in enumerate(sums):
         which = start + order
         if which == 0:
             small = u < 1.0

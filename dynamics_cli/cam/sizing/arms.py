@@ -36,26 +36,9 @@ class Reach:
 def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], turn: float) -> Reach:
     """Between which angles the arm may start.
 
-    Parameters
-    ----------
-    motion : Motion
-        The program.
-    arm, pivot : float
-        Length of the arm and distance of its pivot [m].
-    limits : pair of float
-        The limits of rise and return [rad].
-    turn : float
-        -1 for a clockwise cam.
-
-    Returns
-    -------
-    Reach
-        The angles.
-
-    Raises
-    ------
-    InadmissibleError
-        When no angle keeps one of the limits (long arms).
+    `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `limits`: the limits of rise
+    and return [rad]; `turn`: -1 for a clockwise cam. Returns the angles. Raises InadmissibleError when no angle keeps
+    one of the limits (long arms).
     """
     require(arm > 0.0 and pivot > 0.0, "arm and pivot distance must be positive", code="no-triangle")
     # positive pressure angles of a clockwise cam are negative ones of its mirror image
@@ -132,15 +115,15 @@ def size_arm(
     """Base circle of a rocker: the least angle of the arm that keeps both limits and the curvature."""
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     turn, side = signs(rotation, flank)
-    found = reach(motion, arm, pivot, limits, turn)
-    start, binding, method = found.least, found.binding, "closed form on certified extremes"
-    require_reach(found, start)
-    error = found.error
+    reached = reach(motion, arm, pivot, limits, turn)
+    start, binding, method = reached.least, reached.binding, "closed form on certified extremes"
+    require_reach(reached, start)
+    error = reached.error
     if least_radius is not None:
         curved, off = round_start(motion, arm, pivot, start, least_radius + roller, turn, side)
         if curved > start:
             start, binding, method, error = curved, CURVATURE, "bisection on certified extremes", off
-            require_round(found, start)
+            require_round(reached, start)
     radius = distance(arm, pivot, start)
     slip = moved(arm, pivot, start, error)
     if radius < roller:
@@ -196,31 +179,11 @@ def round_start(
 ) -> tuple[float, float]:
     """The least angle of the arm, from `start` on, whose pitch curve is as round as wanted, and what it may be off.
 
-    Parameters
-    ----------
-    motion : Motion
-        The program.
-    arm, pivot : float
-        Length of the arm and distance of its pivot [m].
-    start : float
-        The least angle [rad].
-    wanted : float
-        Least radius of curvature of the pitch curve, where it is hollow on an outer flank [m].
-    turn, side : float
-        -1 for a clockwise cam; -1 for an outer flank.
+    `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `start`: the least angle
+    [rad]; `wanted`: least radius of curvature of the pitch curve, where it is hollow on an outer flank [m]; `turn`,
+    `side`: -1 for a clockwise cam; -1 for an outer flank. Returns the angle, and the bound of its error [rad]. Raises
+    InadmissibleError when there is none.
 
-    Returns
-    -------
-    (float, float)
-        The angle, and the bound of its error [rad].
-
-    Raises
-    ------
-    InadmissibleError
-        When there is none.
-
-    Notes
-    -----
     Bisection on certified extremes, after steps that double. The curvature is surely too large an error below the
     angle, and surely not an error above it.
     """

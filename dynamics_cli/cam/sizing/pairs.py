@@ -76,19 +76,19 @@ def size_arms(
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     starts, mosts, bindings, errors = [], [], [], []
     for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
-        found = reach(moves, arm, pivot, limits, way * turn)
-        start, binding, error = found.least, found.binding, found.error
-        require_reach(found, start)
+        reached = reach(moves, arm, pivot, limits, way * turn)
+        start, binding, error = reached.least, reached.binding, reached.error
+        require_reach(reached, start)
         if least_radius is not None:
             start, off = round_start(moves, arm, pivot, start, least_radius + roller, way * turn, 1.0)
-            binding, error = (CURVATURE, off) if start > found.least else (binding, error)
-            require_round(found, start)
+            binding, error = (CURVATURE, off) if start > reached.least else (binding, error)
+            require_round(reached, start)
         if distance(arm, pivot, start) < roller:
             start, binding = followers.start_angle_of_arm(0.0, roller, arm, pivot), ROLLER
         starts.append(start)
-        mosts.append(found.most)
+        mosts.append(reached.most)
         bindings.append(binding)
-        errors.append((error, found.most_error))
+        errors.append((error, reached.most_error))
     angle = starts[0] + starts[1] if follower.arm_angle is None else follower.arm_angle
     # the second arm stands at the rest of the angle, which has a least and a greatest value too
     start = max(starts[0], angle - mosts[1])
@@ -126,8 +126,12 @@ def _both(
     checks: list[Check] = []
     seen = []
     for name, geometry in (("first", first), ("second", second)):
-        found = analyse(geometry, motion)
-        high, low, least = found.pressure.largest()[0], found.pressure.smallest()[0], convex(geometry, found)[0]
+        analysis = analyse(geometry, motion)
+        high, low, least = (
+            analysis.pressure.largest()[0],
+            analysis.pressure.smallest()[0],
+            convex(geometry, analysis)[0],
+        )
         seen.append((high, low, least))
         checks += [
             kept(f"largest pressure angle of the {name} cam keeps its limit", high - limits[0], 1.0),

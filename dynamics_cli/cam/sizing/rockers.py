@@ -28,6 +28,8 @@ def size_rocker(
     With M = √(A² + B²), β = atan2(B, A), this is M sin(ψ + β) ≥ C: ψ₀ ≥ asin(C/M) − β − s, in closed form.
     """
     pivot, back = follower.pivot_distance, follower.face_offset
+    require(pivot > abs(back), "the face's offset reaches beyond the pivot's distance", code="pivot-inside",
+            hint="move the pivot outwards")  # fmt: skip
     start, binding, error, slowest = _start(motion, pivot, back, limits, least_radius, signs(rotation, "inner")[0])
     base = max(pivot * sin(start) - back, 0.0)
     slip = pivot * (cos(start) + error) * error + 6.0 * UNIT * pivot * sin(start) + UNIT * base
@@ -58,8 +60,6 @@ def _start(
     motion: "Any", pivot: float, back: float, limits: tuple[float, float], least_radius: float, turn: float
 ) -> "tuple[float, str, float, float]":
     """The least angle of the face at zero lift, what decides it, its error, and the least of 1 + dψ/dθ."""
-    require(pivot > abs(back), "the face's offset reaches beyond the pivot's distance", code="pivot-inside",
-            hint="move the pivot outwards")  # fmt: skip
     slowest = 1.0 + extremes_of(motion, lambda s, s1, s2: turn * s1)[0].smallest()[0]
     require(
         slowest > 0.0,

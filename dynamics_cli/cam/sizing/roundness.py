@@ -56,14 +56,8 @@ class Falling:
 class Round:
     """A radius of curvature that the pitch curve of a slide is to keep.
 
-    Parameters
-    ----------
-    motion : Motion
-        The program.
-    wanted : float
-        Least radius of curvature of the pitch curve, where convex, or where hollow on an outer flank [m].
-    turn, side : float
-        -1 for a clockwise cam; -1 for an outer flank.
+    `motion`: the program; `wanted`: least radius of curvature of the pitch curve, where convex, or where hollow on an
+    outer flank [m]; `turn`, `side`: -1 for a clockwise cam; -1 for an outer flank.
     """
 
     def __init__(self, motion: "Any", wanted: float, turn: float, side: float) -> None:
@@ -191,21 +185,9 @@ class Round:
 def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, place: float, step: float) -> float:
     """How far from a place a curvature is surely too large below and surely not above.
 
-    Parameters
-    ----------
-    bend : callable
-        Curvature and the bound of its error; it falls as its argument grows.
-    wanted : float
-        The radius of curvature that is to be kept [m].
-    place : float
-        Where it is just kept, as found.
-    step : float
-        A step that resolves the slope.
-
-    Returns
-    -------
-    float
-        The distance; infinite where there is none.
+    `bend`: curvature and the bound of its error; it falls as its argument grows; `wanted`: the radius of curvature that
+    is to be kept [m]; `place`: where it is just kept, as found; `step`: a step that resolves the slope. Returns the
+    distance; infinite where there is none.
     """
 
     def sure(at: float, way: float) -> bool:
@@ -229,17 +211,8 @@ def best_offset(
 ) -> tuple[float, float]:
     """The offset of least cost: every dip of a grid, golden section in each, and where two slopes meet in it.
 
-    Parameters
-    ----------
-    rough, fine : callable
-        Cost of an offset, quickly and exactly.
-    reach : float
-        No offset farther out can do better [m].
-
-    Returns
-    -------
-    (float, float)
-        The offset, zero where that costs no more, and what another might cost less.
+    `rough`, `fine`: cost of an offset, quickly and exactly; `reach`: no offset farther out can do better [m]. Returns
+    the offset, zero where that costs no more, and what another might cost less.
     """
     step = reach / GRID
     costs = [rough(k * step) for k in range(-GRID, GRID + 1)]

@@ -77,6 +77,10 @@ def size(
     upside down in the mirror. In a closed track both flanks share their pressure angles: size it for the inner flank
     and for the outer, and take the larger.
 
+    References
+    ----------
+    Flocke's construction of the smallest cam.
+
     Examples
     --------
     >>> from dynamics_cli.cam.program.reading import program_of

@@ -36,7 +36,7 @@ def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]"
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> CamSize:
-    """Base circle of a flat-faced follower: R_b = ρ − min(s + s″), in closed form from certified extremes."""
+    """Base circle of a flat-faced follower, in closed form from certified extremes: R_b = ρ − min(s + s″)."""
     both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = both.smallest()
     base = least_radius - low
@@ -48,8 +48,8 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
     slip += UNIT * max(base, floor)
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
-    found = analyse(geometry, motion)
-    low_kept = found.curvature.smallest()[0]
+    analysis = analyse(geometry, motion)
+    low_kept = analysis.curvature.smallest()[0]
     return CamSize(
         base_radius=base, offset=None, start_radius=None, arm_start_angle=None, binding=binding,
         largest_pressure_angle=0.0, least_pressure_angle=0.0, least_convex_radius=low_kept,
@@ -73,6 +73,19 @@ def no_limit(least_radius: float) -> tuple[Advice, ...]:
     )  # fmt: skip
 
 
+def _searched(wedge: "Wedge", round_: Round, e: float, d: float) -> tuple[float, float]:
+    """The best offset where curvature binds, and what another offset might gain in height."""
+    # no offset beyond the start radius that this one needs can do better
+    reach = hypot(e, max(d, round_.height(e)))
+    e, loose = best_offset(
+        lambda e: hypot(e, max(wedge.height(e), round_.rough(e))),
+        lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
+        reach,
+    )
+    # what lies between the height searched with and the certified one
+    return e, loose + abs(round_.height(e) - round_.fine(e))
+
+
 def size_slide(
     motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str, flank: str
 ) -> CamSize:
@@ -91,16 +104,8 @@ def size_slide(
     if round_ is not None and not round_.kept(e, d):
         binding, method, loose = CURVATURE, "secant on certified extremes", 0.0
         if follower.offset is None:
-            # no offset beyond the start radius that this one needs can do better
-            reach = hypot(e, max(d, round_.height(e)))
-            e, loose = best_offset(
-                lambda e: hypot(e, max(wedge.height(e), round_.rough(e))),
-                lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
-                reach,
-            )
+            e, loose = _searched(wedge, round_, e, d)
             method = "golden section over the offset, secant on certified extremes"
-            # what lies between the height searched with and the certified one another offset might gain
-            loose += abs(round_.height(e) - round_.fine(e))
         pressed, bent = wedge.height(e), round_.height(e)
         d = max(pressed, bent)
         slip = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)
@@ -113,10 +118,10 @@ def size_slide(
     base = radius - roller
     offset = turn * e + 0.0
     follows = followers.Roller(base, roller, offset)
-    found = analyse(Geometry(follows, rotation), motion)
-    high, low = found.pressure.largest()[0], found.pressure.smallest()[0]
-    least, _ = convex(Geometry(follows, rotation), found)
-    hollow, _ = concave(Geometry(follows, rotation, flank), found) if side < 0.0 else (None, None)
+    analysis = analyse(Geometry(follows, rotation), motion)
+    high, low = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
+    least, _ = convex(Geometry(follows, rotation), analysis)
+    hollow, _ = concave(Geometry(follows, rotation, flank), analysis) if side < 0.0 else (None, None)
     in_line, curved = max(wedge.a, wedge.b, wedge.floor) - roller, binding.startswith(CURVATURE)
     # a base radius and an offset of doubles fix a height far below them no better
     lever = 1.0 + 1e-4 * (radius / d) ** 2 if d > 0.0 else inf
@@ -140,12 +145,7 @@ def size_slide(
 class Wedge:
     """Heights that the pressure angles of a slide allow at an offset e: d ≥ A − e cot φ₁, d ≥ B + e cot φ₂.
 
-    Parameters
-    ----------
-    motion : Motion
-        The program.
-    limits : pair of float
-        The limits of rise and return [rad].
+    `motion`: the program; `limits`: the limits of rise and return [rad].
     """
 
     def __init__(self, motion: "Any", limits: tuple[float, float]) -> None:
@@ -232,25 +232,9 @@ def stated(error: float, base: float) -> ErrorBound:
 def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[float, float, str]:
     """The nearest (e, d) to the origin with d + e c₁ ≥ A and d − e c₂ ≥ B.
 
-    Parameters
-    ----------
-    a, b : float
-        A and B [m].
-    cot_rise, cot_return : float
-        Cotangents of the limits.
+    `a`, `b`: a and B [m]; `cot_rise`, `cot_return`: cotangents of the limits. Returns offset, height and the limits
+    that bind.
 
-    Returns
-    -------
-    tuple
-        Offset, height and the limits that bind.
-
-    Raises
-    ------
-    ZeroDivisionError
-        Never for limits between 0 and 90 degrees.
-
-    Notes
-    -----
     The apex is the answer unless the foot of the perpendicular on one line keeps the other.
 
     Examples

@@ -28,14 +28,14 @@ from dynamics_cli.errors import DynamicsError, ExitStatus, FaultError, UsageErro
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from dynamics_cli.core.batch.rows.group import Group, Groups
     from dynamics_cli.core.terminal import Terminal
 
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
-FIRST_ARRAY_ROWS = 1000
+FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
 # Rows in which bare numbers and uncertain values are looked for.
 LOOKED_AT = 50
@@ -249,7 +249,7 @@ class _Stream:
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
-        suited = not case.settings.bounds and ((case.task.arrays and not case.layout.spread) or case.measure[0])
+        suited = not case.settings.bounds and (not case.layout.spread or case.measure[0])
         self._by_arrays: bool | None = None if suited else False
 
     @property
@@ -324,54 +324,49 @@ class _Stream:
         groups = self._groups.uniform(lines)
         if groups is None:
             groups = self._groups.sorted(lines)
-        if len(groups) == 1 and groups[0].rows is None:
-            done, good = self._group(lines, groups[0])
-            if good is None:
-                return done
         made: list[bytes | None] = [None] * len(lines)
         for group in groups:
-            rows = range(len(lines)) if group.rows is None else group.rows
-            done, good = self._group([lines[row] for row in rows], group)
-            kept: Any = rows if good is None else [row for row, fine in zip(rows, good, strict=True) if fine]
-            for row, text in zip(kept, done.split(b"\n"), strict=False):
-                made[row] = text + b"\n"
+            whole = range(len(lines)) if group.rows is None else group.rows
+            for places, text in self._group([lines[row] for row in whole], group):
+                if len(places) == len(lines):
+                    return text
+                for place, one in zip(places, text.split(b"\n"), strict=False):
+                    made[whole[place]] = one + b"\n"
         return b"".join([self._single(line) if text is None else text for line, text in zip(lines, made, strict=True)])
 
-    def _group(self, lines: "list[bytes]", group: "Group") -> "tuple[bytes, list[bool] | None]":
-        """The rows of a group that could be answered together, and which these are (None: all)."""
-        from dynamics_cli.core.batch.rows.plan import written
+    def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], bytes]]":
+        """The rows of a group that could be answered together: their places in it, and their text."""
+        from dynamics_cli.core.batch.rows.answered import written
         from dynamics_cli.core.batch.text.columns import Unsuited, weave
 
         plan = group.plan
-        nothing = b"", [False] * len(lines)
         if plan.failures > MOST_FAILURES:
-            return nothing
+            return
         try:
-            results, good = plan.run(group.columns)
+            answered = plan.run(group.columns)
         except Unsuited:
             plan.failures = MOST_FAILURES + 1
-            return nothing
-        fine = None if good is None else good.tolist()
-        if fine is not None:
-            lines = [line for line, kept in zip(lines, fine, strict=True) if kept]
-            plan.failures += len(lines) * 4 < len(fine)
-        echoes = self._echoes(lines, group, fine)
-        made = weave(self.output.pieces(echoes, written(results, self.output.format)), len(lines))
-        if not plan.proved and lines:
-            plan.proved = self._agrees(lines, made)
-            if not plan.proved:
-                plan.failures = MOST_FAILURES + 1
-                return nothing
-        return made, fine
+            return
+        plan.failures += sum(len(one.rows) for one in answered) * 4 < len(lines)
+        for one in answered:
+            places = one.rows.tolist()
+            whole = len(places) == len(lines)
+            kept = lines if whole else [lines[place] for place in places]
+            echoes = self._echoes(kept, group, None if whole else places)
+            text = weave(self.output.pieces(echoes, written(one.results, self.output.format)), len(kept))
+            if one.signature not in plan.proved:
+                if not self._agrees(kept, text):
+                    plan.failures = MOST_FAILURES + 1
+                    return
+                plan.proved.add(one.signature)
+            yield places, text
 
-    def _echoes(self, lines: "list[bytes]", group: "Group", fine: "list[bool] | None") -> "list[bytes]":
+    def _echoes(self, lines: "list[bytes]", group: "Group", places: "list[int] | None") -> "list[bytes]":
         if self.output.format != self.source.format:
             return list(map(self.output.echo, lines))
         if group.echoes is None:
             return lines
-        if fine is None:
-            return group.echoes
-        return [echo for echo, kept in zip(group.echoes, fine, strict=True) if kept]
+        return group.echoes if places is None else [group.echoes[place] for place in places]
 
     def _agrees(self, lines: "list[bytes]", made: bytes) -> bool:
         """Whether the first and the last row come out as a single call writes them."""

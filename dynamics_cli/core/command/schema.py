@@ -63,7 +63,9 @@ class _Inputs:
                 self._spread((node.item,), prefix, properties)
                 if field.required:
                     plain = {"required": sorted(node.item.required)}
-                    choices.append({"oneOf": [{"required": [field.key]}, plain]})
+                    several = {"required": [field.key]}
+                    # without a required field of its own, one is told by the list's absence
+                    choices.append({"oneOf": [several, plain if node.item.required else {"not": several}]})
             elif field.required and not (isinstance(node, Leaf) and node.kind.default):
                 required.append(field.key)
             properties[field.key] = self.node(node, path)
@@ -107,7 +109,7 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
     if kind is FLAG:
         return {"type": "boolean"}
     examples = {"examples": [kind.example]} if kind.example else {}
-    if kind.form in ("text", "file", "unit", "range"):
+    if kind.form in ("text", "file", "unit", "range", "formula", "let"):
         return {"type": "string", **examples}
     if kind.form == "fraction":
         written = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}

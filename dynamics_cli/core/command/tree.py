@@ -4,19 +4,22 @@ The only module that imports typer. Commands are built for the chosen family onl
 direct route reads, and both end in the same `execute`.
 """
 
-from typer import _click as click
-from typer._completion_classes import completion_init
-from typer._completion_shared import get_completion_script
+import os
+import sys
+
+from typer import Exit, TyperException
+from typer.completion import completion_init, get_completion_script, shell_complete  # type: ignore[attr-defined]
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
-from typer.exceptions import Exit
 
 from dynamics_cli.core.answering.task import Family, Task
-from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
+from dynamics_cli.core.command.completion import POWERSHELL, completer_of, result_completer, words_that_fit
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
+from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
+from dynamics_cli.core.command.unknown import extra_words, unknown_option
 from dynamics_cli.core.inputs.options import Option
-from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS, Call
+from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.specification import Tagged
 from dynamics_cli.errors import UsageError
 from dynamics_cli.version import __version__
@@ -30,7 +33,9 @@ if TYPE_CHECKING:
 
     Finder = Callable[[str], Family]
 
-SHELLS = ("bash", "zsh", "fish")
+SHELLS = ("bash", "zsh", "fish", "powershell")
+# Where a shell says what it wants completed.
+COMPLETE = "_DYNAMICS_COMPLETE"
 
 
 def run_tree(
@@ -46,26 +51,30 @@ def run_tree(
     try:
         with terminal.own_stdout():
             # What `main` does, except that it makes a failure (status 1) of a closed pipe.
-            root._main_shell_completion({}, "dynamics")
+            if wanted := os.environ.get(COMPLETE):
+                sys.exit(shell_complete(root, {}, "dynamics", COMPLETE, wanted))
             with root.make_context("dynamics", list(argv)) as context:
                 status = root.invoke(context)
     except Exit as error:
         return error.exit_code
-    except click.exceptions.NoSuchOption as error:
-        task = getattr(getattr(error.ctx, "command", None), "task", None)
-        near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
-        hint = near if task is None else _near_option(task, error.option_name)
-        name = error.option_name.lstrip("-")
-        raise UsageError(
-            f"there is no option {error.option_name}", code="unknown-option", parameter=name or None, hint=hint
-        ) from None
-    except click.exceptions.NoArgsIsHelpError as error:
-        terminal.write(error.ctx.get_help() + "\n")
-        return 0
-    except click.exceptions.ClickException as error:
-        message = error.format_message().rstrip(".")
-        raise UsageError(message[:1].lower() + message[1:], hint=_try_help(error)) from None
+    except TyperException as error:
+        raise _refusal(error, argv) from None
     return status if isinstance(status, int) else 0
+
+
+def _refusal(error: "Any", argv: "list[str]") -> UsageError:
+    """What typer complains of; only its complaint of an unknown option has `possibilities`."""
+    task = getattr(getattr(getattr(error, "ctx", None), "command", None), "task", None)
+    if not hasattr(error, "possibilities"):
+        message = error.format_message().rstrip(".")
+        if task is not None and message.startswith("Got unexpected extra"):
+            return extra_words(task, message)
+        return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
+    if task is not None:
+        return unknown_option(task, error.option_name, argv)
+    hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
+    name = error.option_name.lstrip("-") or None
+    return UsageError(f"there is no option {error.option_name}", code="unknown-option", parameter=name, hint=hint)
 
 
 def _try_help(error: "Any") -> str | None:
@@ -89,24 +98,38 @@ def _root(
     return group
 
 
-class _Families(TyperGroup):
+class _Group(TyperGroup):
+    """Commands by name; without one its help."""
+
+    def __init__(self, terminal: "Terminal", **rest: "Any") -> None:
+        super().__init__(rich_markup_mode=None, **rest)
+        self.terminal = terminal
+
+    def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
+        """Write the help where nothing is asked for."""
+        if not args and not ctx.resilient_parsing:
+            self.terminal.write(ctx.get_help() + "\n")
+            ctx.exit()
+        return super().parse_args(ctx, args)
+
+
+class _Families(_Group):
     """The families by name; a family is imported when it is asked for, never for the list of names."""
 
     def __init__(
         self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
     ) -> None:
-        super().__init__(name="dynamics", rich_markup_mode=None, no_args_is_help=True, **rest)
+        super().__init__(terminal, name="dynamics", **rest)
         self._find = find
-        self._terminal = terminal
         self._families = families
         for name, (_, line) in families.items():
             self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
 
-    def get_command(self, ctx: "Any", cmd_name: str) -> "Any":
-        """The family's commands, built now unless only its line of help is wanted."""
-        if cmd_name not in self._families or (ctx.resilient_parsing and not ctx._protected_args and not ctx.args):
-            return self.commands.get(cmd_name)
-        return build_family(self._find(cmd_name), self._terminal)
+    def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
+        """The family's commands, built now: whatever lists families has their lines of help without them."""
+        if args[0] not in self._families:
+            return super().resolve_command(ctx, args)
+        return args[0], build_family(self._find(args[0]), self.terminal), args[1:]
 
     def format_commands(self, ctx: "Any", formatter: "Any") -> None:
         """List the families by trade, without importing them, and the commands that belong to no trade last."""
@@ -128,7 +151,7 @@ def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperG
     """The command of a lone task, or a group with a command for each task."""
     if family.alone is not None:
         return _TaskCommand(family.alone, terminal)
-    group = TyperGroup(name=family.name, help=family.summary, rich_markup_mode=None, no_args_is_help=True)
+    group = _Group(terminal, name=family.name, help=family.summary)
     for name, task in family.tasks.items():
         group.commands[name] = _TaskCommand(task, terminal)
     return group
@@ -171,52 +194,7 @@ class _TaskCommand(TyperCommand):
     def _carry_out(self, **given: "Any") -> int:
         from dynamics_cli.core.command.execute import execute
 
-        return execute(self.task, _call(self.task, given), self.terminal)
-
-
-def _call(task: Task, given: "dict[str, Any]") -> Call:
-    call = Call()
-    call.words = list(given.pop("words__", None) or ())
-    for word in call.words:
-        if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
-            raise UsageError(f"there is no option {word}", code="unknown-option", hint=_near_option(task, word))
-    for name in UNIVERSAL_OPTIONS:
-        value = given.pop(_variable("setting", name), None)
-        if value:
-            call.settings[name] = _single(name, value, UNIVERSAL_OPTIONS[name][0])
-    for name, option in task.options.items():
-        value = given.pop(_variable("option", name), None)
-        if value:
-            how = "flag" if option.flag else "many" if option.repeats else "value"
-            call.options[name] = _single(name, value, how)
-    return call
-
-
-def _variable(side: str, name: str) -> str:
-    return f"{side}__{name.replace('-', '_')}"
-
-
-def _single(name: str, value: "Any", how: str) -> "Any":
-    if how == "flag":
-        return True
-    if how == "many":
-        return list(value)
-    if value[-1].startswith("--"):
-        raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
-    if len(value) > 1:
-        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
-    return value[0]
-
-
-def _near_option(task: Task, word: str) -> str:
-    from dynamics_cli.core.inputs.suggestions import suggestions
-
-    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
-    return (
-        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
-        if near
-        else f"try: dynamics {task.path} --help"
-    )
+        return execute(self.task, call_of(self.task, given), self.terminal)
 
 
 def _arguments(task: Task) -> "list[TyperArgument]":
@@ -241,7 +219,7 @@ def _word_metavar(field: "Any") -> str:
 
 
 def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str | None") -> TyperOption:
-    decls = [_variable("option", option.name), f"--{option.name}"]
+    decls = [variable("option", option.name), f"--{option.name}"]
     text = option_help(option, texts)
     choice = option.leaf.choice if option.leaf is not None else None
     if option.flag:
@@ -269,7 +247,7 @@ def _universal_options(task: Task) -> "list[TyperOption]":
     for name, (how, metavar, text) in UNIVERSAL_OPTIONS.items():
         if name == "template" and not takes_scene(task):
             continue
-        decls = [_variable("setting", name), f"--{name}"]
+        decls = [variable("setting", name), f"--{name}"]
         if how == "flag":
             made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
@@ -288,14 +266,7 @@ def _version_option(terminal: "Terminal") -> TyperOption:
             terminal.write(f"dynamics {__version__}\n")
             context.exit()
 
-    return TyperOption(
-        param_decls=["--version"],
-        is_flag=True,
-        is_eager=True,
-        expose_value=False,
-        callback=show,
-        help="Show the version.",
-    )
+    return _eager("version", "Show the version.", show, is_flag=True)
 
 
 def _completion_option(terminal: "Terminal") -> TyperOption:
@@ -303,18 +274,18 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         if value and not context.resilient_parsing:
             if value not in SHELLS:
                 raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
-            script = get_completion_script(prog_name="dynamics", complete_var="_DYNAMICS_COMPLETE", shell=value)
-            terminal.write(script + "\n")
+            given = {"prog_name": "dynamics", "complete_var": COMPLETE, "shell": value}
+            terminal.write(POWERSHELL if value == "powershell" else get_completion_script(**given) + "\n")
             context.exit()
 
+    text = "Print the completion script of bash, zsh, fish or powershell."
+    return _eager("show-completion", text, show, type=str, metavar="SHELL")
+
+
+def _eager(name: str, text: str, callback: "Callable[..., None]", **rest: "Any") -> TyperOption:
+    """An option that answers in place of a command."""
     return TyperOption(
-        param_decls=["--show-completion"],
-        type=str,
-        metavar="SHELL",
-        is_eager=True,
-        expose_value=False,
-        callback=show,
-        help="Print the completion script of bash, zsh or fish.",
+        param_decls=[f"--{name}"], is_eager=True, expose_value=False, callback=callback, help=text, **rest
     )
 
 
@@ -325,7 +296,7 @@ def _plain_command(
 
     def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
         options = {
-            name: "yes" if value is True else _single(name, value, "value") for name, value in given.items() if value
+            name: "yes" if value is True else single(name, value, "value") for name, value in given.items() if value
         }
         command.carry_out(words, options, families, find, terminal)
         return 0

@@ -48,7 +48,8 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         return [{**value, "value": item} for item in value["value"]]
     if isinstance(value, str) and not isinstance(value, Token):
         form = getattr(getattr(node.item, "kind", None), "form", "")
-        items = split_list(value)
+        text = value.strip()
+        items = split_list(text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else value)
         return share_unit(items) if form in ("scalar", "slope") else items
     # a table of named tables: [surfaces.road] is an item with that name
     listed = isinstance(value, dict) and value and "name" in getattr(node.item, "names", ())
@@ -150,8 +151,8 @@ def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", def
         if error.code != "uncertain" or context.uncertain is None:
             raise
         return _uncertain(kind, text, address, context, default_unit)
-    context.notes.extend(f"{address}: {note}" for note in reading.notes)
-    return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
+    context.note(address, reading.notes)
+    return Value(address, kind, reading.si or 0.0, reading.value, reading.unit)
 
 
 def _is_distribution(raw: "Any") -> bool:
@@ -165,7 +166,7 @@ def _uncertain(kind: Kind, raw: "Any", address: str, context: "Context", default
     from dynamics_cli.core.inputs.uncertain.values import read_uncertain
 
     bound, notes = read_uncertain(kind, raw, address, default_unit)
-    context.notes.extend(f"{address}: {note}" for note in notes)
+    context.note(address, notes)
     assert context.uncertain is not None
     context.uncertain[address] = bound.distribution
     return bound
@@ -278,6 +279,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
+    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
     return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
 
 
@@ -322,9 +324,15 @@ def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
 
 
 def _tensor(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
-    from dynamics_cli.core.inputs.tensors import read_tensor
+    from dynamics_cli.core.inputs.forms.tensors import read_tensor
 
     return VectorValue(address, kind, *read_tensor(kind, raw, _default_unit(kind, raw, context)))
+
+
+def _formula(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
+    from dynamics_cli.core.inputs.forms.formulas import read
+
+    return read(_text_of(kind, raw), kind, address, context, read_number_of)
 
 
 _FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
@@ -341,4 +349,6 @@ _FORMS: "dict[str, Callable[[Kind, Any, str, Context], Bound]]" = {
     "vector": read_vector,
     "planar": read_planar,
     "tensor": _tensor,
+    "formula": _formula,
+    "let": _formula,
 }

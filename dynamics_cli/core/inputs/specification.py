@@ -85,8 +85,12 @@ class Record:
     def names(self) -> "frozenset[str]":
         """Every name that may be given for this record."""
         if self._names is None:
-            self._names = frozenset(name for field in self.fields for name in field.spread())
+            self._names = frozenset(self.keys())
         return self._names
+
+    def keys(self) -> "tuple[str, ...]":
+        """The same names in the order of the fields."""
+        return tuple(dict.fromkeys(name for field in self.fields for name in field.spread()))
 
     @property
     def required(self) -> "frozenset[str]":
@@ -175,15 +179,15 @@ class Field:
         node = self.node
         if isinstance(node, OneOf):
             for member in node.members:
-                yield from member.names
+                yield from member.keys()
         elif isinstance(node, Tagged):
             yield node.key
             for member in node.members.values():
-                yield from member.names
+                yield from member.keys()
         else:
             yield self.key
             if isinstance(node, Many) and node.single and isinstance(node.item, Record):
-                yield from node.item.names
+                yield from node.item.keys()
 
 
 def _field(name: str, annotation: object, default: object, namespace: "dict[str, Any]", place: str = "") -> Field:

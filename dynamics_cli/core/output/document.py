@@ -292,7 +292,7 @@ def _check(check: Check) -> "dict[str, Any]":
 
 
 def _advice(advice: Advice, bound: Fields) -> "dict[str, Any]":
-    from dynamics_cli.core.answering.messages import FEWEST_TO_GIVE, in_written_units
+    from dynamics_cli.core.answering.messages import in_written_units
 
     out = {"code": advice.code, "severity": advice.severity, "message": in_written_units(advice.message, bound)}
-    return {**out, "remedy": in_written_units(advice.remedy, bound, FEWEST_TO_GIVE)} if advice.remedy else out
+    return {**out, "remedy": in_written_units(advice.remedy, bound)} if advice.remedy else out

@@ -2,17 +2,15 @@
 
 from dynamics_cli.core.documents import quote
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.output.soundness import check_numbers
 from dynamics_cli.core.units.display import Display, Shown
-from dynamics_cli.errors import FaultError, InadmissibleError
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Advice, Check, Columns, Measured, Numerics, Quantity
+from dynamics_cli.records import Advice, Check, Measured, Numerics, Quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from typing import Any
-
-INFINITY = float("inf")
 
 
 def compact(value: "Any") -> str:
@@ -267,8 +265,12 @@ class Layout:
 
     def values(self, record: "Any") -> "list[Any]":
         """What a row shows of a record; refuses numbers that are not finite, as a single call does."""
-        check_numbers(record, self.result, "")
+        self.check(record)
         return [part.value(record) for part in self.parts]
+
+    def check(self, record: "Any") -> None:
+        """Refuse numbers that are not finite, and a check of ours that failed."""
+        check_numbers(record, self.result, "")
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
         """The results as an object, results that do not exist left out."""
@@ -312,39 +314,3 @@ def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
             nest.append([])
         nest = nest[step]
     return nest
-
-
-def check_numbers(record: "Any", spec: Record, address: str) -> None:
-    """Refuse a record that holds a number beyond the range of a double, or a check that failed."""
-    for field in spec.fields:
-        value = getattr(record, field.name)
-        own = f"{address}.{field.key}" if address else field.key
-        node = field.node
-        if value is None or (isinstance(node, Record) and node.cls is Numerics):
-            continue
-        if isinstance(node, Record):
-            check_numbers(value, node, own)
-        elif isinstance(node, Many) and isinstance(node.item, Record) and node.item.cls is Check:
-            for check in value:
-                if not check.passed:
-                    hint = "this is a bug: please report it with the inputs"
-                    raise FaultError(f"our own check failed: {check.name} ({check.value})", code="check", hint=hint)
-        elif isinstance(value, Columns):
-            for name, column in value.arrays.items():
-                _check_number(column.tolist(), f"{own}.{name}")
-        elif isinstance(node, Many) and isinstance(node.item, Record):
-            if node.item.cls is not Advice:
-                for item in value if isinstance(value, tuple | list) else (value,):
-                    check_numbers(item, node.item, own)
-        else:
-            _check_number(value.value if isinstance(value, Quantity) else value, own)
-
-
-def _check_number(value: "Any", address: str) -> None:
-    if isinstance(value, tuple | list):
-        for item in value:
-            _check_number(item, address)
-    elif isinstance(value, float) and not -INFINITY < value < INFINITY:
-        raise InadmissibleError(
-            f"{address} leaves the range of a double", code="range", hint="check the size of the inputs"
-        )

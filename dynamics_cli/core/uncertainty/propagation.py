@@ -16,6 +16,7 @@ from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, 
 from dynamics_cli.core.uncertainty.methods.scanned_lines import exceedance
 from dynamics_cli.core.uncertainty.methods.surrogate import StandIn, suits
 from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.core.uncertainty.straight import Straight
 from dynamics_cli.core.uncertainty.variance_shares import Shares, variance_shares
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.numerics.distributions import normal
@@ -52,6 +53,7 @@ class Spread:
         self.mean = float(mean)
         self.std = float(std)
         self.estimate = 0.0
+        self.tails = False
         self.admissible = 1.0
         self.first: list[float] = []
         self.total: list[float] = []
@@ -128,7 +130,8 @@ def propagate(
     every result with a limit, or else of the first that varies; `partly` for what was done when a time limit came.
     """
     if method not in METHODS:
-        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"there is {', '.join(METHODS)}")
+        hint = f"the methods are {', '.join(METHODS)}"
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=hint)
     if not 0.0 < coverage < 1.0:
         raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
     space = Space(model, distributions, correlation or {})
@@ -188,14 +191,15 @@ def _distribute(
 ) -> None:
     sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
     limits, levels = wanted
+    straight = Straight(space, probe, goal.seed)
     for row, name in enumerate(space.results):
         # A curve is looked at of the limited results, or of the first that varies.
         curve = goal.curve and (name in limits if limits else not made.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
-        twin = next((space.results[i] for i in range(row) if np.array_equal(probe[i], probe[row], equal_nan=True)), "")
+        twin, scale, shift = straight.of(row)
         more = {name, twin} & (limits.keys() | levels.keys())
-        if twin and not more:
-            made.spreads[name] = _copy(made.spreads[twin], name)
+        if twin and not more and not curve:
+            made.spreads[name] = _copy(made.spreads[twin], name, scale, shift)
         elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
             made.spreads[name] = _constant(name, float(probe[row, 0]), own)
         elif sample is not None:
@@ -221,9 +225,15 @@ def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array"
     return spread
 
 
-def _copy(spread: Spread, name: str) -> Spread:
+def _copy(spread: Spread, name: str, scale: float, shift: float) -> Spread:
+    """The distribution of scale · x + shift."""
     made = Spread.__new__(Spread)
     made.__dict__.update(spread.__dict__, name=name)
+    if (scale, shift) != (1.0, 0.0):
+        low, high = sorted(scale * end + shift for end in spread.interval)
+        made.interval = (low, high)
+        made.median, made.mean = scale * spread.median + shift, scale * spread.mean + shift
+        made.std = abs(scale) * spread.std
     return made
 
 

@@ -54,6 +54,8 @@ class Space:
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
         self.pool: Any = None
+        # The lines that results share.
+        self.shared: list[Any] = []
 
     @property
     def size(self) -> int:
@@ -113,7 +115,7 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
         for name in (one, other):
             if name not in known:
                 hint = f"uncertain are {', '.join(known)}" if known else "no input is uncertain"
-                raise UsageError(f"{name!r} is no uncertain input", parameter="correlate", hint=hint)
+                raise UsageError(f"{name!r} is not an uncertain input", parameter="correlate", hint=hint)
         if one == other or not -1.0 <= rho <= 1.0:
             raise UsageError(
                 f"a correlation of {rho:g} between {one} and {other} cannot be",

@@ -23,6 +23,31 @@ _REMEDY = ("use more teeth, or a larger pressure angle", "use more teeth, or a s
 _DEPTHS = {"gleason": (0.54, 0.46, 2.0, 2.188), "zerol": (0.54, 0.46, 2.0, 2.188), "spiral": (0.46, 0.39, 1.7, 1.888)}
 
 
+def _require_pressure_angle(pressure_angle: float) -> None:
+    require(
+        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
+        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
+        pressure_angle=(pressure_angle, Angle),
+        code="pressure-angle",
+    )
+
+
+def _require_spiral(spiral: float, kind: Kind) -> None:
+    require(
+        spiral < 0.5 * pi,
+        "a spiral angle of {spiral:6} never crosses the face",
+        spiral=(spiral, Angle),
+        code="spiral-angle",
+    )
+    require(
+        kind == "spiral" or plain(spiral) == 0.0,
+        "{kind} teeth have no spiral angle at the middle of the face",
+        kind=kind,
+        code="spiral-angle",
+        hint="ask for --kind spiral",
+    )
+
+
 def bevel(
     *,
     first_teeth: Annotated[Teeth, "Number of teeth of the pinion z₁, e.g. 20."],
@@ -78,29 +103,12 @@ def bevel(
     30.48699
     """
     angles = _cones(first_teeth, second_teeth, like(shaft_angle, module))
-    require(
-        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
-        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
-        pressure_angle=(pressure_angle, Angle),
-        code="pressure-angle",
-    )
+    _require_pressure_angle(pressure_angle)
     require_module(module)
     pressure_angle = like(pressure_angle, module)
     usual = like(USUAL_SPIRAL, module) if kind == "spiral" else 0.0
     spiral = usual if spiral_angle is None else absolute(spiral_angle)
-    require(
-        spiral < 0.5 * pi,
-        "a spiral angle of {spiral:6} never crosses the face",
-        spiral=(spiral, Angle),
-        code="spiral-angle",
-    )
-    require(
-        kind == "spiral" or plain(spiral) == 0.0,
-        "{kind} teeth have no spiral angle at the middle of the face",
-        kind=kind,
-        code="spiral-angle",
-        hint="ask for --kind spiral",
-    )
+    _require_spiral(spiral, kind)
     ratio = second_teeth / first_teeth
     cone = 0.5 * first_teeth * module / sin(angles[0])
     require(
@@ -121,19 +129,8 @@ def bevel(
     gears = []
     for own, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
         lean = spiral if (flank == "concave") == (own == 0) else -spiral
-        gears.append(
-            _gear(
-                teeth,
-                angle,
-                depth,
-                tips[own],
-                thetas[own],
-                (module, mean_module, cone, face_width),
-                tangential,
-                pressure_angle,
-                lean,
-            )
-        )
+        sizes = module, mean_module, cone, face_width
+        gears.append(_gear(teeth, angle, depth, tips[own], thetas[own], sizes, tangential, pressure_angle, lean))
     transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
     overlap = face_width * tan(spiral) / (pi_beside(mean_module) * mean_module) if plain(spiral) > 0.0 else None
     return BevelData(
@@ -280,15 +277,15 @@ def _teeth_advice(
     pressure_angle: float,
 ) -> tuple[Advice, ...]:
     """Undercut and tips of the teeth on the back cones; the flank of the tool ends where the mate's tips do."""
-    found: tuple[Advice, ...] = ()
+    advice: tuple[Advice, ...] = ()
     for own, who in enumerate(("the pinion", "the wheel")):
         cosine = cos(angles[own])
         if plain(cosine) > _NO_CONE:
             height, depth = depths[own][0] / module, depths[1 - own][0] / module
             # a long addendum goes with a thick tooth: Gleason adds half the difference of the addenda times tan α
             shift = 0.5 * (height - depth)
-            found += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
-    return found
+            advice += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
+    return advice
 
 
 def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...]:
@@ -297,22 +294,17 @@ def _checks(angles: tuple[float, float], shaft_angle: float) -> tuple[Check, ...
 
 
 def _advice(angles: tuple[float, float], face_ratio: float, face_modules: float) -> tuple[Advice, ...]:
-    made = []
+    advice = []
     wheel = plain(angles[1])
     if abs(wheel - 0.5 * pi) <= 1e-9:
-        made.append(Advice("crown-wheel", "the wheel is a crown gear: its pitch cone is flat", "note"))
+        advice.append(Advice("crown-wheel", "the wheel is a crown gear: its pitch cone is flat", "note"))
     elif wheel > 0.5 * pi:
-        made.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
+        advice.append(Advice("internal-wheel", "the wheel is internal: its pitch angle is above 90 degrees", "note"))
     if plain(face_ratio) > 1.0 / 3.0 or plain(face_modules) > 10.0:
-        made.append(
-            Advice(
-                "wide-face",
-                worded(
-                    "the face is {face_ratio:3} of the cone distance and {face_modules:3} modules wide",
-                    face_ratio=(plain(face_ratio), Ratio),
-                    face_modules=(plain(face_modules), Ratio),
-                ),
-                remedy="keep it below a third of the cone distance and ten modules",
-            )
+        message = worded(
+            "the face is {face_ratio:3} of the cone distance and {face_modules:3} modules wide",
+            face_ratio=(plain(face_ratio), Ratio),
+            face_modules=(plain(face_modules), Ratio),
         )
-    return tuple(made)
+        advice.append(Advice("wide-face", message, remedy="keep it below a third of the cone distance and ten modules"))
+    return tuple(advice)

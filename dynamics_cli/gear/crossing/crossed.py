@@ -58,6 +58,35 @@ class CrossedData:
     advice: tuple[Advice, ...] = ()
 
 
+def _shafts(first: Screw, second: Screw) -> float:
+    """The shaft angle without profile shift."""
+    reference_angle = absolute(first.helix_angle + second.helix_angle)
+    require(
+        reference_angle > 0.0,
+        "the helices {first:6} and {second:6} cancel: the shafts are parallel",
+        first=(first.helix_angle, Angle),
+        second=(second.helix_angle, Angle),
+        code="parallel",
+        hint="use gear pair",
+    )
+    return reference_angle
+
+
+def _working_involute(gears: list[Gear], shifts: float, pressure_angle: float) -> tuple[float, float]:
+    """The sum of the virtual numbers of teeth, and inv α_wn."""
+    cosines = [cos(gear.helix_angle) for gear in gears]
+    virtual = sum(gear.teeth / (c * c * c) for gear, c in zip(gears, cosines, strict=True))
+    value = involute(pressure_angle) + 2.0 * shifts * tan(pressure_angle) / virtual
+    require(
+        value >= 0.0,
+        "inv α_wn would be {involute:6}, below 0",
+        involute=(value, Ratio),
+        code="involute-below-zero",
+        hint="raise the profile shifts",
+    )
+    return virtual, value
+
+
 def crossed(
     *,
     first: Annotated[Screw, "The driving gear."],
@@ -110,27 +139,8 @@ def crossed(
         signed_gear(screw.teeth, module, rack, helix_angle=screw.helix_angle, shift=screw.profile_shift)
         for screw in (first, second)
     ]
-    reference_angle = absolute(first.helix_angle + second.helix_angle)
-    require(
-        reference_angle > 0.0,
-        "the helices {first:6} and {second:6} cancel: the shafts are parallel",
-        first=(first.helix_angle, Angle),
-        second=(second.helix_angle, Angle),
-        code="parallel",
-        hint="use gear pair",
-    )
-    cosines = [cos(gear.helix_angle) for gear in gears]
-    virtual = sum(gear.teeth / (c * c * c) for gear, c in zip(gears, cosines, strict=True))
-    value = (
-        involute(pressure_angle) + 2.0 * (first.profile_shift + second.profile_shift) * tan(pressure_angle) / virtual
-    )
-    require(
-        value >= 0.0,
-        "inv α_wn would be {involute:6}, below 0",
-        involute=(value, Ratio),
-        code="involute-below-zero",
-        hint="raise the profile shifts",
-    )
+    reference_angle = _shafts(first, second)
+    virtual, value = _working_involute(gears, first.profile_shift + second.profile_shift, pressure_angle)
     working = inverse_involute(value)
     modification = 0.5 * virtual * (cos(pressure_angle) / cos(working) - 1.0)
     reference = 0.5 * (gears[0].reference_diameter + gears[1].reference_diameter)
@@ -189,27 +199,21 @@ def _advice(gears: list[Gear], helices: list[float], working: float) -> tuple[Ad
     difference = max((abs(angle - plain(working)) for angle in angles), default=0.0)
     if difference < LEAST_DIFFERENCE:
         return ()
-    return (
-        Advice(
-            "approximate",
-            worded(
-                "approximation by virtual gears: the working normal pressure angles of the two gears differ from "
-                "it by up to {difference:3}",
-                difference=(difference, Angle),
-            ),
-            "note",
-            "with profile shifts that sum to zero the geometry is exact",
-        ),
+    message = worded(
+        "approximation by virtual gears: the working normal pressure angles of the two gears differ from "
+        "it by up to {difference:3}",
+        difference=(difference, Angle),
     )
+    return (Advice("approximate", message, "note", "with profile shifts that sum to zero the geometry is exact"),)
 
 
 def _teeth_advice(gears: list[Gear], addendum: float, clearance: float) -> tuple[Advice, ...]:
     """Undercut and tips of each gear in its transverse section; the rack's corner lies within the tip clearance."""
-    found: tuple[Advice, ...] = ()
+    advice: tuple[Advice, ...] = ()
     remedy = "raise its profile shift, or give it more teeth", "lower its profile shift"
     for gear, who in zip(gears, ("the first gear", "the second gear"), strict=True):
         cosine = cos(gear.helix_angle)
         height, depth = (addendum + gear.shift + clearance) * cosine, (addendum - gear.shift) * cosine
         # s_t/m_t keeps π/2 + 2x·tan α_n = π/2 + 2x·cos β·tan α_t
-        found += tooth_advice(who, gear.teeth, gear.transverse_angle, height, depth, gear.shift * cosine, remedy)
-    return found
+        advice += tooth_advice(who, gear.teeth, gear.transverse_angle, height, depth, gear.shift * cosine, remedy)
+    return advice

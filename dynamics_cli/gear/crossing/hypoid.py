@@ -14,6 +14,27 @@ RIGHT_ANGLE = 0.5 * pi
 PINION_SPIRAL = 50.0 * pi / 180.0
 
 
+def _require_pair(shaft_angle: float, wheel_radius: float, pinion_spiral_angle: float) -> None:
+    require(
+        (shaft_angle > 0.0) & (shaft_angle < pi),
+        "the shaft angle {shaft_angle:6} must be above 0 and below 180 degrees",
+        shaft_angle=(shaft_angle, Angle),
+        code="shaft-angle",
+    )
+    require(
+        wheel_radius > 0.0,
+        "a wheel of {wheel_radius:6} radius has no teeth",
+        wheel_radius=(wheel_radius, Size),
+        code="wheel-radius",
+    )
+    require(
+        absolute(pinion_spiral_angle) < 0.5 * pi,
+        "a spiral angle of {pinion_spiral_angle:6} never crosses the face",
+        pinion_spiral_angle=(pinion_spiral_angle, Angle),
+        code="spiral-angle",
+    )
+
+
 def hypoid(
     *,
     first_teeth: Annotated[Teeth, "Number of teeth of the pinion z₁, e.g. 20."],
@@ -21,7 +42,7 @@ def hypoid(
     offset: Annotated[
         Coordinate | None,
         "Hypoid offset E; positive enlarges the pinion, negative (as on crane axles, rarely) shrinks it [m]. Left "
-        "out, it follows from both spiral angles.",
+        "out, it follows from both spiral angles, e.g. 35 mm.",
     ] = None,
     wheel_radius: Annotated[Size, "Mean pitch radius of the wheel r₂, e.g. 85 mm [m]."],
     pinion_spiral_angle: Annotated[Angle, "Spiral angle of the pinion β₁ [rad]."] = PINION_SPIRAL,
@@ -69,24 +90,7 @@ def hypoid(
     >>> answer.enlargement > 1.0
     True
     """
-    require(
-        (shaft_angle > 0.0) & (shaft_angle < pi),
-        "the shaft angle {shaft_angle:6} must be above 0 and below 180 degrees",
-        shaft_angle=(shaft_angle, Angle),
-        code="shaft-angle",
-    )
-    require(
-        wheel_radius > 0.0,
-        "a wheel of {wheel_radius:6} radius has no teeth",
-        wheel_radius=(wheel_radius, Size),
-        code="wheel-radius",
-    )
-    require(
-        absolute(pinion_spiral_angle) < 0.5 * pi,
-        "a spiral angle of {pinion_spiral_angle:6} never crosses the face",
-        pinion_spiral_angle=(pinion_spiral_angle, Angle),
-        code="spiral-angle",
-    )
+    _require_pair(shaft_angle, wheel_radius, pinion_spiral_angle)
     pinion_spiral_angle, shaft_angle = like(pinion_spiral_angle, wheel_radius), like(shaft_angle, wheel_radius)
     u = second_teeth / first_teeth
     plain_wheel = atan2(u * sin(shaft_angle), 1.0 + u * cos(shaft_angle))
@@ -173,30 +177,32 @@ class _Point:
 
 def _solved(point: _Point) -> float:
     """η in plain numbers within its bracket, and one Newton step in the numbers that came in."""
-    own = point.bare()
-    least = own.at(0.0)[0]
+    doubles = point.bare()
+    least = doubles.at(0.0)[0]
     require(
         least > 0.0,
         "a wheel pitch angle of {wheel:6} leaves no pinion at this shaft angle",
-        wheel=(plain(own.wheel), Angle),
+        wheel=(plain(doubles.wheel), Angle),
         code="wheel-pitch-angle",
     )
-    sign = 1.0 if own.offset >= 0.0 else -1.0
+    sign = 1.0 if doubles.offset >= 0.0 else -1.0
     high = 0.0
     step = 0.01
-    while sign * own.residual(sign * high) < 0.0:
+    while sign * doubles.residual(sign * high) < 0.0:
         high += step
-        first, turned, _ = own.at(sign * high)
+        first, turned, _ = doubles.at(sign * high)
         require(
-            high < 0.5 * pi and first > 0.0 and abs(own.spiral - turned) < 0.5 * pi,
+            high < 0.5 * pi and first > 0.0 and abs(doubles.spiral - turned) < 0.5 * pi,
             "no pinion reaches an offset of {offset:6} on this wheel: its cone closes at an angle of {closing_angle}",
-            offset=(own.offset, Size),
+            offset=(doubles.offset, Size),
             closing_angle=(high, Angle),
             code="offset",
             hint="a smaller offset, or another pitch angle of the wheel",
         )
-    found = sign * bisect(lambda eta: -sign * own.residual(sign * eta), high - step, high) if own.offset else 0.0
-    slope = (own.residual(found + 1e-6) - own.residual(found - 1e-6)) / 2e-6
+    found = (
+        sign * bisect(lambda eta: -sign * doubles.residual(sign * eta), high - step, high) if doubles.offset else 0.0
+    )
+    slope = (doubles.residual(found + 1e-6) - doubles.residual(found - 1e-6)) / 2e-6
     # Among tracked numbers, so that the rounding of its sine and cosine counts.
     start = point.offset * 0.0 + found
     return start - point.residual(start) / slope
@@ -287,26 +293,17 @@ def _checks(point: _Point, eta: float, first: float, turned: float, radius: floa
 
 
 def _advice(turned: float, spiral: float, wheel: float) -> tuple[Advice, ...]:
-    made = []
+    advice = []
     if plain(spiral) < 0.0:
-        made.append(
-            Advice(
-                "wheel-spiral",
-                worded(
-                    "the wheel's spiral angle is {spiral}: its hand would be reversed", spiral=(plain(spiral), Angle)
-                ),
-                remedy="raise the pinion's spiral angle, or lower the offset",
-            )
+        message = worded(
+            "the wheel's spiral angle is {spiral}: its hand would be reversed", spiral=(plain(spiral), Angle)
         )
+        advice.append(Advice("wheel-spiral", message, remedy="raise the pinion's spiral angle, or lower the offset"))
     if abs(plain(turned)) > 40.0 * pi / 180.0:
-        made.append(
-            Advice(
-                "long-sliding",
-                worded("the offset angle of {turned:3} causes much lengthwise sliding", turned=(plain(turned), Angle)),
-            )
-        )
+        text = worded("the offset angle of {turned:3} causes much lengthwise sliding", turned=(plain(turned), Angle))
+        advice.append(Advice("long-sliding", text))
     if wheel == 0.0:
-        made.append(
+        advice.append(
             Advice("wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose your own")
         )
-    return tuple(made)
+    return tuple(advice)

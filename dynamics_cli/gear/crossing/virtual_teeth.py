@@ -35,7 +35,7 @@ def tooth_advice(
 ) -> tuple[Advice, ...]:
     """Undercut by the rack's straight flank, which reaches `depth` below the pitch line, and tips without a land."""
     teeth, angle, height, depth, shift = (plain(value) for value in (teeth, pressure_angle, height, depth, shift))
-    found = []
+    advice = []
     deepest = undercut_depth(teeth, angle)
     if depth > deepest + 1e-9:
         message = worded(
@@ -46,13 +46,13 @@ def tooth_advice(
             teeth=(teeth, Ratio),
             depth=(depth, Ratio),
         )
-        found.append(Advice("undercut", message, "caution", remedy[0]))
+        advice.append(Advice("undercut", message, "caution", remedy[0]))
     land = tip_land(teeth, angle, height, shift)
     if land is None:
         message = worded("the tips of {who} lie inside the base circle, where there is no involute", who=who)
-        found.append(Advice("no-flank", message, "serious", remedy[0]))
+        advice.append(Advice("no-flank", message, "serious", remedy[0]))
     elif land < 0.0:
-        found.append(
+        advice.append(
             Advice("pointed", worded("the teeth of {who} are pointed below their tips", who=who), "serious", remedy[1])
         )
     elif land < LEAST_TIP:
@@ -62,5 +62,5 @@ def tooth_advice(
             land=(land, Ratio),
             limit=(LEAST_TIP, Ratio),
         )
-        found.append(Advice("thin-tip", message, remedy=remedy[1]))
-    return tuple(found)
+        advice.append(Advice("thin-tip", message, remedy=remedy[1]))
+    return tuple(advice)

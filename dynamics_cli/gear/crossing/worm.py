@@ -309,29 +309,18 @@ def _advice(gamma: float, rho: float) -> tuple[Advice, ...]:
     lead, friction = plain(gamma), plain(rho)
     if lead <= friction:
         word = "statically self-locking" if lead > 0.5 * friction else "self-locking"
-        return (
-            Advice(
-                "self-locking",
-                worded(
-                    "{word}: the lead angle {lead} is below the angle of friction {friction}",
-                    word=word,
-                    lead=(lead, Angle),
-                    friction=(friction, Angle),
-                ),
-                "note",
-                "vibration lowers friction: do not rely on it as a brake",
-            ),
+        message = worded(
+            "{word}: the lead angle {lead} is below the angle of friction {friction}",
+            word=word,
+            lead=(lead, Angle),
+            friction=(friction, Angle),
         )
+        return (Advice("self-locking", message, "note", "vibration lowers friction: do not rely on it as a brake"),)
     if lead < 1.5 * friction:
-        return (
-            Advice(
-                "nearly-self-locking",
-                worded(
-                    "the lead angle {lead} is little above the angle of friction {friction}",
-                    lead=(lead, Angle),
-                    friction=(friction, Angle),
-                ),
-                remedy="its locking depends on lubrication and vibration",
-            ),
+        text = worded(
+            "the lead angle {lead} is little above the angle of friction {friction}",
+            lead=(lead, Angle),
+            friction=(friction, Angle),
         )
+        return (Advice("nearly-self-locking", text, remedy="its locking depends on lubrication and vibration"),)
     return ()

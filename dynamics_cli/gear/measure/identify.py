@@ -278,17 +278,8 @@ def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:
     if fitting == 1:
         return ()
     if fitting == 0:
-        return (
-            Advice(
-                "no-fit",
-                "no standard gear fits within what the readings are good for: the nearest are shown",
-                "serious",
-            ),
-        )
-    return (
-        Advice(
-            "several-fit",
-            worded("{fitting} standard gears fit these readings", fitting=fitting),
-            remedy="measure more sharply" if tip_diameter is not None else "give the tip diameter",
-        ),
-    )
+        text = "no standard gear fits within what the readings are good for: the nearest are shown"
+        return (Advice("no-fit", text, "serious"),)
+    message = worded("{fitting} standard gears fit these readings", fitting=fitting)
+    remedy = "measure more sharply" if tip_diameter is not None else "give the tip diameter"
+    return (Advice("several-fit", message, remedy=remedy),)

@@ -266,40 +266,29 @@ def _require_cut(
 
 def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
     """The profile shift found again from the sizes that were returned."""
-    found = []
+    checks = []
     room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
     if spanned is not None:
         off = absolute(shift_from_span(gear, spanned.over, spanned.span) - gear.shift)
-        found.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
+        checks.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
     if pinned is not None:
         off = absolute(shift_from_pins(gear, pinned.pin, pinned.size) - gear.shift)
-        found.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
-    return tuple(found)
+        checks.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
+    return tuple(checks)
 
 
 def _advice(gear: "Toothing", spanned: Span | None, face_width: float | None) -> list[Advice]:
-    found = []
+    advice = []
     if spanned is not None and spanned.least_face_width is not None and face_width is not None:
         least = plain(spanned.least_face_width)
         if plain(face_width) <= least:
-            found.append(
-                Advice(
-                    "narrow-face",
-                    worded(
-                        "a face of {face_width:6} is too narrow: the anvils need {least:6}",
-                        face_width=(plain(face_width), Size),
-                        least=(least, Size),
-                    ),
-                    "serious",
-                    "span fewer teeth, or measure over balls",
-                )
+            text = worded(
+                "a face of {face_width:6} is too narrow: the anvils need {least:6}",
+                face_width=(plain(face_width), Size),
+                least=(least, Size),
             )
+            advice.append(Advice("narrow-face", text, "serious", "span fewer teeth, or measure over balls"))
     if gear.teeth % 2 and plain(gear.helix_angle) != 0.0:
-        found.append(
-            Advice(
-                "odd-helical",
-                "an odd helical gear is measured over balls in one transverse plane, not over pins",
-                "note",
-            )
-        )
-    return found
+        message = "an odd helical gear is measured over balls in one transverse plane, not over pins"
+        advice.append(Advice("odd-helical", message, "note"))
+    return advice

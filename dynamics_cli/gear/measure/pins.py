@@ -53,7 +53,7 @@ def pin_roll(gear: Toothing, pin: float) -> float:
 
 
 def pin_size(gear: Toothing, pin: float) -> float:
-    """M = d_K + D_M (between pins d_K − D_M), d_K shortened by cos 90°/z for an odd number of teeth."""
+    """M = d_K + D_M (between pins d_K − D_M), d_K shortened by cos 90°/z for an odd number of teeth (ISO 21771)."""
     roll = pin_roll(gear, pin)
     across = 2.0 * gear.base_radius * sqrt(1.0 + roll * roll) * _odd(gear)
     return across - pin if gear.internal else across + pin
@@ -157,8 +157,8 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     chosen = pin
     if chosen is None:
         near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
-        own = bare(gear)
-        chosen = next((one for one in standard_pins(near) if _serves(own, one)), None)
+        doubles = bare(gear)
+        chosen = next((one for one in standard_pins(near) if _serves(doubles, one)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:

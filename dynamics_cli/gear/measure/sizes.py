@@ -53,7 +53,7 @@ def with_shift(gear: Toothing, shift: float) -> Toothing:
 
 
 def span_length(gear: Toothing, over: int) -> float:
-    """W_k = m_n cos α_n ((k − ½) π + z inv α_t) + 2 x m_n sin α_n."""
+    """W_k = m_n cos α_n ((k − ½) π + z inv α_t) + 2 x m_n sin α_n (ISO 21771)."""
     alpha = gear.pressure_angle
     base = gear.module * cos(alpha) * ((over - 0.5) * pi_beside(gear.module) + gear.teeth * gear.pitch_involute)
     return base + 2.0 * gear.shift * gear.module * sin(alpha)

@@ -21,21 +21,16 @@ def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Adv
     if change > -1e-9 * first.module:
         return ()
     tips = [2.0 * (form.tip + change) for form in (first, second)]
-    return (
-        Advice(
-            "full-tips",
-            worded(
-                "the tips are full height; gear pair shortens them by {change:6} to keep the tip clearance",
-                change=(-change, Size),
-            ),
-            "note",
-            worded(
-                'give --first-tip-diameter "{first:9}" --second-tip-diameter "{second:9}"',
-                first=(tips[0], Size),
-                second=(tips[1], Size),
-            ),
-        ),
+    message = worded(
+        "the tips are full height; gear pair shortens them by {change:6} to keep the tip clearance",
+        change=(-change, Size),
     )
+    remedy = worded(
+        'give --first-tip-diameter "{first:9}" --second-tip-diameter "{second:9}"',
+        first=(tips[0], Size),
+        second=(tips[1], Size),
+    )
+    return (Advice("full-tips", message, "note", remedy),)
 
 
 def advice(
@@ -49,66 +44,33 @@ def advice(
     """What is wrong with a mesh, or has an end other than the tips'."""
     found = []
     if ratio < 1.0:
-        found.append(
-            Advice(
-                "open-mesh",
-                worded(
-                    "the contact ratio is {ratio:6}: between one pair of teeth and the next nothing is in contact",
-                    ratio=(ratio, Ratio),
-                ),
-                "serious",
-                "bring the gears closer together, or give them higher teeth",
-            )
+        text = worded(
+            "the contact ratio is {ratio:6}: between one pair of teeth and the next nothing is in contact",
+            ratio=(ratio, Ratio),
         )
+        remedy = "bring the gears closer together, or give them higher teeth"
+        found.append(Advice("open-mesh", text, "serious", remedy))
     if backlash < -EXACT:
-        found.append(
-            Advice(
-                "jam",
-                worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size)),
-                "serious",
-                "raise the centre distance, or lower the profile shifts",
-            )
-        )
+        text = worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size))
+        found.append(Advice("jam", text, "serious", "raise the centre distance, or lower the profile shifts"))
     for where, gap in gaps.items():
         if gap < -OVERLAP * first.module:
-            found.append(
-                Advice(
-                    "interference",
-                    worded("{where}: the profiles overlap by {gap:6}", where=where, gap=(-gap, Size)),
-                    "serious",
-                    "shorten the tips",
-                )
-            )
+            text = worded("{where}: the profiles overlap by {gap:6}", where=where, gap=(-gap, Size))
+            found.append(Advice("interference", text, "serious", "shorten the tips"))
     for which, clearance in zip(("gear 1", "gear 2"), clearances, strict=True):
         if clearance < 0.0:
-            message = worded(
+            text = worded(
                 "the tips of {which} reach {clearance:6} into the root circle",
                 which=which,
                 clearance=(-clearance, Size),
             )
-            found.append(Advice("tip-clearance", message, "serious", "shorten the tips"))
-    if path.start > path.tip_start + EXACT:
-        lost = path.start - path.tip_start
-        found.append(
-            Advice(
-                "clipped",
-                worded(
-                    "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's form circle",
-                    lost=(lost, Size),
-                ),
-            )
-        )
-    if path.end < path.tip_end - EXACT:
-        lost = path.tip_end - path.end
-        found.append(
-            Advice(
-                "clipped",
-                worded(
-                    "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's form circle",
-                    lost=(lost, Size),
-                ),
-            )
-        )
+            found.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
+    for lost, where in (
+        (path.start - path.tip_start, "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's"),
+        (path.tip_end - path.end, "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's"),
+    ):
+        if lost > EXACT:
+            found.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))
     return tuple(found)
 
 

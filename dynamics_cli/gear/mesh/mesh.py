@@ -199,10 +199,10 @@ def forms_of(
 ) -> tuple[ToothForm, ToothForm]:
     """Both profiles; what they have in common is given once."""
     common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
-    one = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
+    gear = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
     two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
-    require_partners(one, two)
-    return tooth_form(one, first_tip_diameter, root_radius_factor), tooth_form(
+    require_partners(gear, two)
+    return tooth_form(gear, first_tip_diameter, root_radius_factor), tooth_form(
         two, second_tip_diameter, root_radius_factor
     )
 
@@ -321,8 +321,8 @@ class _Known:
 
 def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
     """The least distance of either gear's teeth from the other's flanks, beside the line of action."""
-    one = flank_gap(first, second, distance, play)
-    return min(one, flank_gap(second, first, distance, play * second.teeth / first.teeth))
+    gap = flank_gap(first, second, distance, play)
+    return min(gap, flank_gap(second, first, distance, play * second.teeth / first.teeth))
 
 
 def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tuple[float, float]:

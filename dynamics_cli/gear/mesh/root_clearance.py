@@ -298,19 +298,19 @@ def _refined(
         px, py = curve.corner()
         return (x - px) * u + (mirror * y - py) * mirror * v  # type: ignore[no-any-return]
 
-    made: list[tuple[float, float | None]] = []
+    refined: list[tuple[float, float | None]] = []
     low, high = sorted(curve.range)
     place = _newton(towards, start, steps)
     if place is not None and low <= place[1] <= high and abs(place[0] - start[0]) < FAR * steps[0]:
-        made.append(place)
+        refined.append(place)
     turn = _newton_of_one(to_corner, start[0], steps[0])
     if turn is not None and abs(turn - start[0]) < FAR * steps[0]:
         (x, y), _ = path.at(turn, side)
         px, py = curve.corner()
         (_, _), (nx, ny) = curve.at(curve.range[1])
         if (x - px) * nx + (mirror * y - py) * ny > 0.0:
-            made.append((turn, None))
-    return made
+            refined.append((turn, None))
+    return refined
 
 
 def _newton_of_one(function: "Callable[[float], float]", x: float, step: float) -> "float | None":

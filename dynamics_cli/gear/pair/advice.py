@@ -49,23 +49,19 @@ def pair_advice(
             )
         )
     if plain(mesh.angle) < 0.02:
-        made.append(
-            Advice(
-                "flat-action",
-                worded(
-                    "the working pressure angle is only {angle}: small changes of the profile shifts change the "
-                    "centre distance by a large "
-                    "factor",
-                    angle=(plain(mesh.angle), Angle),
-                ),
-            )
+        message = worded(
+            "the working pressure angle is only {angle}: small changes of the profile shifts change the "
+            "centre distance by a large "
+            "factor",
+            angle=(plain(mesh.angle), Angle),
         )
+        made.append(Advice("flat-action", message))
     return (*made, *_pointed(mesh, thinned))
 
 
 def _pointed(mesh: Engagement, thinned: tuple[float, ...]) -> tuple[Advice, ...]:
     """Say so where thinned teeth end in a point."""
-    found = []
+    pointed = []
     for gear, thinning in zip((mesh.first, mesh.second), thinned, strict=True):
         end = pointed_diameter(gear, thinning)
         if end is not None and abs(plain(end) - plain(gear.tip_diameter)) <= 1e-12 * abs(plain(end)):
@@ -75,5 +71,7 @@ def _pointed(mesh: Engagement, thinned: tuple[float, ...]) -> tuple[Advice, ...]
                 teeth=abs(gear.teeth),
                 diameter=(abs(plain(end)), Size),
             )
-            found.append(Advice("pointed", message, "serious", "thin its teeth less, or share it with the other gear"))
-    return tuple(found)
+            pointed.append(
+                Advice("pointed", message, "serious", "thin its teeth less, or share it with the other gear")
+            )
+    return tuple(pointed)

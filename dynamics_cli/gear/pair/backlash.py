@@ -39,7 +39,7 @@ def as_cut(gear: Gear, thinning: float) -> Gear:
 
 
 def generating_shift(gear: Gear, thinning: float) -> float | None:
-    """x_E = x − A_sn/(2 m_n tan α_n) of a gear whose teeth are thinned."""
+    """x_E = x − A_sn/(2 m_n tan α_n) of a gear whose teeth are thinned (ISO 21771)."""
     if plain(thinning) == 0.0:
         return None
     change: float = 0.5 * thinning / (gear.module * tan(gear.rack.pressure_angle))

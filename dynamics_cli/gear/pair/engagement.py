@@ -74,9 +74,9 @@ def tight_involute(first: Gear, second: Gear) -> float:
 def _require_tight(first: Gear, second: Gear) -> float:
     """The involute of α_w; refused where it is negative."""
     total = first.teeth + second.teeth
-    own = involute(first.transverse_angle)
+    inv = involute(first.transverse_angle)
     value = tight_involute(first, second)
-    least = plain(-own * total / (2.0 * tan(first.rack.pressure_angle)))
+    least = plain(-inv * total / (2.0 * tan(first.rack.pressure_angle)))
     require(
         value >= 0.0,
         "inv α_w would be {involute:6}, below 0: the profile shifts sum to {shifts:6}, and these gears mesh "
@@ -101,7 +101,7 @@ def at_tight_distance(first: Gear, second: Gear) -> Engagement:
 
 
 def angle_at(first: Gear, second: Gear, distance: float) -> float:
-    """α_wt at a centre distance in ISO's sign: cos α_wt = a cos α_t/a_w, as the angle of a right triangle."""
+    """α_wt at a centre distance in ISO's sign: cos α_wt = a cos α_t/a_w, in a right triangle (ISO 21771)."""
     base = reference_distance(first, second) * cos(first.transverse_angle)
     square = (distance - base) * (distance + base)
     require(
@@ -184,5 +184,5 @@ def specific_sliding(mesh: Engagement, curvature: float) -> tuple[float | None, 
 
 
 def overlap_ratio(gear: Gear, width: float) -> float:
-    """ε_β = b sin β/(π m_n)."""
+    """ε_β = b sin β/(π m_n) (ISO 21771)."""
     return width * sin(gear.helix_angle) / (pi_beside(gear.module) * gear.module)

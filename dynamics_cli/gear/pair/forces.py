@@ -50,7 +50,7 @@ class BearingLoad:
 
 
 def tooth_forces(mesh: Engagement, torque: float, hand: str) -> ToothForces:
-    """F_t = 2T/d_w1, F_r = F_t tan α_wt, F_x = F_t tan β_w, F_bn = F_t/(cos α_wt cos β_b)."""
+    """F_t = 2T/d_w1, F_r = F_t tan α_wt, F_x = F_t tan β_w, F_bn = F_t/(cos α_wt cos β_b) (ISO 21771)."""
     first = mesh.first
     working = mesh.working_diameter(first)
     tangential = 2.0 * torque / working
@@ -82,7 +82,7 @@ def bearing_loads(name: str, forces: ToothForces, radius: float, bearings: Beari
 
 
 def loss_factor(mesh: Engagement, path: Path) -> float:
-    """H_v = π(1/z₁ + 1/z₂)(1 − ε_α + ε₁² + ε₂²)/cos β_b: friction losses over friction and power."""
+    """H_v = π(1/z₁ + 1/z₂)(1 − ε_α + ε₁² + ε₂²)/cos β_b: friction losses over friction and power (Ohlendorf 1958)."""
     pitch = mesh.first.base_pitch
     recess = (path.end - mesh.pitch_curvature) / pitch
     approach = (mesh.pitch_curvature - path.start) / pitch

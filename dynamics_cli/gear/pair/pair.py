@@ -2,7 +2,7 @@
 
 from math import gcd
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.gear.pair.advice import pair_advice
 from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
 from dynamics_cli.gear.pair.engagement import (
@@ -249,7 +249,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
         ("D", course.start + pitch),
         ("E", course.end),
     )
-    made = []
+    points = []
     for name, curvature in places:
         other = mesh.line - curvature
         away = curvature - mesh.pitch_curvature
@@ -257,7 +257,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
         factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
         own, mate = specific_sliding(mesh, curvature)
         base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
-        made.append(
+        points.append(
             ContactPoint(
                 name,
                 away,
@@ -271,7 +271,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
                 mate,
             )
         )
-    return made
+    return points
 
 
 def _bearings(
@@ -279,11 +279,12 @@ def _bearings(
 ) -> tuple[BearingLoad, ...] | None:
     if spans[0] is None and spans[1] is None:
         return None
-    require(
+    require_given(
         forces is not None,
         "bearings carry the forces of a torque, and none is given",
+        ("torque",),
+        ("power", "speed"),
         code="load",
-        hint="give --torque, or --power and --speed",
     )
     loads: tuple[BearingLoad, ...] = ()
     for name, diameter, span in zip(("first", "second"), working, spans, strict=True):

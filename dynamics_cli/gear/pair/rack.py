@@ -3,8 +3,8 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
 from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
-from dynamics_cli.gear.single.gear import signed_gear
-from dynamics_cli.gear.single.rack import Profile, basic_rack
+from dynamics_cli.gear.single.gear import Gear, signed_gear
+from dynamics_cli.gear.single.rack import BasicRack, Profile, basic_rack
 from dynamics_cli.gear.single.trochoid import root
 from dynamics_cli.numerics.elementary import absolute, pi_beside, sin, tan
 from dynamics_cli.numerics.number import plain
@@ -43,6 +43,26 @@ class RackData:
     radial_force: Annotated[Force | None, "Force that parts gear and rack [N]."]
     axial_force: Annotated[Force | None, "Force across the travel [N]."]
     advice: tuple[Advice, ...] = ()
+
+
+def _line_of_action(gear: Gear, basic: BasicRack, profile_shift: float) -> tuple[float, float, float, float, float]:
+    """Lengths of approach and recess, the root's margin, the approach that is left, and the contact ratio."""
+    module = gear.module
+    radius = 0.5 * gear.reference_diameter
+    sine = sin(gear.transverse_angle)
+    approach = (basic.addendum - profile_shift) * module / sine
+    recess = 0.5 * gear.base_diameter * gear.tip_roll - radius * sine
+    form = root(gear.cutter).roll * 0.5 * gear.base_diameter
+    margin = radius * sine - approach - form
+    first = approach if plain(margin) >= 0.0 else radius * sine - form
+    ratio = (recess + first) / gear.base_pitch
+    require(
+        ratio > 0.0,
+        "gear and rack never touch: the contact ratio would be {ratio:6}",
+        ratio=(ratio, Ratio),
+        code="open-mesh",
+    )
+    return approach, recess, margin, first, ratio
 
 
 def rack(
@@ -109,19 +129,7 @@ def rack(
     require(thickness >= 0.0, "the gear's teeth are pointed below their tips", code="pointed", hint="lower the shift")
     alpha = gear.transverse_angle
     radius = 0.5 * gear.reference_diameter
-    sine = sin(alpha)
-    approach = (basic.addendum - profile_shift) * module / sine
-    recess = 0.5 * gear.base_diameter * gear.tip_roll - radius * sine
-    form = root(gear.cutter).roll * 0.5 * gear.base_diameter
-    margin = radius * sine - approach - form
-    first = approach if plain(margin) >= 0.0 else radius * sine - form
-    ratio = (recess + first) / gear.base_pitch
-    require(
-        ratio > 0.0,
-        "gear and rack never touch: the contact ratio would be {ratio:6}",
-        ratio=(ratio, Ratio),
-        code="open-mesh",
-    )
+    approach, recess, margin, first, ratio = _line_of_action(gear, basic, profile_shift)
     transverse = pi_beside(gear.transverse_module) * gear.transverse_module
     distance = radius + profile_shift * module
     if datum_height is not None:
@@ -167,24 +175,14 @@ def _cuts(margin: float) -> bool:
 
 
 def _advice(margin: float, ratio: float) -> tuple[Advice, ...]:
-    made = []
+    advice = []
     if plain(margin) < 0.0:
-        made.append(
-            Advice(
-                "interference",
-                worded(
-                    "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
-                ),
-                "serious" if _cuts(margin) else "note",
-                "raise the profile shift, or the number of teeth",
-            )
+        message = worded(
+            "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
         )
+        remedy = "raise the profile shift, or the number of teeth"
+        advice.append(Advice("interference", message, "serious" if _cuts(margin) else "note", remedy))
     if plain(ratio) < 1.0:
-        made.append(
-            Advice(
-                "contact-ratio",
-                worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio)),
-                "serious",
-            )
-        )
-    return tuple(made)
+        text = worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio))
+        advice.append(Advice("contact-ratio", text, "serious"))
+    return tuple(advice)

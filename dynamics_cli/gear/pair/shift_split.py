@@ -63,8 +63,8 @@ def engaged(
         shifts = total - second.shift, second.shift
     else:
         shifts = _divided(first, second, distance, angle, total, split, (one, two, tips))
-    made = Engagement(with_shift(first, shifts[0]), with_shift(second, shifts[1]), distance, angle, involute(angle))
-    return _tipped(made, one, two, tips)
+    shifted = Engagement(with_shift(first, shifts[0]), with_shift(second, shifts[1]), distance, angle, involute(angle))
+    return _tipped(shifted, one, two, tips)
 
 
 def _divided(
@@ -75,11 +75,11 @@ def _divided(
     if split == "second":
         return 0.0 * total, total
     if split == "by-teeth":
-        own = total * (first.teeth / (first.teeth + second.teeth))
-        return own, total - own
+        shift = total * (first.teeth / (first.teeth + second.teeth))
+        return shift, total - shift
     if split == "balanced-sliding":
-        own = _balanced(first, second, distance, angle, total, given)
-        return own, total - own
+        shift = _balanced(first, second, distance, angle, total, given)
+        return shift, total - shift
     return 0.5 * total, 0.5 * total
 
 
@@ -128,7 +128,7 @@ def _balanced(
 
 
 def pointed_diameter(gear: Gear, thinning: float) -> float | None:
-    """Where both flanks of a thinned tooth meet, in ISO's sign: inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
+    """Where both flanks of a thinned tooth meet (ISO 21771): inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
 
     The two flanks of an untouched tooth have been seen to leave its tip a land.
     """
@@ -176,29 +176,29 @@ def _tipped(
             code="no-tooth",
             hint="bring the gears closer together, or take more teeth or a larger module",
         )
-    made = []
+    gears = []
     for gear, mate in ((first, one), (second, two)):
-        own = with_shift(gear, gear.shift, 0.0 if change is None else change)
+        tipped = with_shift(gear, gear.shift, 0.0 if change is None else change)
         if mate.tip_diameter is not None:
             bare_tip = with_shift(gear, gear.shift).tip_diameter
             wanted = -mate.tip_diameter if gear.internal else mate.tip_diameter
-            own = with_shift(gear, gear.shift, 0.5 * (wanted - bare_tip) / gear.module)
+            tipped = with_shift(gear, gear.shift, 0.5 * (wanted - bare_tip) / gear.module)
         if check:
-            require_circles(own)
-            thickness = own.tip_thickness
+            require_circles(tipped)
+            thickness = tipped.tip_thickness
             require(
                 thickness >= 0.0,
                 "the teeth of the gear of {teeth} are pointed below their tips at {diameter:6} diameter",
                 teeth=abs(gear.teeth),
-                diameter=(plain(absolute(own.tip_diameter)), Size),
+                diameter=(plain(absolute(tipped.tip_diameter)), Size),
                 code="pointed",
                 hint="lower its profile shift, or give a smaller tip diameter",
             )
-            _require_thickness(own, mate.thinning)
-        point = pointed_diameter(own, mate.thinning)
-        if point is not None and plain(point) < plain(own.tip_diameter):
-            own = with_shift(gear, gear.shift, own.tip_change + 0.5 * (point - own.tip_diameter) / gear.module)
-        made.append(own)
+            _require_thickness(tipped, mate.thinning)
+        point = pointed_diameter(tipped, mate.thinning)
+        if point is not None and plain(point) < plain(tipped.tip_diameter):
+            tipped = with_shift(gear, gear.shift, tipped.tip_change + 0.5 * (point - tipped.tip_diameter) / gear.module)
+        gears.append(tipped)
     both_given = one.tip_diameter is not None and two.tip_diameter is not None
-    shortened = Engagement(made[0], made[1], mesh.centre_distance, mesh.angle, mesh.tight)
+    shortened = Engagement(gears[0], gears[1], mesh.centre_distance, mesh.angle, mesh.tight)
     return shortened, None if both_given else change

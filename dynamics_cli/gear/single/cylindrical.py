@@ -307,22 +307,15 @@ def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
 def _advice(
     gear: Gear, pitch: object, least: float | None, most: float | None, tip_thickness: float, form: float | None
 ) -> tuple[Advice, ...]:
-    found = list(module_advice(pitch, gear.module))
+    advice = list(module_advice(pitch, gear.module))
     share = plain(tip_thickness) / plain(gear.module)
     if share < LEAST_TIP:
-        found.append(
-            Advice(
-                "thin-tip",
-                worded(
-                    "the tips are {share:3} modules thick, less than {limit}",
-                    share=(share, Ratio),
-                    limit=(LEAST_TIP, Ratio),
-                ),
-                remedy="lower the profile shift, or shorten the tips",
-            )
+        text = worded(
+            "the tips are {share:3} modules thick, less than {limit}", share=(share, Ratio), limit=(LEAST_TIP, Ratio)
         )
+        advice.append(Advice("thin-tip", text, remedy="lower the profile shift, or shorten the tips"))
     if least is None or most is None or plain(least) <= plain(gear.shift):
-        return tuple(found)
+        return tuple(advice)
     low, high = plain(least), plain(most)
     remedy = worded(
         "raise the profile shift by {more} to {low:6}", more=(low - plain(gear.shift), Ratio), low=(low, Ratio)
@@ -335,12 +328,6 @@ def _advice(
             low=(low, Ratio),
             high=(high, Ratio),
         )
-    found.append(
-        Advice(
-            "undercut",
-            worded("the rack undercuts the teeth: the involute begins at {form:6} diameter", form=(plain(form), Size)),
-            "serious" if low > high else "caution",
-            remedy,
-        )
-    )
-    return tuple(found)
+    message = worded("the rack undercuts the teeth: the involute begins at {form:6} diameter", form=(plain(form), Size))
+    advice.append(Advice("undercut", message, "serious" if low > high else "caution", remedy))
+    return tuple(advice)

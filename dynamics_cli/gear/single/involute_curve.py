@@ -2,7 +2,7 @@
 
 from math import pi
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import atan, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
@@ -126,15 +126,13 @@ def involute_point(
         curvature = 0.5 * base_diameter * roll
         length = 0.5 * curvature * roll
     if known_thickness is not None or known_diameter is not None or points > 0:
-        require(
-            base_diameter is not None, "lengths need the base diameter", code="no-base", hint="give --base-diameter"
-        )
+        require_given(base_diameter is not None, "lengths need the base diameter", ("base_diameter",), code="no-base")
     if known_thickness is not None or known_diameter is not None:
-        require(
+        require_given(
             known_thickness is not None and known_diameter is not None,
             "a known tooth thickness needs the diameter at which it is known, and the other way round",
+            ("known_thickness", "known_diameter"),
             code="thickness",
-            hint="give --known-thickness and --known-diameter",
         )
         half = known_thickness / known_diameter + roll_less_arc(_roll(known_diameter, base_diameter))  # type: ignore[operator, arg-type]
         thickness = diameter * (half - value)  # type: ignore[operator]
@@ -194,12 +192,12 @@ def _points(base_diameter: float | None, roll: float, count: int) -> tuple[Curve
     )
     if base_diameter is None or count == 0:
         return None
-    made = []
+    points = []
     for index in range(count):
         share = index / (count - 1) if count > 1 else 1.0
         # the curve bends most near the base circle
         own = roll * share * share
         radius = 0.5 * base_diameter * sqrt(1.0 + own * own)
         polar = roll_less_arc(own)
-        made.append(CurvePoint(own, radius, radius * cos(polar), radius * sin(polar)))
-    return tuple(made)
+        points.append(CurvePoint(own, radius, radius * cos(polar), radius * sin(polar)))
+    return tuple(points)

@@ -5,7 +5,7 @@ from math import ceil, pi
 from dynamics_cli.gear.single.gear import Gear
 from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
-from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.numerics.number import is_array, like, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def bare(gear: Gear) -> Gear:
 
 
 def least_shift(gear: Gear) -> float:
-    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β)."""
+    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β) (ISO 21771)."""
     rack = gear.rack
     reach = rack.dedendum - rack.tip_radius * (1.0 - sin(rack.pressure_angle))
     sine = sin(gear.transverse_angle)
@@ -53,18 +53,18 @@ def pointed_shift(gear: Gear) -> float:
     A tooth whose tip is at the reference circle has a thickness there; from it the shift is bracketed upwards, and one
     Newton step in the numbers that came in carries derivatives and rounding through.
     """
-    own = bare(gear)
+    doubles = bare(gear)
 
-    base, angle = own.base_diameter, involute(own.transverse_angle) + 0.5 * pi / own.teeth
-    widening, reach = 2.0 * tan(own.rack.pressure_angle) / own.teeth, 2.0 * own.module
-    tip = own.reference_diameter + reach * (own.rack.addendum + own.tip_change)
+    base, angle = doubles.base_diameter, involute(doubles.transverse_angle) + 0.5 * pi / doubles.teeth
+    widening, reach = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth, 2.0 * doubles.module
+    tip = doubles.reference_diameter + reach * (doubles.rack.addendum + doubles.tip_change)
 
     def half(shift: float) -> float:
         ratio = (tip + reach * shift) / base
         roll = sqrt((ratio - 1.0) * (ratio + 1.0))
         return angle + widening * shift - (roll - atan(roll))
 
-    low = -own.rack.addendum - own.tip_change
+    low = -doubles.rack.addendum - doubles.tip_change
     high = low + 1.0
     while half(high) > 0.0:
         low, high = high, 2.0 * high - low + 1.0
@@ -73,8 +73,8 @@ def pointed_shift(gear: Gear) -> float:
     shifted = _shifted(gear, found)
     tip = shifted.tip_diameter
     remaining = shifted.tip_thickness / tip
-    slope = 2.0 * tan(own.rack.pressure_angle) / own.teeth
-    slope -= 2.0 * plain(shifted.tip_roll) * own.module / plain(tip)
+    slope = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth
+    slope -= 2.0 * plain(shifted.tip_roll) * doubles.module / plain(tip)
     return found - remaining / slope
 
 
@@ -84,6 +84,10 @@ def bisect(function: "Callable[[float], float]", low: float, high: float) -> flo
     Illinois steps kept within the bracket; every third step halves it.
     """
     f_low, f_high = function(low), function(high)
+    if is_array(f_low):
+        from dynamics_cli.numerics.lanes import bisected
+
+        return bisected(function, low, high)  # type: ignore[no-any-return]
     for count in range(200):
         middle = 0.5 * (low + high)
         if count % 3 != 2 and f_low > 0.0 > f_high:

@@ -40,7 +40,7 @@ def roll_less_arc(t: float) -> float:
 
 
 def transverse(pressure_angle: float, helix_angle: float) -> float:
-    """α_t of tan α_t = tan α_n/cos β; of a spur gear the very angle given, with no rounding."""
+    """α_t of tan α_t = tan α_n/cos β; of a spur gear the very angle given, with no rounding (ISO 21771)."""
     if helix_angle == 0.0:
         return pressure_angle
     return atan2(sin(pressure_angle), cos(pressure_angle) * cos(helix_angle))
@@ -125,31 +125,22 @@ class Root:
 def root(cutter: Cutter) -> Root:
     """Give the junction of involute and trochoid of a gear cut by a rack.
 
+    `cutter`: the rack and the gear. Returns radius, roll angle, undercut or not, and the direction at which the
+    trochoid begins. Raises InadmissibleError when the rack's corner does not fit its tooth, or the root would lie
+    beyond the gear's centre.
+
+    The unit of length is the normal module. The condition of R is below 1 for all inputs; within 1e-14 of 40-digit
+    values for z = 5 … 1000, x = −12 … +1.
+
     Equation
     --------
     ξ = r sin α_t − h_F/sin α_t; ξ ≥ 0: R² = r_b² + ξ². ξ < 0: the trochoid's half angle meets the involute's, solved in
     δ = θ − α_t between its start on the involute's other branch (δ = 0) and the base circle, with every term written
     as a difference from that start, so that nothing cancels as ξ → 0.
 
-    Parameters
+    References
     ----------
-    cutter : Cutter
-        The rack and the gear.
-
-    Returns
-    -------
-    Root
-        Radius, roll angle, undercut or not, and the direction at which the trochoid begins.
-
-    Raises
-    ------
-    InadmissibleError
-        When the rack's corner does not fit its tooth, or the root would lie beyond the gear's centre.
-
-    Notes
-    -----
-    The unit of length is the normal module. The condition of R is below 1 for all inputs; within 1e-14 of 40-digit
-    values for z = 5 … 1000, x = −12 … +1.
+    ISO 21771; law of gearing applied to the corner of the rack.
     """
     _require_rack(cutter)
     curve = _Corner(cutter)

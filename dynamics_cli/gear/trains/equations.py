@@ -230,14 +230,8 @@ class Motion:
         found = []
         driven = self.relative(self.known.driven) if self.known.driven else None
         if driven is not None and driven[0] == 0:
-            found.append(
-                Advice(
-                    "driven-stands",
-                    worded("{driven} stands still whatever the driver does", driven=self.known.driven),
-                    "serious",
-                    result="ratio",
-                )
-            )
+            message = worded("{driven} stands still whatever the driver does", driven=self.known.driven)
+            found.append(Advice("driven-stands", message, "serious", result="ratio"))
         loose = [name for name in self._names if self.terms(name) is None]
         if loose:
             found.append(

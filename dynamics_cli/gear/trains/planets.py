@@ -90,7 +90,7 @@ def _most(distance: float, tip: float) -> int:
 
 def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
     """Even spacing that is not possible, and centre distances that profile shift must bring together."""
-    found = []
+    advice = []
     steps, count = arrangement.steps, arrangement.planets
     inner, outer = arrangement.planet_teeth
     if steps % count:
@@ -100,22 +100,18 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
         simple = inner == outer
         ring = _nearest_ring(arrangement) if simple else None
         what = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"
-        found.append(
-            Advice(
-                "uneven-planets",
-                worded(
-                    "{what} = {number} is not whole: {count} planets cannot be spread evenly; the places shown are the "
-                    "nearest possible",
-                    what=what,
-                    number=number,
-                    count=count,
-                ),
-                remedy=f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else ""),
-            )
+        message = worded(
+            "{what} = {number} is not whole: {count} planets cannot be spread evenly; the places shown are the "
+            "nearest possible",
+            what=what,
+            number=number,
+            count=count,
         )
+        remedy = f"{fits} planets fit evenly" + (f"; or a ring of {ring} teeth" if ring else "")
+        advice.append(Advice("uneven-planets", message, remedy=remedy))
     mismatch = arrangement.ring - outer - arrangement.sun - inner
     if mismatch and inner == outer:
-        found.append(
+        advice.append(
             Advice(
                 "centre-distances-differ",
                 worded(
@@ -129,7 +125,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
                 ),
             )
         )
-    return tuple(found)
+    return tuple(advice)
 
 
 def _nearest_ring(arrangement: Planetary) -> int | None:

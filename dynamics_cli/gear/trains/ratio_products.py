@@ -69,19 +69,19 @@ class Products:
         tops, bottoms = self.tops, self.bottoms
         start = bisect_left(bottoms, tops[0] / high)
         stop = bisect_right(bottoms, tops[-1] / low) if low > 0.0 else len(bottoms)
-        found: list[Stage] = []
+        stages: list[Stage] = []
         place, size = 0, len(tops)
         sentinel = [*tops, float("inf")]
-        for own in bottoms[start:stop]:
-            least = own * low
+        for driver in bottoms[start:stop]:
+            least = driver * low
             while sentinel[place] < least:
                 place += 1
-            if sentinel[place] <= own * high:
-                other, most = place, own * high
+            if sentinel[place] <= driver * high:
+                other, most = place, driver * high
                 while other < size and tops[other] <= most:
-                    found.append((tops[other], own))
+                    stages.append((tops[other], driver))
                     other += 1
-        return found
+        return stages
 
     def best(self, count: int) -> "tuple[list[Train], int]":
         """The trains of the `count` best ratios that keep the limits, and how many nearer ratios keep none."""
@@ -92,7 +92,7 @@ class Products:
             ratios: dict[Pair, list[Stage]] = {}
             for top, bottom in self.near(reach):
                 ratios.setdefault(lowest(top, bottom), []).append((top, bottom))
-            found: list[Train] = []
+            trains: list[Train] = []
             rejected = 0
             for value in by_distance(ratios, self.target)[:MOST_LOOKED_AT]:
                 if reach < 1.0 and beyond(value, self.target, reach):
@@ -101,12 +101,12 @@ class Products:
                 if train is None:
                     rejected += 1
                 else:
-                    found.append(train)
-                if len(found) == count:
-                    return found, rejected
+                    trains.append(train)
+                if len(trains) == count:
+                    return trains, rejected
             if reach == 1.0 or len(ratios) > MOST_LOOKED_AT:
-                require_found(found, rejected)
-                return found, rejected
+                require_found(trains, rejected)
+                return trains, rejected
             reach *= WIDER
 
     def _smallest(self, pairs: "list[Stage]") -> "Train | None":
@@ -132,9 +132,9 @@ class Products:
 
 def _products(teeth: range, stages: int) -> list[int]:
     """Every product of `stages` numbers of teeth, sorted, each once."""
-    found = list(teeth)
+    products = list(teeth)
     for _ in range(stages - 1):
-        work = len(found) * len(teeth)
+        work = len(products) * len(teeth)
         require(
             work <= MOST_LISTED,
             "{stages} pairs of gears of {first} to {last} teeth have too many products to list ({work:3})",
@@ -145,8 +145,8 @@ def _products(teeth: range, stages: int) -> list[int]:
             code="too-many",
             hint="take fewer stages, or a narrower range of teeth",
         )
-        found = _multiplied(found, teeth)
-    return found
+        products = _multiplied(products, teeth)
+    return products
 
 
 def _multiplied(products: list[int], teeth: range) -> list[int]:
@@ -156,16 +156,16 @@ def _multiplied(products: list[int], teeth: range) -> list[int]:
     """
     most = products[-1] * teeth[-1]
     if most > _MOST_MARKS:
-        return sorted({own * other for own in products for other in teeth})
+        return sorted({product * count for product in products for count in teeth})
     marks, ones = bytearray(most + 1), b"\x01" * len(teeth)
-    for own in products:
-        marks[own * teeth[0] : own * teeth[-1] + 1 : own] = ones
-    found: list[int] = []
+    for product in products:
+        marks[product * teeth[0] : product * teeth[-1] + 1 : product] = ones
+    values: list[int] = []
     place = marks.find(1)
     while place >= 0:
-        found.append(place)
+        values.append(place)
         place = marks.find(1, place + 1)
-    return found
+    return values
 
 
 def _factorings(number: int, teeth: range, stages: int, least: int = 0) -> "Iterator[tuple[int, ...]]":
@@ -175,22 +175,22 @@ def _factorings(number: int, teeth: range, stages: int, least: int = 0) -> "Iter
             yield (number,)
         return
     low = max(least, teeth[0], -(-number // teeth[-1] ** (stages - 1)))
-    for own in range(low, teeth[-1] + 1):
-        if own**stages > number:
+    for factor in range(low, teeth[-1] + 1):
+        if factor**stages > number:
             return
-        if number % own == 0:
-            for rest in _factorings(number // own, teeth, stages - 1, own):
-                yield (own, *rest)
+        if number % factor == 0:
+            for rest in _factorings(number // factor, teeth, stages - 1, factor):
+                yield (factor, *rest)
 
 
 def _paired(over: tuple[int, ...], under: tuple[int, ...], limits: Limits) -> "Train | None":
     """Drivers paired with driven gears so that every pair keeps the limits; in order of size where that does."""
     if not under:
         return ()
-    own, rest = under[0], under[1:]
+    driven, rest = under[0], under[1:]
     for place, other in enumerate(over):
-        if limits.pair(own, other):
+        if limits.pair(driven, other):
             more = _paired(over[:place] + over[place + 1 :], rest, limits)
             if more is not None:
-                return ((own, other), *more)
+                return ((driven, other), *more)
     return None

@@ -190,13 +190,13 @@ def _checks(known: Known, shafts: tuple[ShaftMotion, ...]) -> tuple[Check, ...]:
         parts = [first * own[0], second * own[1], -first * own[2], -second * own[2]]  # type: ignore[operator]
         scale = max(map(abs, parts))
         worst = max(worst, abs(sum(parts)) / scale if scale else 0.0)
-    found = [Check("Willis' equation of every mesh", worst <= 8.0 * ONE_ROUNDING, worst, 8.0 * ONE_ROUNDING)]
+    checks = [Check("Willis' equation of every mesh", worst <= 8.0 * ONE_ROUNDING, worst, 8.0 * ONE_ROUNDING)]
     powers = [one.power for one in shafts if one.power is not None]
     scale = sum(map(abs, powers))
     if scale:
         left = abs(sum(powers)) / scale
-        found.append(Check("power in and power out", left <= 8.0 * ONE_ROUNDING, left, 8.0 * ONE_ROUNDING))
-    return tuple(found)
+        checks.append(Check("power in and power out", left <= 8.0 * ONE_ROUNDING, left, 8.0 * ONE_ROUNDING))
+    return tuple(checks)
 
 
 def _numerics(has_ratio: bool) -> Numerics:

@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import (
     require,
+    require_given,
     worded,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, require_sizes
@@ -167,7 +168,7 @@ def step(
 def _factor(wheel: Factor | AxleInertia, mass: float | None, radius: float) -> float:
     if isinstance(wheel, Factor):
         return wheel.inertia_factor
-    require(mass is not None, "a moment of inertia needs the mass as well", code="no-mass", hint="give --mass")
+    require_given(mass is not None, "a moment of inertia needs the mass as well", ("mass",), code="no-mass")
     assert mass is not None
     require(mass > 0.0, "the mass of the wheel must be above zero", code="no-mass")
     return wheel.axle_inertia / (mass * radius * radius)
@@ -176,33 +177,24 @@ def _factor(wheel: Factor | AxleInertia, mass: float | None, radius: float) -> f
 def _never_stays(least: float, leaves: float) -> tuple[Advice, ...]:
     if not single(least, leaves) or plain(least) <= plain(leaves):
         return ()
-    return (
-        Advice(
-            code="leaves-edge",
-            message=worded(
-                "at the least speed the wheel would already leave the edge (above {leaves}): it cannot climb this step "
-                "by pivoting on the edge without something that holds it there",
-                leaves=(leaves, Speed),
-            ),
-            severity="caution",
-        ),
+    message = worded(
+        "at the least speed the wheel would already leave the edge (above {leaves}): it cannot climb this step "
+        "by pivoting on the edge without something that holds it there",
+        leaves=(leaves, Speed),
     )
+    return (Advice(code="leaves-edge", message=message, severity="caution"),)
 
 
 def _jump(speed: float, leaves: float) -> tuple[Advice, ...]:
     if not single(speed, leaves) or plain(speed) <= plain(leaves):
         return ()
-    return (
-        Advice(
-            code="jumps",
-            message=worded(
-                "at {speed} the wheel leaves the edge at once (above {leaves}): the speed on the step is that of a "
-                "wheel held to the edge",
-                speed=(speed, Speed),
-                leaves=(leaves, Speed),
-            ),
-        ),
+    message = worded(
+        "at {speed} the wheel leaves the edge at once (above {leaves}): the speed on the step is that of a "
+        "wheel held to the edge",
+        speed=(speed, Speed),
+        leaves=(leaves, Speed),
     )
+    return (Advice(code="jumps", message=message),)
 
 
 def _checks(answer: StepMet, factor: float, speed: float, depth: float, mass: float | None) -> tuple[Check, ...]:

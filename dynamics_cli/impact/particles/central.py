@@ -154,19 +154,19 @@ def central(
     require_sizes(
         first=first, second=second, contact=contact, closing_speed=closing_speed, force=force, gravity=gravity
     )
-    one = mass_of(first.bulk, gravity, "the first body")
+    mass = mass_of(first.bulk, gravity, "the first body")
     two = struck_mass(second.bulk, gravity, "the second body")
     before, closing = _approach(first.velocity, second.velocity, closing_speed)
     restitution = contact.restitution
-    reduced = reduced_mass(one, two)
+    reduced = reduced_mass(mass, two)
     compression = reduced * closing
     impulse = (1.0 + restitution) * compression
     require_finite(impulse * closing, "the energy of the impact")
     share = (1.0 - restitution) * (1.0 + restitution)
     lost = 0.5 * share * (compression * closing)
-    shares = -(reduced / one), 0.0 if two is None else reduced / two
-    changes = -(impulse / one), 0.0 if two is None else impulse / two
-    common, after = velocities_after((one, two), before, shares, closing, restitution)
+    shares = -(reduced / mass), 0.0 if two is None else reduced / two
+    changes = -(impulse / mass), 0.0 if two is None else impulse / two
+    common, after = velocities_after((mass, two), before, shares, closing, restitution)
     if closing_speed is not None and first.velocity is not None and second.velocity is not None:
         # the velocities tell the closing speed less well: each body's own is kept
         after = [
@@ -174,7 +174,7 @@ def central(
             for share, velocity in zip(shares, before, strict=True)
         ]
     answer = CentralImpact(
-        first=AfterCentral(after[0], changes[0], -impulse * (before[0] + 0.5 * changes[0]), one),
+        first=AfterCentral(after[0], changes[0], -impulse * (before[0] + 0.5 * changes[0]), mass),
         second=AfterCentral(after[1], changes[1], impulse * (before[1] + 0.5 * changes[1]), two),
         impulse=impulse,
         compression_impulse=compression,
@@ -250,16 +250,10 @@ def contact_advice(contact: Restituted | Energetic) -> tuple[Advice, ...]:
     ratio = contact.restitution
     if not single(ratio) or not plain(ratio) > 1.0:
         return ()
-    return (
-        Advice(
-            code="energetic-contact",
-            message=worded(
-                "the contact adds energy: the bodies separate {ratio} times as fast as they closed",
-                ratio=(ratio, Ratio),
-            ),
-            severity="note",
-        ),
+    message = worded(
+        "the contact adds energy: the bodies separate {ratio} times as fast as they closed", ratio=(ratio, Ratio)
     )
+    return (Advice(code="energetic-contact", message=message, severity="note"),)
 
 
 def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Restitution) -> tuple[Check, ...]:

@@ -22,6 +22,20 @@ LAWS = "sequential", "simultaneous"
 ALL = ChainLaw("all")
 
 
+def _require_row(bodies: tuple[Body, ...]) -> None:
+    require(len(bodies) >= 2, "a chain has two bodies or more", code="too-few", hint='repeat --body "mass=1 kg"')
+    require(
+        bodies[-1].restitution is None,
+        "the last body has a restitution with the next body, but no body follows",
+        code="no-next",
+        hint="give it to the body before: the contact belongs to the first of two",
+    )
+    require(len(bodies) <= 500, "{count} bodies are more than 500", count=len(bodies), code="too-many")
+    for index, body in enumerate(bodies):
+        require(body.mass > 0.0, "the mass of bodies[{index}] must be above zero", index=index, code="no-mass")
+        require_finite(body.mass * body.velocity * body.velocity, f"the energy of bodies[{index}]")
+
+
 def chain(
     *,
     bodies: Annotated[tuple[Body, ...], "The bodies in order along the line."],
@@ -63,17 +77,7 @@ def chain(
     [0.0, 0.0, 1.0]
     """
     require_sizes(bodies=bodies, restitution=restitution)
-    require(len(bodies) >= 2, "a chain has two bodies or more", code="too-few", hint='repeat --body "mass=1 kg"')
-    require(
-        bodies[-1].restitution is None,
-        "the last body has a restitution with the next body, but no body follows",
-        code="no-next",
-        hint="give it to the body before: the contact belongs to the first of two",
-    )
-    require(len(bodies) <= 500, "{count} bodies are more than 500", count=len(bodies), code="too-many")
-    for index, body in enumerate(bodies):
-        require(body.mass > 0.0, "the mass of bodies[{index}] must be above zero", index=index, code="no-mass")
-        require_finite(body.mass * body.velocity * body.velocity, f"the energy of bodies[{index}]")
+    _require_row(bodies)
     ratios = [restitution if body.restitution is None else body.restitution for body in bodies[:-1]]
     fastest = max(_closing([body.velocity for body in bodies]))
     require(
@@ -189,13 +193,6 @@ def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice
     apart = max(abs(one.velocity - other.velocity) for one, other in zip(*after, strict=True))
     if apart <= 1e-9 * fastest:
         return ()
-    return (
-        Advice(
-            code="not-unique",
-            message=worded(
-                "the laws differ by up to {apart}: rigid bodies do not decide between them", apart=(apart, Speed)
-            ),
-            severity="note",
-            remedy="choose --law sequential for bodies with gaps, however small",
-        ),
-    )
+    message = worded("the laws differ by up to {apart}: rigid bodies do not decide between them", apart=(apart, Speed))
+    remedy = "choose --law sequential for bodies with gaps, however small"
+    return (Advice(code="not-unique", message=message, severity="note", remedy=remedy),)

@@ -101,23 +101,23 @@ def oblique(
     (-0.1231175, 0.1346175)
     """
     require_sizes(first=first, second=second, line=line, contact=contact, force=force, gravity=gravity)
-    one = mass_of(first.bulk, gravity, "the first body")
+    mass = mass_of(first.bulk, gravity, "the first body")
     two = struck_mass(second.bulk, gravity, "the second body")
     before = velocity_of(first.motion, axes), velocity_of(second.motion, axes)
     relative = before[0][0] - before[1][0], before[0][1] - before[1][1]
     normal, closing = _normal(line, relative, axes)
     require_approach(closing, "the line of impact points from the first body to the second: turn it by 180 degrees")
-    reduced = reduced_mass(one, two)
+    reduced = reduced_mass(mass, two)
     compression = reduced * closing
     size = (1.0 + contact.restitution) * compression
     require_finite(size * closing, "the energy of the impact")
     back = -normal[0], -normal[1]
     share = (1.0 - contact.restitution) * (1.0 + contact.restitution)
-    shares = -(reduced / one), 0.0 if two is None else reduced / two
+    shares = -(reduced / mass), 0.0 if two is None else reduced / two
     along = dot(before[0], normal), dot(before[1], normal)
-    final = velocities_after((one, two), along, shares, closing, contact.restitution)[1]
+    final = velocities_after((mass, two), along, shares, closing, contact.restitution)[1]
     answer = ObliqueImpact(
-        first=_after(one, before[0], final[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
+        first=_after(mass, before[0], final[0], size, back, _nose(first.nose, before[0], axes), axes, pdof_zero, -1.0),
         second=_after(
             two, before[1], final[1], size, normal, _nose(second.nose, before[1], axes), axes, pdof_zero, 1.0
         ),
@@ -131,7 +131,7 @@ def oblique(
         conventions=conventions(axes, pdof_zero),
         advice=contact_advice(contact),
     )
-    return ObliqueImpact(**{**answer.__dict__, "checks": _checks(answer, (one, two), before, normal, contact)})
+    return ObliqueImpact(**{**answer.__dict__, "checks": _checks(answer, (mass, two), before, normal, contact)})
 
 
 def dot(a: Pair, b: Pair) -> float:

@@ -146,15 +146,11 @@ def side_advice(one: Solid, two: Solid, towards: Pair) -> tuple[Advice, ...]:
             continue
         ahead = way * dot(body.lever, towards)
         if single(ahead) and plain(ahead) < 0.0:
-            advice += (
-                Advice(
-                    code="contact-behind",
-                    message=worded(
-                        "the mass centre of the {name} body lies on the other body's side of the contact", name=name
-                    ),
-                    remedy="the normal points from the first body to the second: reverse it, or check the lever",
-                ),
+            message = worded(
+                "the mass centre of the {name} body lies on the other body's side of the contact", name=name
             )
+            remedy = "the normal points from the first body to the second: reverse it, or check the lever"
+            advice += (Advice(code="contact-behind", message=message, remedy=remedy),)
     return advice
 
 
@@ -162,10 +158,5 @@ def restituted_advice(law: str, moment_restitution: float) -> tuple[Advice, ...]
     """Say so when a moment coefficient goes with a law that has none."""
     if law == "brach" or not single(moment_restitution) or plain(moment_restitution) == 1.0:
         return ()
-    return (
-        Advice(
-            code="moment-ignored",
-            message=worded("only Brach's law has a moment restitution; {law} answers without it", law=law),
-            remedy="--law brach",
-        ),
-    )
+    message = worded("only Brach's law has a moment restitution; {law} answers without it", law=law)
+    return (Advice(code="moment-ignored", message=message, remedy="--law brach"),)

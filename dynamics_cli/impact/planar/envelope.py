@@ -40,6 +40,32 @@ UNIT_ROUNDOFF = 2.0**-53
 POINTS_MOST = 100_000_000
 
 
+def _require_region(
+    ends: "tuple[tuple[float, float], tuple[float, float]]", points: tuple[int, int], map_points: int
+) -> None:
+    """Refuse a region that is turned round, has too few or too many points; restitution first, then friction."""
+    require(
+        all(least <= greatest for least, greatest in ends),
+        "the lower ends of the region lie above its upper ends",
+        code="region",
+    )
+    require(min(*points, map_points) >= 1, "a region has at least one point along each side", code="region")
+    for (least, greatest), count, side in zip(ends, points, ("restitution", "friction"), strict=True):
+        require(
+            least == greatest or min(count, map_points) >= 2,
+            "one point along {side} cannot cover it from {least:6} to {greatest:6}",
+            side=side,
+            least=(least, Ratio),
+            greatest=(greatest, Ratio),
+            code="region",
+            hint="two points or more, also for the map, or equal ends of {side}",
+        )
+    count = points[0] * points[1]
+    require(
+        count <= POINTS_MOST, "{count:3} points are more than a hundred million", count=(count, Ratio), code="region"
+    )
+
+
 def envelope(
     *,
     first: Annotated[RigidBody, "The first body."],
@@ -104,37 +130,13 @@ def envelope(
     from dynamics_cli.impact.planar.envelope_bounds import ExactContact
 
     require(law != "all", "an envelope is of one law", code="one-law", hint="--law stronge")
-    require(
-        least_restitution <= greatest_restitution and least_friction <= greatest_friction,
-        "the lower ends of the region lie above its upper ends",
-        code="region",
-    )
-    sizes = restitution_points, friction_points, map_points
-    require(min(sizes) >= 1, "a region has at least one point along each side", code="region")
-    for least, greatest, points, side in (
-        (least_restitution, greatest_restitution, restitution_points, "restitution"),
-        (least_friction, greatest_friction, friction_points, "friction"),
-    ):
-        require(
-            least == greatest or min(points, map_points) >= 2,
-            "one point along {side} cannot cover it from {least:6} to {greatest:6}",
-            side=side,
-            least=(least, Ratio),
-            greatest=(greatest, Ratio),
-            code="region",
-            hint="two points or more, also for the map, or equal ends of {side}",
-        )
-    require(
-        restitution_points * friction_points <= POINTS_MOST,
-        "{count:3} points are more than a hundred million",
-        count=(restitution_points * friction_points, Ratio),
-        code="region",
-    )
-    one = solid(first, contact_point, axes, gravity, "the first body")
+    ends = (least_restitution, greatest_restitution), (least_friction, greatest_friction)
+    _require_region(ends, (restitution_points, friction_points), map_points)
+    body = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
-    meeting = meeting_of(one, two, inward, closing_speed, 0.0, 0.0, 1.0)
+    meeting = meeting_of(body, two, inward, closing_speed, 0.0, 0.0, 1.0)
     size = max(absolute(meeting.approach), absolute(meeting.slip))
     require_finite(8.0 * size * size / meeting.mobility.normal, "the energy of the impact")
     e = np.linspace(least_restitution, greatest_restitution, restitution_points)
@@ -149,20 +151,20 @@ def envelope(
         code="no-push",
         hint="--law stronge",
     )
-    return _report(region, one, two, map_points)
+    return _report(region, body, two, map_points)
 
 
-def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope:
+def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[EnvelopePoint]":
+    """The answers on a coarse grid of the region."""
     import numpy as np
 
-    total = region.e.size * region.mu.size
     # a side without extent has one place on the map: more would repeat its rows
     e, mu = (np.linspace(s[0], s[-1], map_points if s[0] < s[-1] else 1) for s in (region.e, region.mu))
     pn, pt, lost = region.answer(mu[:, None], e)
     good = pn == pn
     size = np.sqrt(pn * pn + pt * pt)[good]
     grid_mu, grid_e = np.broadcast_arrays(mu[:, None], e)
-    points = Columns(
+    return Columns(
         EnvelopePoint,
         restitution=grid_e[good],
         friction=grid_mu[good],
@@ -171,6 +173,10 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
         impulse_ratio=(pt / pn)[good],
         energy_lost=lost[good],
     )
+
+
+def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope:
+    total = region.e.size * region.mu.size
     refused = total - region.good
     advice: tuple[Advice, ...] = ()
     if refused:
@@ -201,7 +207,7 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
         points=total,
         refused=refused,
         slip_share=region.full / region.good,
-        map=points,
+        map=_map(region, one, two, map_points),
         checks=checks,
         advice=advice,
         numerics=Numerics(

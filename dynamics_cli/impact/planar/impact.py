@@ -125,7 +125,7 @@ def planar(
     >>> round(hit.normal_impulse, 12), round(hit.tangential_impulse, 12), hit.slip_history
     (3.0, 0.15, 'slip')
     """
-    one = solid(first, contact_point, axes, gravity, "the first body")
+    body = solid(first, contact_point, axes, gravity, "the first body")
     two = solid(second, contact_point, axes, gravity, "the second body")
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
@@ -135,18 +135,18 @@ def planar(
         value=(moment_restitution, Ratio),
         code="moment-restitution",
     )
-    meeting = meeting_of(one, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
+    meeting = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
     asked = LAWS[0] if law == "all" else law
     solved = outcome(meeting, asked)
     energetic = _adds_energy(contact.restitution)
     require_finite(solved.normal * meeting.approach, "the energy of the impact")
     refuse(solved, asked, energetic)
-    answer = _answer(solved, asked, meeting, one, two, inward, axes, pdof_zero)
-    alternatives, missing = _all_laws(meeting, one, two, inward, energetic) if law == "all" else ({}, ())
+    answer = _answer(solved, asked, meeting, body, two, inward, axes, pdof_zero)
+    alternatives, missing = _all_laws(meeting, body, two, inward, energetic) if law == "all" else ({}, ())
     duration, peak = contact_history(force, meeting, solved, asked)
     advice = contact_advice(contact) + force_advice(force, duration, asked) + missing
-    advice += side_advice(one, two, towards) + lever_advice(one, two) + restituted_advice(asked, moment_restitution)
-    checks = certificate(answer, solved, asked, meeting, one, two, inward)
+    advice += side_advice(body, two, towards) + lever_advice(body, two) + restituted_advice(asked, moment_restitution)
+    checks = certificate(answer, solved, asked, meeting, body, two, inward)
     return PlanarImpact(
         **{
             **answer.__dict__,

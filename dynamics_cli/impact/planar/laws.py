@@ -236,7 +236,7 @@ def _kudlich_slibar(m: Meeting) -> Outcome:
         scale=0.5 * normal * -m.approach + absolute(tangential * m.slip),
         history=_ratio_words(holds),
         feasible=pushes & (across > 0.0),
-        why="the compression impulse is no push between the bodies",
+        why="the compression impulse does not push the bodies apart",
     )
 
 

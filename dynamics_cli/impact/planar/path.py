@@ -64,6 +64,10 @@ def travel(k: Mobility, slip: float, approach: float, friction: float, restituti
 
     Phase 1 keeps the direction of the first slip, p_t = −μ sgn(u_t) p_n, until u_t = 0; phase 2 sticks where
     |k_x| ≤ μ k_t and otherwise slips the other way. u_n is linear in p_n with a slope of its own in each.
+
+    References
+    ----------
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
     way = sign(slip)
     ratio = -friction * way

@@ -32,36 +32,20 @@ def planar_impacts(
 ) -> "tuple[Array, Array]":
     """Normal and tangential impulses of many planar impacts, NaN where the bodies do not approach.
 
+    `tangential`, `coupling`, `normal`: k_t, k_x, k_n of the contact [1/kg]; `slip`, `approach`: u_t and u_n before; an
+    impact has u_n < 0 [m/s]; `friction`, `restitution`: μ and e [-]; `law`: stronge, newton or poisson; `determinant`:
+    k_t k_n − k_x² where it is known better than this difference tells [1/kg²]. Returns p_n and p_t on body 1 [N·s], of
+    the shape that the inputs broadcast to. Raises ValueError when the law has no path.
+
+    Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
+
     Equation
     --------
     As `dynamics_cli.impact.planar.path.travel`.
 
-    Parameters
+    References
     ----------
-    tangential, coupling, normal : array_like
-        k_t, k_x, k_n of the contact [1/kg].
-    slip, approach : array_like
-        u_t and u_n before; an impact has u_n < 0 [m/s].
-    friction, restitution : array_like
-        μ and e [-].
-    law : str
-        stronge, newton or poisson.
-    determinant : array_like
-        k_t k_n − k_x² where it is known better than this difference tells [1/kg²].
-
-    Returns
-    -------
-    tuple of arrays
-        p_n and p_t on body 1 [N·s], of the shape that the inputs broadcast to.
-
-    Raises
-    ------
-    ValueError
-        When the law has no path.
-
-    Notes
-    -----
-    Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
 
     Examples
     --------

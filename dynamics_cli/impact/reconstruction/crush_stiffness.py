@@ -35,7 +35,7 @@ class BarrierTest:
 
 
 def coefficients(stiffness: Coefficients | Campbell | BarrierTest, name: str) -> tuple[float, float]:
-    """A = m b₀ b₁/w and B = m b₁²/w of the tested vehicle, or as given."""
+    """A = m b₀ b₁/w and B = m b₁²/w of the tested vehicle, or as given (Campbell, SAE 740565)."""
     if isinstance(stiffness, Coefficients):
         return stiffness.stiffness_a, stiffness.stiffness_b
     require(

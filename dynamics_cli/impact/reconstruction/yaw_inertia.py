@@ -174,11 +174,6 @@ def _advice(estimate: float, lowest: float, highest: float) -> tuple[Advice, ...
         below=(1.0 - plain(lowest) / plain(estimate), Fraction),
         above=(plain(highest) / plain(estimate) - 1.0, Fraction),
     )
-    return (
-        Advice(
-            code="estimate",
-            message=text,
-            severity="note",
-            remedy="use a measured value where there is one",
-        ),
-    )
+    message = text
+    remedy = "use a measured value where there is one"
+    return (Advice(code="estimate", message=message, severity="note", remedy=remedy),)

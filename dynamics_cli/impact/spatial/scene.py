@@ -64,6 +64,10 @@ def solve_central(
     Equation
     --------
     p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.10.
     """
     seen = viewed(scene, gravity)
     neglects = _neglects(
@@ -83,6 +87,10 @@ def solve_oblique(
     Equation
     --------
     p = (1 + e) m_r u_n with 1/m_r = 1/m₁ + 1/m₂.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.11.
     """
     seen = viewed(scene, gravity)
     neglects = _neglects(("friction", seen.rubs), ("the levers", seen.eccentric))
@@ -155,6 +163,10 @@ def solve_planar(
     Equation
     --------
     u' = u + K p in that plane; slip, then stick or reversed slip, as `impact planar`.
+
+    References
+    ----------
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
     seen = viewed(scene, gravity)
     turns = seen.turns and seen.friction > 0
@@ -206,6 +218,10 @@ def solve(
     Notes
     -----
     Which smaller model suffices is decided by K in the frame of the contact, not by how the scene was written down.
+
+    References
+    ----------
+    J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
     seen = viewed(scene, gravity)
     require(

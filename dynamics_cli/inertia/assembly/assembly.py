@@ -4,12 +4,11 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.assembly.parts import Part, Walk, each_number
 from dynamics_cli.inertia.assembly.report import reported
 from dynamics_cli.inertia.bodies.compose import composed
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, view_of
 from dynamics_cli.inertia.bodies.records import Shaft
-from dynamics_cli.inertia.bodies.rotation import Turn
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import is_carrier, plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn
 from dynamics_cli.quantities import Annotated, PartPosition, Text
 from dynamics_cli.records import record
 

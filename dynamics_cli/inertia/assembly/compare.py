@@ -6,10 +6,11 @@ from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.inertia.assembly.assembly import Assembly, compose_scene
 from dynamics_cli.inertia.assembly.parts import each_number
 from dynamics_cli.inertia.assembly.report import stated
-from dynamics_cli.inertia.bodies.mass_moments import less, product, tensor_of, transposed
+from dynamics_cli.inertia.bodies.mass_moments import less, tensor_of
 from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.orientation.rotations import product, transposed
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -173,14 +174,8 @@ def total(numbers: "Iterable[float]") -> float:
 def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, ...]]":
     words = [one.spread.degeneracy for one in (a, b) if not one.spread.degeneracy.startswith("none")]
     if words:
-        return None, (
-            Advice(
-                "axes-undetermined",
-                f"no angle between principal axes: {words[0]}",
-                severity="note",
-                result="axes_angle",
-            ),
-        )
+        message = f"no angle between principal axes: {words[0]}"
+        return (None, (Advice("axes-undetermined", message, severity="note", result="axes_angle"),))
     return min(turn_between(a.spread.axes, b.spread.axes, signs) for signs in SIGNS), ()
 
 

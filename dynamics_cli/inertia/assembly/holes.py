@@ -1,8 +1,9 @@
 """Whether what is cut out of an assembly was there: holes within their bodies, and of a density that a body has."""
 
-from dynamics_cli.inertia.bodies.mass_moments import less, plus, times, transposed
+from dynamics_cli.inertia.bodies.mass_moments import less, plus, times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import transposed
 from dynamics_cli.records import Advice, over_parts
 
 TYPE_CHECKING = False
@@ -27,30 +28,19 @@ def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
     if not holes or len(leaves) > MOST:
         return ()
     boxes = [_Box(body) for body in bodies] if all(body.part.shape is not None for body in bodies) else []
-    found = []
+    advice = []
     for hole in holes:
         if boxes and hole.part.shape is not None and _leaves(hole, boxes):
-            found.append(
-                Advice(
-                    "hole-outside",
-                    f"{hole.name} reaches out of every body: what it takes away there has no mass",
-                    "serious",
-                    "end the hole where its body ends",
-                )
-            )
+            message = f"{hole.name} reaches out of every body: what it takes away there has no mass"
+            advice.append(Advice("hole-outside", message, "serious", "end the hole where its body ends"))
         own = _density(hole)
         known = [density for density in map(_density, bodies) if density is not None]
         alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
         if own and len(known) == len(bodies) and not alike:
-            found.append(
-                Advice(
-                    "hole-density",
-                    f"{hole.name} takes away material of a density that no body has",
-                    "serious",
-                    "give the hole the density of the body that it is cut out of",
-                )
-            )
-    return tuple(found)
+            text = f"{hole.name} takes away material of a density that no body has"
+            remedy = "give the hole the density of the body that it is cut out of"
+            advice.append(Advice("hole-density", text, "serious", remedy))
+    return tuple(advice)
 
 
 def _density(leaf: "Leaf") -> "tuple[int, float] | None":

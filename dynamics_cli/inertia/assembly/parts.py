@@ -2,12 +2,12 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.amount import Amount, OfMass, mass_of
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, NOTHING, Lump, plus, product, second_of, times
-from dynamics_cli.inertia.bodies.rotation import Turn, matrix_of
+from dynamics_cli.inertia.bodies.mass_moments import NOTHING, Lump, plus, second_of, times
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Shape
 from dynamics_cli.inertia.tensors.tensor import require_tensor
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn, matrix_of, product
 from dynamics_cli.quantities import Annotated, InertiaTensor, InputFile, Mass, PartPosition, Text
 from dynamics_cli.records import over_parts, record
 
@@ -237,10 +237,10 @@ def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
     from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
     from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
-    found = measured(part.mesh, shell=False)
-    require_closed(found, allowed=False, part=own)
-    require_extent(found, shell=False, part=own)
-    lift = Lift(found, unit_of(found, part.length_unit, own), width or 0)
+    readings = measured(part.mesh, shell=False)
+    require_closed(readings, allowed=False, part=own)
+    require_extent(readings, shell=False, part=own)
+    lift = Lift(readings, unit_of(readings, part.length_unit, own), width or 0)
     volume = lift.measure()
     amount = _amount(part, own)
     mass = mass_of(amount, volume, 3, own)

@@ -127,19 +127,19 @@ def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advic
 
 def _mesh_advice(whole: "Composed") -> tuple[Advice, ...]:
     """What the diagnosis of mesh parts found, each with the name of its part."""
-    found: list[Advice] = []
+    advice: list[Advice] = []
     for leaf in whole.leaves:
         if leaf.part.mesh:
             from dynamics_cli.inertia.mesh.measurement import measured
             from dynamics_cli.inertia.mesh.report import fault_advice
 
             faults = fault_advice(measured(leaf.part.mesh, shell=False), shell=False)
-            found += [Advice(one.code, f"{leaf.name}: {one.message}", one.severity, one.remedy) for one in faults]
-    return tuple(found)
+            advice += [Advice(one.code, f"{leaf.name}: {one.message}", one.severity, one.remedy) for one in faults]
+    return tuple(advice)
 
 
 def _rotation(view: View, whole: "Composed") -> "Matrix":
-    from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
+    from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
     if view.axes == "principal":
         return whole.spread.axes
@@ -147,17 +147,12 @@ def _rotation(view: View, whole: "Composed") -> "Matrix":
 
 
 def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ...]:
-    found = []
+    advice = []
     if cancels is not None and max(cancels.mass, *cancels.moments) > MUCH_CANCELS:
         largest = max(cancels.mass, *cancels.moments)
-        found.append(
-            Advice(
-                "cancellation",
-                f"material and holes cancel to 1/{largest:.3g} of their size: the result loses as many digits",
-                severity="caution",
-                remedy="use a hollow shape with its wall thickness instead of a solid less a solid",
-            )
-        )
+        message = f"material and holes cancel to 1/{largest:.3g} of their size: the result loses as many digits"
+        remedy = "use a hollow shape with its wall thickness instead of a solid less a solid"
+        advice.append(Advice("cancellation", message, severity="caution", remedy=remedy))
     if whole.unbounded:
-        found.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
-    return tuple(found)
+        advice.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
+    return tuple(advice)

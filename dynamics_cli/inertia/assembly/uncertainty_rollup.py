@@ -1,8 +1,9 @@
 """Standard uncertainties of measured parts rolled up to the assembly, in first order and for independent parts."""
 
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, less, product
+from dynamics_cli.inertia.bodies.mass_moments import less
 from dynamics_cli.inertia.bodies.records import Deviation
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -48,10 +48,7 @@ Amount = OfMass | OfDensity | OfMaterial | OfArealDensity | OfLinearDensity
 def mass_of(amount: Amount, measure: float, dimension: int, what: str = "the shape") -> float:
     """The mass of a length, an area or a volume.
 
-    Raises
-    ------
-    InadmissibleError
-        When the density is one of another dimension, the material unknown, or the mass zero.
+    Raises InadmissibleError when the density is one of another dimension, the material unknown, or the mass zero.
     """
     if isinstance(amount, OfMass):
         require(amount.mass > 0.0, "the mass of {body} is zero", code="no-mass", body=what)

@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.assembly.parts import Group
 from dynamics_cli.inertia.bodies.mass_moments import (
-    IDENTITY,
     NOTHING,
     Lump,
     added,
@@ -11,7 +10,6 @@ from dynamics_cli.inertia.bodies.mass_moments import (
     less,
     outer,
     plus,
-    product,
     scaled,
     times,
     turned,
@@ -26,8 +24,8 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
     spread_of,
     tilts_of,
 )
-from dynamics_cli.inertia.bodies.rotation import departure
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, departure, product
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False
@@ -56,10 +54,7 @@ class Composed:
 def composed(walk: "Walk", *, asked: bool) -> Composed:
     """Put the leaves of a walk together.
 
-    Raises
-    ------
-    InadmissibleError
-        When holes leave no mass, or second moments that no body has.
+    Raises InadmissibleError when holes leave no mass, or second moments that no body has.
     """
     leaves = walk.leaves
     base = tuple(plain(x) for x in leaves[0].origin)
@@ -111,8 +106,8 @@ def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Su
             continue
         # what is cut out cancels best in the axes of its own assembly; a needle keeps its digits in its principal axes
         ahead = frame is not IDENTITY and not _cuts(member)
-        own = _gathered(member, rotation if ahead else IDENTITY)
-        pieces.append(_piece(own, member, base, frame, rotation, ahead=ahead))
+        gathered = _gathered(member, rotation if ahead else IDENTITY)
+        pieces.append(_piece(gathered, member, base, frame, rotation, ahead=ahead))
     return pieces
 
 

@@ -4,7 +4,8 @@ The state is the matrix of second moments S = ∫ (r − c)(r − c)ᵀ dm, not 
 is any matrix without a negative eigenvalue, so laminae, rods and needles need no exception and keep their digits.
 """
 
-from dynamics_cli.numerics.number import is_tracked
+from dynamics_cli.numerics.number import is_array, is_tracked
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -25,7 +26,6 @@ class Lump:
     second: "Matrix"
 
 
-IDENTITY: "Matrix" = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 NOTHING: "Matrix" = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
 
@@ -37,7 +37,7 @@ def symmetric(xx: float, yy: float, zz: float, xy: float = 0.0, yz: float = 0.0,
 def minus(x: float) -> float:
     """The opposite number; the opposite of zero is plain zero, with its slopes turned."""
     opposite = -x
-    if type(opposite) is float:
+    if type(opposite) is float or is_array(opposite):
         return opposite + 0.0
     if opposite == 0.0 and is_tracked(opposite):
         opposite.value = 0.0  # type: ignore[attr-defined]
@@ -81,17 +81,6 @@ def plus(a: "Vector", b: "Vector") -> "Vector":
 def times(matrix: "Matrix", vector: "Vector") -> "Vector":
     """A matrix applied to a vector."""
     return tuple(row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2] for row in matrix)  # type: ignore[return-value]
-
-
-def product(a: "Matrix", b: "Matrix") -> "Matrix":
-    """The product of two matrices."""
-    columns = tuple(zip(*b, strict=True))
-    return tuple(tuple(r[0] * c[0] + r[1] * c[1] + r[2] * c[2] for c in columns) for r in a)  # type: ignore[return-value]
-
-
-def transposed(matrix: "Matrix") -> "Matrix":
-    """The transpose, for a rotation its inverse."""
-    return tuple(zip(*matrix, strict=True))  # type: ignore[return-value]
 
 
 def turned(second: "Matrix", rotation: "Matrix") -> "Matrix":

@@ -1,8 +1,8 @@
 """Principal moments and axes of a body from its second moments, with axes declared undetermined where they are."""
 
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,51 +41,38 @@ class Principal:
 def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), frame: "Matrix | None" = None) -> Principal:
     """Principal second moments and axes of a body.
 
+    `second_moments`: symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2]; `errors`: how far each principal
+    second moment may be off, the greatest first [kg*m^2]; `frame`: the axes of the second moments, seen in the input
+    axes, when they are others [-]. Returns second moments, moments, axes and a sentence about axes that are not
+    determined. Raises OverflowError when a number of the matrix is not finite.
+
+    The sums of second moments lose no digits, where differences of moments do: the smallest moment of a needle keeps
+    all of its own. A second moment below zero by no more than rounding is zero. Moments closer than 8·2⁻⁵² of the
+    greatest, or than both their errors, determine no axes between them; the axes then given are those closest to the
+    input axes. Axes are right-handed; the first two have their largest component positive.
+
     Equation
     --------
     S vᵢ = sᵢ vᵢ; I₁ = s₂ + s₃ ≤ I₂ = s₃ + s₁ ≤ I₃ = s₁ + s₂.
 
-    Parameters
+    References
     ----------
-    second_moments : tuple of rows
-        Symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2].
-    errors : tuple of Inertia
-        How far each principal second moment may be off, the greatest first [kg*m^2].
-    frame : tuple of rows
-        The axes of the second moments, seen in the input axes, when they are others [-].
-
-    Returns
-    -------
-    Principal
-        Second moments, moments, axes and a sentence about axes that are not determined.
-
-    Raises
-    ------
-    OverflowError
-        When a number of the matrix is not finite.
-
-    Notes
-    -----
-    The sums of second moments lose no digits, where differences of moments do: the smallest moment of a needle keeps
-    all of its own. A second moment below zero by no more than rounding is zero. Moments closer than 8·2⁻⁵² of the
-    greatest, or than both their errors, determine no axes between them; the axes then given are those closest to the
-    input axes. Axes are right-handed; the first two have their largest component positive. Josephs & Huston, sections
-    7.7 to 7.9.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 7.7 to 7.9.
 
     Examples
     --------
     >>> principal(((1.0, 0.0, 0.0), (0.0, 3.0, 0.0), (0.0, 0.0, 1.0))).degeneracy
     'axes 2 and 3 are any two in the plane across axis 1: their moments are equal'
     """
-    found = eigen(second_moments)
-    norm = max(abs(value) for value in found.values)
-    a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in found.values)
+    system = eigen(second_moments)
+    norm = max(abs(value) for value in system.values)
+    a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in system.values)
     tolerance = EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b)
-    vectors = found.vectors if frame is None else _in_input_axes(found.vectors, frame)
+    vectors = system.vectors if frame is None else _in_input_axes(system.vectors, frame)
     upper, lower = a - b <= max(tolerance, errors[0] + errors[1]), b - c <= max(tolerance, errors[1] + errors[2])
     beyond = (upper and a - b > tolerance) or (lower and b - c > tolerance)
     axes, words = _axes(vectors, upper, lower, beyond=beyond)
-    return Principal(seconds, axes, words, found.vectors)  # type: ignore[arg-type]
+    return Principal(seconds, axes, words, system.vectors)  # type: ignore[arg-type]
 
 
 def principal_of_many_digits(second_moments: "Matrix") -> Principal:

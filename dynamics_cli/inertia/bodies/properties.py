@@ -2,16 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.lines import shaft_moment
-from dynamics_cli.inertia.bodies.mass_moments import (
-    IDENTITY,
-    Lump,
-    about,
-    each,
-    minus,
-    tensor_of,
-    transposed,
-    turned,
-)
+from dynamics_cli.inertia.bodies.mass_moments import Lump, about, each, minus, tensor_of, turned
 from dynamics_cli.inertia.bodies.principal_tracked import Spread, ellipsoid, root, spread_of
 from dynamics_cli.inertia.bodies.records import (
     AxisMoments,
@@ -23,9 +14,9 @@ from dynamics_cli.inertia.bodies.records import (
     Shaft,
     ShaftMoment,
 )
-from dynamics_cli.inertia.bodies.rotation import Turn, matrix_of
 from dynamics_cli.inertia.mesh.surface import Surface
 from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn, matrix_of, transposed
 from dynamics_cli.quantities import (
     Annotated,
     Area,
@@ -199,10 +190,7 @@ def properties(
 ) -> MassProperties:
     """Report a body as `view` looks at it; `spread` when principal second moments are known better than by `lump`.
 
-    Raises
-    ------
-    InadmissibleError
-        When there is no mass.
+    Raises InadmissibleError when there is no mass.
     """
     require(lump.mass > 0.0, "a mass of {mass:6} has no mass centre", code="no-mass", mass=(lump.mass, Mass))
     own = spread or spread_of(lump.second)

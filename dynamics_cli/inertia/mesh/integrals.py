@@ -219,10 +219,7 @@ class Sums:
 def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Moments]":
     """Integrate over a source in the axes of its file, its boundary summed on the way when `prove` says so.
 
-    Raises
-    ------
-    InadmissibleError
-        When a coordinate is not finite or out of range, or there are no triangles.
+    Raises InadmissibleError when a coordinate is not finite or out of range, or there are no triangles.
     """
     boundary = Boundary(single=source.single, room=source.room) if prove else None
     sums = Sums(shell=shell, room=source.room, boundary=boundary)

@@ -19,12 +19,8 @@ UNITS = {"micron": "um", "millimeter": "mm", "centimeter": "cm", "inch": "in", "
 def open_mesh(name: str) -> "Source":
     """A file of triangles, ready to be read as often as wanted.
 
-    Raises
-    ------
-    InadmissibleError
-        When the form is unknown or the file is damaged.
-    UsageError
-        When trimesh is needed and not installed.
+    Raises InadmissibleError when the form is unknown or the file is damaged. Raises UsageError when trimesh is needed
+    and not installed.
     """
     ending = os.path.splitext(name)[1].lower().lstrip(".")
     if ending in OTHERS:

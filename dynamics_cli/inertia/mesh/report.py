@@ -58,25 +58,16 @@ def advice_of(found: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Adv
     out = []
     middle = sorted((found.sums.high - found.sums.low).tolist())[1]
     if wall > THICK * middle:
-        out.append(
-            Advice(
-                "thick-wall",
-                f"the wall is {wall / middle:.3g} of the part's middle dimension, but is computed as a thin shell",
-                "caution" if wall < 5.0 * THICK * middle else "serious",
-                "model the wall as a solid with an inner surface",
-            )
-        )
+        message = f"the wall is {wall / middle:.3g} of the part's middle dimension, but is computed as a thin shell"
+        remedy = "model the wall as a solid with an inner surface"
+        out.append(Advice("thick-wall", message, "caution" if wall < 5.0 * THICK * middle else "serious", remedy))
     sums = found.sums
     if not shell and not found.closed:
-        out.append(
-            Advice(
-                "open-surface",
-                f"the surface is open: its closure vector is {_closure(sums):.3g} of its area, an indication of how "
-                "much is missing; other reference points give other answers",
-                "serious",
-                "repair the surface; --diagnose names the faulty edges",
-            )
+        text = (
+            f"the surface is open: its closure vector is {_closure(sums):.3g} of its area, an indication of how "
+            "much is missing; other reference points give other answers"
         )
+        out.append(Advice("open-surface", text, "serious", "repair the surface; --diagnose names the faulty edges"))
     if found.caution:
         out.append(
             Advice("cut-off", found.caution, "caution", "compare the number of triangles with that of the source")
@@ -102,21 +93,17 @@ def _coarse_advice(found: "Measured") -> "list[Advice]":
     coarse = float(max(quanta(found.sums))) / edge if found.single and edge > 0.0 else 0.0
     if coarse <= COARSE:
         return []
-    return [
-        Advice(
-            "coarse-coordinates",
-            f"so far from the origin single precision is {coarse:.2g} of the mean edge: shape is lost",
-            "serious" if coarse > 0.1 else "caution",
-            "export the part nearer its origin",
-        )
-    ]
+    message = f"so far from the origin single precision is {coarse:.2g} of the mean edge: shape is lost"
+    remedy = "export the part nearer its origin"
+    return [Advice("coarse-coordinates", message, "serious" if coarse > 0.1 else "caution", remedy)]
 
 
 def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
     """Serious warnings of what a diagnosis found that closure does not see."""
     faults = found.faults
     if faults is None:
-        return []
+        few = f"crossings and overlaps of {found.sums.count} triangles were not looked for"
+        return [] if shell else [Advice("not-examined", few, "note", "--diagnose looks for them")]
     counts = [
         (
             "duplicated",
@@ -150,13 +137,6 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
     return [Advice(code, f"{count} {words}", "serious", remedy) for code, count, words, remedy in counts if count]
 
 
-def _of_some(count: int) -> str:
-    from dynamics_cli.inertia.mesh.faults.crossing import MOST
-
-    step = -(-(count**2) // MOST)
-    return "" if step == 1 else f"; overlaps of every triangle number {step} of {count} only"
-
-
 def surface_of(found: "Measured", lift: "Lift") -> Surface:
     """The surface as it is reported."""
     sums = found.sums
@@ -170,9 +150,9 @@ def surface_of(found: "Measured", lift: "Lift") -> Surface:
         closure=_closure(sums),
         low=lift.point(sums.low, zero),
         high=lift.point(sums.high, zero),
-        examined="crossings and overlaps were looked for" + _of_some(sums.count)
+        examined="crossings and overlaps were looked for among all triangles"
         if found.faults is not None
-        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose",
+        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose only",
         quantisation=None if quantisation is None else lift.number(quantisation, quantisation, 3).value,  # type: ignore[attr-defined]
         faults=found.faults,
     )

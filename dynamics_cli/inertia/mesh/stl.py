@@ -179,10 +179,7 @@ class Corners(Source):
 def open_stl(name: str) -> Source:
     """An STL file, binary if its size is what its header claims, whatever words the header begins with.
 
-    Raises
-    ------
-    InadmissibleError
-        When it is empty, is neither form of STL, or its size is not what its header claims.
+    Raises InadmissibleError when it is empty, is neither form of STL, or its size is not what its header claims.
     """
     size = os.path.getsize(name)
     require(size > 0, "the file is empty", code="empty")

@@ -82,7 +82,7 @@ class Lift:
         raw, errors = eigen(matrix), rows(own.second_error)
         own_errors = residual_bounds(matrix, raw.values, raw.vectors, errors)
         off = [error + own.spread_error(value) for value, error in zip(raw.values, own_errors, strict=True)]
-        found = principal(matrix, (off[0], off[1], off[2]), frame)
+        axes = principal(matrix, (off[0], off[1], off[2]), frame)
         require(
             raw.values[2] >= -off[2],
             "a second moment is negative: the surface crosses itself, and parts of it are inside out",
@@ -98,14 +98,14 @@ class Lift:
         )
         power = 4 if own.shell else 5
         seconds = []
-        for value, own_value, error in zip(found.seconds, raw.values, off, strict=True):
+        for value, own_value, error in zip(axes.seconds, raw.values, off, strict=True):
             own_error = error + max(-own_value, 0.0)
             seconds.append(_or_unknown(density * self.number(max(value, 0.0), own_error, power)))
         more = [own.spread_error(matrix[k][k]) for k in range(3)]
         errors = tuple(tuple(errors[i][j] + more[i] + more[j] for j in range(3)) for i in range(3))
         # seen in the axes of the file, every component is rounded
-        tilts = each(lambda tilt: tilt + 4.0 * UNIT_ROUNDOFF, tilt_bounds(matrix, found.vectors, errors))
-        return Spread(tuple(seconds), found.axes, found.degeneracy, tilts)
+        tilts = each(lambda tilt: tilt + 4.0 * UNIT_ROUNDOFF, tilt_bounds(matrix, axes.vectors, errors))
+        return Spread(tuple(seconds), axes.axes, axes.degeneracy, tilts)
 
 
 def _or_unknown(number: "Any") -> "Any":

@@ -42,12 +42,12 @@ def _sides(contour: "Contour", unit: int) -> "list[tuple[float, list[tuple[float
         (x, y), d = (part / unit for part in contour.corners[0]), contour.diameter / unit
         around = [(x + 0.5 * d, y), (x - 0.5 * d, y), (x, y + 0.5 * d), (x, y - 0.5 * d)]
         return [(2.0 * d * (abs(x) + abs(y)) + 2.0 * d * d, around)]
-    made = []
+    sides = []
     for a, b in contour.sides():
         ends = [(a[0] / unit, a[1] / unit), (b[0] / unit, b[1] / unit)]
         across, along = abs(a[1] - b[1]) / unit, abs(a[0] - b[0]) / unit
-        made.append((0.5 * sum(abs(x) * across + abs(y) * along for x, y in ends), ends))
-    return made
+        sides.append((0.5 * sum(abs(x) * across + abs(y) * along for x, y in ends), ends))
+    return sides
 
 
 def advice(found: "tuple[Condition, ...]") -> "tuple[Advice, ...]":
@@ -55,11 +55,5 @@ def advice(found: "tuple[Condition, ...]") -> "tuple[Advice, ...]":
     change = max((condition.value for condition in found), default=0.0) * UNIT_ROUNDOFF
     if change <= SILENT:
         return ()
-    return (
-        Advice(
-            "coordinates-rounded",
-            f"coordinates are rounded to doubles when read, which may change moments by a share of {change:.2g}",
-            "caution",
-            "count the coordinates from a corner of the section",
-        ),
-    )
+    message = f"coordinates are rounded to doubles when read, which may change moments by a share of {change:.2g}"
+    return (Advice("coordinates-rounded", message, "caution", "count the coordinates from a corner of the section"),)

@@ -12,10 +12,7 @@ def require_sound(found: "list[Contour]") -> None:
 
     Contours may touch, and pieces may share sides.
 
-    Raises
-    ------
-    InadmissibleError
-        Naming the contours and sides at fault.
+    Raises InadmissibleError naming the contours and sides at fault.
     """
     _require_no_crossing(found)
     for contour in found:

@@ -3,8 +3,8 @@
 from dynamics_cli.inertia.bodies.amount import Amount, mass_of
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, properties, view_of
 from dynamics_cli.inertia.bodies.records import Shaft
-from dynamics_cli.inertia.bodies.rotation import Turn
 from dynamics_cli.inertia.shapes import Shape
+from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import Annotated, PartPosition, Text
 
 TYPE_CHECKING = False

@@ -156,13 +156,13 @@ def _arc(shape: "Any") -> "list[Wire]":
 
 def _torus(shape: "Any") -> "list[Wire]":
     big, small = shape.ring_radius, shape.radius
-    made = [ring(big + small, 0.0), ring(big - small, 0.0), ring(big, small), ring(big, -small)]
+    torus = [ring(big + small, 0.0), ring(big - small, 0.0), ring(big, small), ring(big, -small)]
     for t in (0.0, 0.5 * pi, pi, 1.5 * pi):
         section = [
             ((big + x) * cos(t), (big + x) * sin(t), z) for x, z, _ in ((p[0], p[1], 0) for p in ring(small, 0.0))
         ]
-        made.append(section)
-    return made
+        torus.append(section)
+    return torus
 
 
 def _special(shape: "Any") -> "list[Wire]":

@@ -16,9 +16,9 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
 )
 from dynamics_cli.inertia.bodies.properties import ProductSign
 from dynamics_cli.inertia.bodies.records import PrincipalMoments
-from dynamics_cli.inertia.bodies.rotation import Turn, matrix_of
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.orientation.rotations import Turn, matrix_of
 from dynamics_cli.quantities import (
     Annotated,
     Direction,
@@ -228,10 +228,7 @@ def require_tensor(
 
     The hint gives the remedy for impossible moments, unless the other sign of the products is one.
 
-    Raises
-    ------
-    InadmissibleError
-        When no body can have it.
+    Raises InadmissibleError when no body can have it.
     """
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
     # the least moment of a needle is a small difference of the tensor's elements
@@ -283,14 +280,9 @@ def _other_sign(matrix: "Matrix", room: float) -> str | None:
 
 def _advice(slack: float) -> tuple[Advice, ...]:
     if slack < -TOLERANCE:
-        return (
-            Advice(
-                "no-body",
-                f"I₃ exceeds I₁ + I₂ by a share of {-slack:.3g}, which is impossible but within the tolerance",
-                severity="caution" if slack > -PRINTED else "serious",
-                remedy="give the tensor with more digits",
-            ),
-        )
+        message = f"I₃ exceeds I₁ + I₂ by a share of {-slack:.3g}, which is impossible but within the tolerance"
+        remedy = "give the tensor with more digits"
+        return (Advice("no-body", message, severity="caution" if slack > -PRINTED else "serious", remedy=remedy),)
     if slack > TOLERANCE:
         return ()
     return (Advice("lamina", "I₁ + I₂ = I₃: the body is a lamina across axis 3, or a rod", severity="note"),)

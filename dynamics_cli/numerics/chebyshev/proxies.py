@@ -110,27 +110,11 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
-    Parameters
-    ----------
-    function : callable
-        Takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n).
-    starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are smooth inside each.
-    depth : int
-        How often a piece may be halved.
+    `function`: takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n);
+    `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are smooth inside each;
+    `depth`: how often a piece may be halved. Returns the coefficients, on pieces in order. Raises ValueError when a
+    function is not finite at a node.
 
-    Returns
-    -------
-    Proxies
-        The coefficients, on pieces in order.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite at a node.
-
-    Notes
-    -----
     A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
     (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
     ones do; `error` is twice the last four, which is no proof: for searches whose result is certified otherwise. With
@@ -184,29 +168,10 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
 
-    Parameters
-    ----------
-    made : Proxies
-        The interpolated functions.
-    which : int
-        Which of them.
-    every : bool
-        Whether places are wanted that decide neither the greatest nor the least value.
-    margin : array of m
-        How far below the greatest or above the least value a place may be and is wanted all the same, by pieces.
+    `made`: the interpolated functions; `every`: whether places are wanted that decide neither the greatest nor the
+    least value; `margin`: how far below the greatest or above the least value a place may be and is wanted all the
+    same, by pieces. Returns ends of pieces and places where the function turns.
 
-    Returns
-    -------
-    Extremes
-        Ends of pieces and places where the function turns.
-
-    Raises
-    ------
-    ValueError
-        Never for finite coefficients.
-
-    Notes
-    -----
     Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
     terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
     size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what

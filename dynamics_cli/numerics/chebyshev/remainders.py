@@ -45,30 +45,13 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
-    Parameters
-    ----------
-    function : callable
-        Takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k). Places
-        come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on arrays
-        does for them.
-    starts, ends : array
-        The pieces, each in a coordinate of its own if need be; the functions are analytic inside each, and the same
-        formula continues them beyond its ends.
-    rounds : int
-        How often pieces may be cut, each time into 2 to 16.
+    `function`: takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k).
+    Places come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on
+    arrays does for them; `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are
+    analytic inside each, and the same formula continues them beyond its ends; `rounds`: how often pieces may be cut,
+    each time into 2 to 16. Returns the coefficients, on pieces in order. Raises ValueError when a function is not
+    finite at a node.
 
-    Returns
-    -------
-    Proxies
-        The coefficients, on pieces in order.
-
-    Raises
-    ------
-    ValueError
-        When a function is not finite at a node.
-
-    Notes
-    -----
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
     there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
     below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3 the Lebesgue

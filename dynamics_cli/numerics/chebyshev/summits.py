@@ -57,29 +57,10 @@ def summits(
 ) -> "tuple[Summits, ...]":
     """Find the places that may hold the greatest value of a function, and those that may hold its least.
 
-    Parameters
-    ----------
-    made : Proxies
-        The functions, their error proved.
-    which : int
-        Which of them.
-    still : array of m, of bool
-        Pieces on which the functions are known to be constant.
-    ways : tuple of float
-        1 for the greatest value, -1 for the least.
+    `made`: the functions, their error proved; `still`: pieces on which the functions are known to be constant; `ways`:
+    1 for the greatest value, -1 for the least. Returns those of each way; for the least value, of the function upside
+    down.
 
-    Returns
-    -------
-    tuple of Summits
-        Those of each way; for the least value, of the function upside down.
-
-    Raises
-    ------
-    ValueError
-        Never for finite coefficients.
-
-    Notes
-    -----
     On a piece, f = p + e, |e| ≤ E, |e′| ≤ D. Where p turns (its slope σ at most) and p″ ≤ −m/2 as far as r on either
     side, f is above its value there by (σ + D)h − ¼mh² ≤ (σ + D)²/m at most; at an end of the piece that p falls away
     from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
@@ -220,27 +201,9 @@ def doubtful(found: Summits, sure: float) -> "Any":
 def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
     """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
 
-    Parameters
-    ----------
-    found : Summits
-        The places.
-    values : array
-        The function at each of them.
-    errors : array
-        What each of these values may err by.
+    `found`: the places; `values`: the function at each of them; `errors`: what each of these values may err by. Returns
+    the value, the index of its place, and what the greatest value may be off.
 
-    Returns
-    -------
-    (float, int, float)
-        The value, the index of its place, and what the greatest value may be off.
-
-    Raises
-    ------
-    ValueError
-        Never for finite values.
-
-    Notes
-    -----
     The greatest value is at least what is certain at the best place, and at most the most of what is possible at every
     place and on every piece without a proof of its own.
 

@@ -44,7 +44,7 @@ def quantile(p: float) -> float:
     if not 0.0 < p < 1.0:
         if p in (0.0, 1.0):
             return -math.inf if p == 0.0 else math.inf
-        raise ValueError(f"{p} is no probability")
+        raise ValueError(f"{p} is not a probability between 0 and 1")
     z = _first_quantile(p)
     if abs(p - 0.5) < 0.425:
         return z

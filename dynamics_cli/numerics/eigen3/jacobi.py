@@ -4,7 +4,8 @@ Jacobi keeps the small eigenvalues of a graded positive matrix to full relative 
 tridiagonal form keeps them to a rounding of the largest one only, and the trigonometric formula not even that.
 """
 
-from math import frexp, ldexp, sqrt
+from dynamics_cli.numerics.elementary import binary_exponent, maximum, sqrt, times_power_of_two, where
+from dynamics_cli.numerics.number import is_array
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,49 +53,39 @@ class Eigen:
 def eigen(matrix: "Rows") -> Eigen:
     """Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, as its doubles stand.
 
-    Equation
-    --------
-    A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
+    `matrix`: the matrix; only its lower triangle is read, and its numbers must be finite. Returns eigenvalues (the
+    greatest first), unit eigenvectors as rows, and absolute error bounds. Raises OverflowError when a number of the
+    matrix is not finite.
 
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The matrix; only its lower triangle is read, and its numbers must be finite.
-
-    Returns
-    -------
-    Eigen
-        Eigenvalues (the greatest first), unit eigenvectors as rows, and absolute error bounds.
-
-    Raises
-    ------
-    OverflowError
-        When a number of the matrix is not finite.
-
-    Notes
-    -----
     Errors are some u ‖A‖ at most and, for a positive matrix, some u κ λ with κ the condition of A scaled to a unit
     diagonal and u = 2⁻⁵³ (Demmel and Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13
     (1992) 1204). Bounds are not these but `residual_bounds`. They are of the eigenvalues of the doubles given, not of
     the data behind them. Eigenvectors are good to about u ‖A‖ over the gap to the next eigenvalue.
+
+    Equation
+    --------
+    A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
 
     Examples
     --------
     >>> eigen(((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0))).values
     (5.0, 3.0, 1.0)
     """
-    largest = max(abs(matrix[i][j]) for i in range(3) for j in range(i + 1))
+    largest = 0.0
+    for i in range(3):
+        for j in range(i + 1):
+            largest = maximum(largest, abs(matrix[i][j]))
     if not largest < float("inf") or any(x != x for row in matrix for x in row):
         raise OverflowError("a number of the matrix is not finite")
     axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    exponent = -frexp(largest)[1]
-    a = [[ldexp(matrix[max(i, j)][min(i, j)], exponent) for j in range(3)] for i in range(3)]
+    exponent = -binary_exponent(largest)
+    a = [[times_power_of_two(matrix[max(i, j)][min(i, j)], exponent) for j in range(3)] for i in range(3)]
     diagonal = a[1][0] == a[2][0] == a[2][1] == 0.0
     for _ in range(SWEEPS):
         if not sum(_rotate(a, axes, *pair) for pair in _PAIRS):
             break
     order = sorted(range(3), key=lambda k: (-a[k][k], k))
-    values = tuple(ldexp(a[k][k], -exponent) for k in order)
+    values = tuple(times_power_of_two(a[k][k], -exponent) for k in order)
     whole = None if diagonal else tuple(tuple(matrix[max(i, j)][min(i, j)] for j in range(3)) for i in range(3))
     return Eigen(values, tuple(_normal(axes[k]) for k in order), whole)  # type: ignore[arg-type]
 
@@ -102,6 +93,10 @@ def eigen(matrix: "Rows") -> Eigen:
 def _rotate(a: "list[list[float]]", axes: "list[list[float]]", p: int, q: int, r: int) -> bool:
     """Annihilate a[p][q] unless it is below a rounding of the geometric mean of its diagonal elements."""
     off = a[p][q]
+    if is_array(off):
+        from dynamics_cli.numerics.eigen3.jacobi_lanes import rotate
+
+        return rotate(a, axes, p, q, r)
     if off == 0.0:
         return False
     if abs(off) <= 0.25 * UNIT_ROUNDOFF * sqrt(abs(a[p][p])) * sqrt(abs(a[q][q])):
@@ -133,5 +128,5 @@ def _normal(vector: "list[float]") -> "Triple":
     """The vector at unit length, an axis left as it is."""
     x, y, z = (part + 0.0 for part in vector)
     square = x * x + y * y + z * z
-    scale = 1.0 if square == 1.0 else 1.0 / sqrt(square)
+    scale = where(square == 1.0, 1.0, 1.0 / sqrt(square))
     return x * scale, y * scale, z * scale

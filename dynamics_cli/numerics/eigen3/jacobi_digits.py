@@ -25,18 +25,9 @@ _ZERO, _ONE = Decimal(0), Decimal(1)
 def eigen_of_many_digits(matrix: "Sequence[Sequence[ManyDigits | float]]") -> "tuple[Triple, Rows]":
     """Eigenvalues, the greatest first, and their unit vectors as rows, to some 58 digits of the largest.
 
-    Parameters
-    ----------
-    matrix : sequence of rows
-        The matrix; only its lower triangle is read, and its numbers must be finite.
+    `matrix`: the matrix; only its lower triangle is read, and its numbers must be finite. Returns eigenvalues and
+    vectors.
 
-    Returns
-    -------
-    tuple
-        Eigenvalues and vectors.
-
-    Notes
-    -----
     To be called within `many_digits.run`, whose context the arithmetic takes.
     """
     a = [[_decimal(matrix[max(i, j)][min(i, j)]) for j in range(3)] for i in range(3)]

@@ -5,6 +5,8 @@ Doubles are whole multiples of a power of two, so that the matrix along the vect
 
 from math import asin, frexp, hypot, inf, ldexp, sqrt
 
+from dynamics_cli.numerics.number import is_array
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,33 +28,19 @@ _OTHERS = ((1, 2), (0, 2), (0, 1))
 def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
 
-    Equation
-    --------
-    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
+    `matrix`: the symmetric matrix A, of finite numbers; `values`: its eigenvalues as they were found, in order of size;
+    `vectors`: its eigenvectors V as they were found, as rows: orthonormal to some roundings; `errors`: how far each
+    element of the matrix may be off; nothing when not given. Returns a bound for each, in the order of the values.
 
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    values : tuple of float
-        Its eigenvalues as they were found, in order of size.
-    vectors : tuple of rows
-        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
-    errors : tuple of rows
-        How far each element of the matrix may be off; nothing when not given.
-
-    Returns
-    -------
-    tuple of float
-        A bound for each, in the order of the values.
-
-    Notes
-    -----
     The three terms are how far Rayleigh's quotient is from the value; how far it is from an eigenvalue, quadratic over
     the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
     (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
     are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
     order or a rounding of the value. Errors E of the matrix add |V| E |V|ᵀ to T.
+
+    Equation
+    --------
+    G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
 
     Examples
     --------
@@ -73,28 +61,16 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
 def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """How far vectors are at most turned from the eigenvectors of a symmetric 3 × 3 matrix.
 
+    `matrix`: the symmetric matrix A, of finite numbers; `vectors`: its eigenvectors V as they were found, as rows:
+    orthonormal to some roundings; `errors`: how far each element of the matrix may be off; nothing when not given.
+    Returns an angle for each vector [rad]; infinite where its eigenvalue is not told from another.
+
+    The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
+    7 (1970) 1. What vectors lack of being orthonormal is added.
+
     Equation
     --------
     T and G as of `residual_bounds`; sin θₖ ≤ √(Σ (tₖⱼ − tₖₖ gₖⱼ)²)/minⱼ |tₖₖ − λⱼ|, j other than k.
-
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    vectors : tuple of rows
-        Its eigenvectors V as they were found, as rows: orthonormal to some roundings.
-    errors : tuple of rows
-        How far each element of the matrix may be off; nothing when not given.
-
-    Returns
-    -------
-    tuple of float
-        An angle for each vector [rad]; infinite where its eigenvalue is not told from another.
-
-    Notes
-    -----
-    The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
-    7 (1970) 1. What vectors lack of being orthonormal is added.
 
     Examples
     --------
@@ -165,23 +141,18 @@ def _blurred(errors: "Rows", vectors: "Rows", size: int) -> "tuple[list[float], 
 def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     """Rayleigh's quotients vᵀ A v/vᵀ v of a symmetric 3 × 3 matrix, each rounded once.
 
-    Parameters
-    ----------
-    matrix : tuple of rows
-        The symmetric matrix A, of finite numbers.
-    vectors : tuple of rows
-        Vectors v.
-
-    Returns
-    -------
-    tuple of float
-        A quotient for each vector: its eigenvalue but for the square of what the vector is off.
+    `matrix`: the symmetric matrix A, of finite numbers; `vectors`: vectors v. Returns a quotient for each vector: its
+    eigenvalue but for the square of what the vector is off.
 
     Examples
     --------
     >>> quotients(((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0)), ((1, 1, 0), (1, -1, 0), (0, 0, 1)))
     (3.0, 1.0, 5.0)
     """
+    if any(is_array(x) for row in matrix for x in row):
+        from dynamics_cli.numerics.lanes import each_lane
+
+        return each_lane(quotients, matrix, vectors)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
     a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
@@ -191,15 +162,7 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
 def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
     """Finite numbers as whole multiples of one over a common power of two, and that power.
 
-    Parameters
-    ----------
-    rows : sequence of rows
-        The numbers.
-
-    Returns
-    -------
-    tuple
-        The multiples, in rows, and the power of two.
+    `rows`: the numbers. Returns the multiples, in rows, and the power of two.
 
     Examples
     --------
@@ -228,7 +191,7 @@ def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
 
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
     """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
-    found = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
+    spreads = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
     apart = [
         abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))
         for i, j in _OTHERS
@@ -239,9 +202,9 @@ def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]"
             # the element of its own, and the other two as a matrix
             square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
             within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
-            found[one] = min(found[one], square)
-            found[i], found[j] = min(found[i], square + within), min(found[j], square + within)
-    return found
+            spreads[one] = min(spreads[one], square)
+            spreads[i], spreads[j] = min(spreads[i], square + within), min(spreads[j], square + within)
+    return spreads
 
 
 def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]":

@@ -125,6 +125,15 @@ def hypotenuse(x: Decimal, y: Decimal) -> Decimal:
     return (x * x + y * y).sqrt()
 
 
+def hyperbolic_sine(x: Decimal) -> Decimal:
+    """Hyperbolic sine; the exponentials cancel for small arguments, and are taken to more digits."""
+    lost = max(0, -2 * x.adjusted()) if x else 0
+    if lost > 20 * getcontext().prec:
+        return +x
+    with _more(lost + _GUARD):
+        return (x.exp() - (-x).exp()) / 2
+
+
 def involute(x: Decimal) -> Decimal:
     """The involute function of an angle, tan x − x."""
     with _more(_lost_beside_cubes(x)):

@@ -40,35 +40,11 @@ SLIVER = 2.0**-48
 def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, points: "Any", tolerance: float) -> "Any":
     """Bounds of the distance between the curve and each of its pieces, both ways.
 
-    Parameters
-    ----------
-    path : Path
-        The curve.
-    piece : int
-        Which smooth piece of the curve.
-    places : array (n + 1,)
-        Parameters of the ends.
-    shape : array
-        Bulges (n,), or the inner control points (n, 2, 2) of cubics.
-    form : str
-        "arcs", "cubics" or "lines".
-    points : array (n + 1, 2)
-        The ends as they are written.
-    tolerance : float
-        Decides how fine the cells are [m].
+    `path`: the curve; `piece`: which smooth piece of the curve; `places`: parameters of the ends; `shape`: bulges
+    (n,), or the inner control points (n, 2, 2) of cubics; `form`: "arcs", "cubics" or "lines"; `points`: the ends as
+    they are written; `tolerance`: decides how fine the cells are [m]. Returns a bound for each [m]. Raises
+    InadmissibleError when it would take more than four million cells, or nothing is known of the curve's acceleration.
 
-    Returns
-    -------
-    array (n,)
-        A bound for each [m].
-
-    Raises
-    ------
-    InadmissibleError
-        When it would take more than four million cells, or nothing is known of the curve's acceleration.
-
-    Notes
-    -----
     See the module. The ends are those written: that they are on the curve is not assumed.
     """
     coarse = _coarse(path, piece, places)

@@ -35,24 +35,9 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
     """Places of the pieces' ends on every smooth piece of the curve, and what stands between them.
 
-    Parameters
-    ----------
-    path : Path
-        The curve.
-    form : str
-        "arcs", "cubics" or "lines".
-    tolerance : float
-        What a piece may err, as sampled; the proof is made afterwards [m].
-
-    Returns
-    -------
-    list
-        For each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n, 2).
-
-    Raises
-    ------
-    InadmissibleError
-        When it would take more than 20,000 pieces.
+    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
+    made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
+    2). Raises InadmissibleError when it would take more than 20,000 pieces.
     """
     made = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):

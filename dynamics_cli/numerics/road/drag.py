@@ -81,25 +81,15 @@ def friction_advice(friction: float, name: str = "friction", remedy: str = "writ
     """Say so when a coefficient of friction is higher than any tyre's."""
     if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
         return ()
-    return (
-        Advice(
-            code="high-friction",
-            message=worded(
-                "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
-            ),
-            remedy=remedy,
-        ),
+    message = worded(
+        "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
     )
+    return (Advice(code="high-friction", message=message, remedy=remedy),)
 
 
 def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
     """Say so when a slope is steeper than any road's."""
     if not single(grade) or not abs(plain(grade)) > STEEPEST_ROAD:
         return ()
-    return (
-        Advice(
-            code="steep-grade",
-            message=worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope)),
-            remedy="write 3 % for three percent",
-        ),
-    )
+    message = worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope))
+    return (Advice(code="steep-grade", message=message, remedy="write 3 % for three percent"),)

@@ -166,16 +166,11 @@ def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]
     """Say so when no braking could have stopped it short."""
     if needed is None or not plain(needed) > HIGHEST_FRICTION * plain(gravity):
         return ()
-    return (
-        Advice(
-            code="beyond-tyres",
-            message=worded(
-                "a deceleration of {needed} is more than tyres give: after this reaction no braking stops it short",
-                needed=(needed, Acceleration),
-            ),
-            severity="note",
-        ),
+    message = worded(
+        "a deceleration of {needed} is more than tyres give: after this reaction no braking stops it short",
+        needed=(needed, Acceleration),
     )
+    return (Advice(code="beyond-tyres", message=message, severity="note"),)
 
 
 def motion_of(party: Party, gravity: float) -> "list[Leg]":

@@ -157,14 +157,9 @@ def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
         not rows, "the corner hides the second at the impact itself", code="never-shows",
         hint="look at the corner's place: it lies on the way between the two",
     )  # fmt: skip
-    return (
-        Advice(
-            code="always-in-sight",
-            message="the corner hides nothing as far back as the phases go: the sight was open from their start",
-            severity="note",
-            remedy="give longer phases to look farther back",
-        ),
-    )
+    message = "the corner hides nothing as far back as the phases go: the sight was open from their start"
+    remedy = "give longer phases to look farther back"
+    return (Advice(code="always-in-sight", message=message, severity="note", remedy=remedy),)
 
 
 def _change(time: float, opens: bool, one: Course, other: Course) -> SightChange:

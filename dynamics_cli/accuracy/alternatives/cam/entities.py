@@ -3,15 +3,14 @@
 from functools import partial
 
 from dynamics_cli.accuracy.alternatives.cam.export import FIT, measured, paths
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
-from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.export.path import Path
 
@@ -62,49 +61,36 @@ def deviation(path: "Path", form: str, pieces: "Pieces") -> float:
     return max(measured(path.on(piece), form, places, shape) for piece, (places, shape) in enumerate(pieces))
 
 
-METHODS: "tuple[tuple[str, str, Method], ...]" = (
-    ("cubics that err alike (chosen)", "cubics", partial(alike, "cubics")),
-    ("arcs that err alike", "arcs", partial(alike, "arcs")),
-    ("lines that err alike", "lines", partial(alike, "lines")),
-    ("lines at equal angles", "lines", equal_angles),
+METHODS = (
+    ("cubics that err alike (chosen)", ("cubics", partial(alike, "cubics"))),
+    ("arcs that err alike", ("arcs", partial(alike, "arcs"))),
+    ("lines that err alike", ("lines", partial(alike, "lines"))),
+    ("lines at equal angles", ("lines", equal_angles)),
 )
 
 
-def compare_micrometre(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare_micrometre(comparing: "Comparing") -> "list[Row]":
     """Pieces for a deviation of a micrometre."""
-    return _compared(name, 1e-6, hard=hard, full=full, timed=timed)
+    return _compared(comparing, 1e-6)
 
 
-def compare_nanometre(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare_nanometre(comparing: "Comparing") -> "list[Row]":
     """Pieces for a deviation of a nanometre, for the first two cams only unless there are minutes."""
-    return _compared(name, 1e-9, hard=hard, full=full, timed=timed)
+    return _compared(comparing, 1e-9)
 
 
-def _compared(name: str, tolerance: float, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
-    pace = Pace(full=full)
-    cams = paths(hard=hard)
-    if tolerance < 1e-7 and not full:
+def _compared(comparing: "Comparing", tolerance: float) -> "list[Row]":
+    cams = paths(hard=comparing.hard)
+    if tolerance < 1e-7 and not comparing.full:
         cams = cams[:FEW]
-    made: list[Row] = []
-    base: float | None = None
-    for method, form, function in METHODS:
-        errors = Errors()
-        entities = 0
-        for cam, path, _ in cams:
-            try:
-                pieces = function(path, tolerance)
-            except (DynamicsError, ArithmeticError):
-                errors.refused += 1
-                continue
-            count = sum(places.size - 1 for places, _ in pieces)
-            errors.cases += 1
-            errors.note(f"{cam}, {count} pieces", deviation(path, form, pieces) / tolerance, None)
-            entities += count
-        time = None
-        if timed and errors.cases:
-            path = cams[0][1]
-            repeats = 3 if full else 1
-            time = seconds(lambda: function(path, tolerance), repeats=repeats, least=pace.least)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base, measure="shares of the tolerance", entities=entities))
-    return made
+
+    def answer(errors: "Errors", case: "Any", way: "tuple[str, Method]", _: int) -> "Callable[[], Pieces]":
+        (cam, path, _), (form, function) = case, way
+        pieces = function(path, tolerance)
+        count = sum(places.size - 1 for places, _ in pieces)
+        errors.note(f"{cam}, {count} pieces", deviation(path, form, pieces) / tolerance, None)
+        errors.entities = (errors.entities or 0) + count
+        return lambda: function(path, tolerance)
+
+    repeats = 3 if comparing.full else 1
+    return comparing.rows(METHODS, cams, answer, repeats=repeats, measure="shares of the tolerance")

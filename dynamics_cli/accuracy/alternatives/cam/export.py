@@ -3,14 +3,13 @@
 Deviations are measured at points of the exact curve between those that the fits see; what is stated is the proof.
 """
 
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.export.path import Path
     from dynamics_cli.numerics.fitting.path import OnPiece
@@ -149,45 +148,24 @@ CUBICS: "tuple[tuple[str, Callable[[Path, int], Made]], ...]" = (
 )
 
 
-def compare_arcs(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_arcs(comparing: "Comparing") -> "list[Row]":
     """Arcs and what takes as many pieces; deviations in shares of the cam's largest radius."""
-    return _compared(name, ARCS, hard=hard, full=full, timed=timed, more=more)
+    return _compared(comparing, ARCS)
 
 
-def compare_cubics(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_cubics(comparing: "Comparing") -> "list[Row]":
     """Cubics and what takes as many pieces."""
-    return _compared(name, CUBICS, hard=hard, full=full, timed=timed, more=more)
+    return _compared(comparing, CUBICS)
 
 
-def _compared(
-    name: str,
-    methods: "tuple[tuple[str, Callable[[Path, int], Made]], ...]",
-    *,
-    hard: bool,
-    full: bool,
-    timed: bool,
-    more: "Sequence[tuple[str, Any]]" = (),
-) -> "list[Row]":
-    pace = Pace(full=full)
-    cams = paths(hard=hard)
+def _compared(comparing: "Comparing", methods: "tuple[tuple[str, Callable[[Path, int], Made]], ...]") -> "list[Row]":
     counts: dict[str, int] = {}
-    made: list[Row] = []
-    base: float | None = None
-    for method, function in (*methods, *more):
-        errors = Errors()
-        for cam, path, size in cams:
-            count, worst, bound = function(path, counts.get(cam, 0))
-            counts.setdefault(cam, count)
-            errors.cases += 1
-            errors.note(f"{cam}, {count} pieces", worst / size, None if bound is None else bound / size)
-        time = None
-        if timed:
-            cam, path, _ = cams[0]
-            time = seconds(lambda: function(path, counts[cam]), repeats=3, least=pace.least)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base, bound="proof"))
-    return made
+
+    def answer(errors: "Errors", case: "Any", function: "Callable[[Path, int], Made]", _: int) -> "Callable[[], Made]":
+        cam, path, size = case
+        count, worst, bound = function(path, counts.get(cam, 0))
+        counts.setdefault(cam, count)
+        errors.note(f"{cam}, {count} pieces", worst / size, None if bound is None else bound / size)
+        return lambda: function(path, counts[cam])
+
+    return comparing.rows(methods, paths(hard=comparing.hard), answer, repeats=3, bound="proof")

@@ -1,14 +1,14 @@
 """Extremes of a cam: Chebyshev proxies of every piece, beside dense sampling, refined or not."""
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.cases import Case
+from dynamics_cli.accuracy.measure import Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.geometry.contact import Geometry
 
@@ -120,41 +120,25 @@ METHODS: "tuple[tuple[str, Callable[[Geometry, Any], Found]], ...]" = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Extremes of the pressure angle and the least radius of the convex cam, on every cam of the references."""
-    return compared(name, METHODS, extremes_counted, hard=hard, full=full, timed=timed)
+    return compared(comparing, METHODS, extremes_counted)
 
 
 def compared(
-    name: str, methods: "Sequence[tuple[str, Callable[[Geometry, Any], Any]]]",
-    count: "Callable[[Errors, Case, Geometry, Any], None]", *, hard: bool, full: bool, timed: bool,
+    comparing: "Comparing", methods: "Sequence[tuple[str, Callable[[Geometry, Any], Any]]]",
+    count: "Callable[[Errors, Case, Geometry, Any], None]",
 ) -> "list[Row]":  # fmt: skip
     """Rows for methods on every cam; `count` says how an answer errs."""
     import numpy as np
 
-    pace = Pace(full=full)
-    every = [case for file in FILES for case in load(file) if case.task == "profile"]
-    cases = [(case, *_given(case)) for case in every if case.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    for method, function in methods:
-        errors = Errors()
-        with np.errstate(all="ignore"):
-            for case, geometry, motion in cases:
-                try:
-                    found = function(geometry, motion)
-                except ArithmeticError:
-                    errors.refused += 1
-                    continue
-                errors.cases += 1
-                count(errors, case, geometry, found)
-        time = None
-        if timed:
-            _, geometry, motion = cases[0]
-            time = seconds(lambda: function(geometry, motion), repeats=pace.repeats, least=pace.least)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+    def answer(errors: "Errors", case: Case, function: "Any", _: int) -> "Callable[[], Any]":
+        geometry, motion = _given(case)
+        count(errors, case, geometry, function(geometry, motion))
+        return lambda: function(geometry, motion)
+
+    with np.errstate(all="ignore"):
+        return comparing.rows(methods, comparing.cases(*FILES, task="profile"), answer)
 
 
 def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", found: "Found") -> None:

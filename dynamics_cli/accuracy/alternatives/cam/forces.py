@@ -1,14 +1,14 @@
 """Forces on a cam: certified extremes, beside a table of one degree and beside samples that are refined."""
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.cases import Case
+from dynamics_cli.accuracy.measure import Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.forces.loads import Load
 
@@ -158,27 +158,17 @@ METHODS: "tuple[tuple[str, Answer], ...]" = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method on every case; errors in shares of the larger of the two extremes."""
     import numpy as np
 
-    pace = Pace(full=full)
-    every = [case for file in FILES for case in load(file) if case.task == "force"]
-    cases = [(case, given(case)) for case in every if case.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    for method, function in METHODS:
-        errors = Errors()
-        with np.errstate(all="ignore"):
-            for case, arguments in cases:
-                errors.cases += 1
-                counted(errors, case, function(arguments))
-            time = None
-            if timed:
-                time = seconds(lambda: function(cases[0][1]), repeats=pace.repeats, least=pace.least)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+    def answer(errors: "Errors", case: Case, function: "Answer", _: int) -> "Callable[[], Found]":
+        arguments = given(case)
+        counted(errors, case, function(arguments))
+        return lambda: function(arguments)
+
+    with np.errstate(all="ignore"):
+        return comparing.rows(METHODS, comparing.cases(*FILES, task="force"), answer)
 
 
 def counted(errors: Errors, case: Case, found: "Found") -> None:

@@ -3,15 +3,15 @@
 from decimal import Decimal
 from math import cos, pi, sin
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import DIGITS, Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.cases import Case
+from dynamics_cli.accuracy.measure import DIGITS, Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.laws.normalised import Law
 
@@ -125,51 +125,32 @@ METHODS: "tuple[Answer, ...]" = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method on every law; errors in shares of the law's peak of that derivative."""
-    return compared(name, "rise", METHODS, peaks, folded_bounds, hard=hard, full=full, timed=timed, more=more)
+    return compared(comparing, "rise", METHODS, peaks, folded_bounds)
 
 
-def compare_relative(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_relative(comparing: "Comparing") -> "list[Row]":
     """Relative errors of lift and velocity: the digits left of small values at the ends (others vanish in between)."""
-    return compared(name, "rise", METHODS, None, None, hard=hard, full=full, timed=timed, more=more)
+    return compared(comparing, "rise", METHODS, None, None)
 
 
 def compared(
-    name: str, task: str, methods: "Sequence[Answer]", scales: "Callable[[Case], Sequence[float]] | None",
-    bounds: "Callable[[Case], Sequence[float]] | None", *, hard: bool, full: bool, timed: bool,
-    more: "Sequence[tuple[str, Any]]" = (),
+    comparing: "Comparing", task: str, methods: "Sequence[Answer]", scales: "Callable[[Case], Sequence[float]] | None",
+    bounds: "Callable[[Case], Sequence[float]] | None",
 ) -> "list[Row]":  # fmt: skip
     """Rows for methods that give lift and derivatives; errors in shares of `scales`, or relative without.
 
-    `bounds` are what the program states of its own.
+    `bounds` are what the program states of its own, the first method's.
     """
-    pace = Pace(full=full)
-    cases = [case for case in load(FILE) if case.task == task and (case.hard or not hard)]
-    made: list[Row] = []
-    base: float | None = None
-    for method, prepare in (*methods, *more):
-        errors, calls = Errors(), []
-        for case in cases:
-            try:
-                call = prepare(case)
-                values = call()
-            except ArithmeticError:
-                errors.refused += 1
-                continue
-            calls.append(call)
-            errors.cases += 1
-            stated = bounds(case) if bounds and "chosen" in method else ()
-            _count(errors, case, values, scales(case) if scales else (), stated)
-        some = calls[:: max(1, len(calls) // 20)]
-        time = None
-        if timed:
-            time = seconds(lambda: [call() for call in some], repeats=pace.repeats, least=pace.least) / len(some)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+
+    def answer(errors: Errors, case: Case, prepare: "Any", _: int) -> "Callable[[], Values]":
+        call = prepare(case)
+        stated = bounds(case) if bounds and prepare is methods[0][1] else ()
+        _count(errors, case, call(), scales(case) if scales else (), stated)
+        return call  # type: ignore[no-any-return]
+
+    return comparing.rows(methods, comparing.cases(FILE, task=task), answer, most=20)
 
 
 def _count(errors: Errors, case: Case, values: "Values", scales: "Sequence[float]", stated: "Sequence[float]") -> None:

@@ -4,11 +4,12 @@ from dynamics_cli.accuracy.alternatives.cam.laws import compared
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.accuracy.alternatives.cam.laws import Answer
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
 
@@ -154,25 +155,11 @@ MOTIONS: "tuple[Answer, ...]" = (
 )
 
 
-def compare_polynomials(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_polynomials(comparing: "Comparing") -> "list[Row]":
     """Free polynomials; errors in shares of their peaks."""
-    return compared(
-        name,
-        "polynomial",
-        POLYNOMIALS,
-        polynomial_peaks,
-        polynomial_bounds,
-        hard=hard,
-        full=full,
-        timed=timed,
-        more=more,
-    )
+    return compared(comparing, "polynomial", POLYNOMIALS, polynomial_peaks, polynomial_bounds)
 
 
-def compare_motions(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_motions(comparing: "Comparing") -> "list[Row]":
     """Whole motions; errors in shares of the peaks of the segment."""
-    return compared(name, "motion", MOTIONS, motion_peaks, motion_bounds, hard=hard, full=full, timed=timed, more=more)
+    return compared(comparing, "motion", MOTIONS, motion_peaks, motion_bounds)

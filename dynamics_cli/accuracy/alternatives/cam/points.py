@@ -4,10 +4,11 @@ from dynamics_cli.accuracy.alternatives.cam.extremes import compared
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.geometry.contact import Geometry
@@ -58,9 +59,9 @@ METHODS: "tuple[tuple[str, Callable[[Geometry, Any], Any]], ...]" = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Sixteen points of every cam of the references; errors in shares of the size of cam and follower."""
-    return compared(name, (*METHODS, *more), counted, hard=hard, full=full, timed=timed)
+    return compared(comparing, METHODS, counted)
 
 
 def counted(errors: "Errors", case: "Case", _: "Geometry", found: "tuple[Any, Any]") -> None:

@@ -1,13 +1,14 @@
 """Smallest cams for limits: certified extremes in closed forms, beside the same forms over samples."""
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.cases import Case
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
 
     Answer = Callable[[Case], Callable[[], tuple[dict[str, float], float | None]]]
@@ -86,27 +87,19 @@ def _constructed(case: Case) -> bool:
     return kind == "FlatFace" or (kind in ("KnifeEdge", "Roller") and "least_radius" not in case.inputs)
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method on every size it answers; errors in shares of the pitch curve's least radius."""
-    pace = Pace(full=full)
-    every = [case for file in FILES for case in load(file) if case.task == "size" and (case.hard or not hard)]
-    made: list[Row] = []
-    base: float | None = None
-    for method, prepare in METHODS:
-        errors = Errors()
-        cases = every if prepare is certified else [case for case in every if _constructed(case)]
-        for case in cases:
-            found, bound = prepare(case)()
-            errors.cases += 1
-            size = abs(float(case.results.get("start_radius", case.results["base_radius"])))
-            for address, text in case.results.items():
-                if address not in found:
-                    continue
+
+    def answer(errors: "Errors", case: Case, prepare: "Any", _: int) -> "Callable[[], Any] | None":
+        if prepare is not certified and not _constructed(case):
+            return None
+        call = prepare(case)
+        found, bound = call()
+        size = abs(float(case.results.get("start_radius", case.results["base_radius"])))
+        for address, text in case.results.items():
+            if address in found:
                 stated = bound * abs(found[address]) / size if bound is not None and address == "base_radius" else None
                 errors.note(f"{case.name}: {address}", abs(found[address] - float(text)) / size, stated)
-        time = None
-        if timed:
-            time = seconds(prepare(cases[0]), repeats=pace.repeats, least=pace.least)
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+        return call  # type: ignore[no-any-return]
+
+    return comparing.rows(METHODS, comparing.cases(*FILES, task="size"), answer)

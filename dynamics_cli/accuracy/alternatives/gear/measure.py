@@ -38,31 +38,31 @@ def _measured(given: "dict[str, Any]", inverse: "Inverse") -> "dict[str, float]"
     t = Teeth(given)
     own = -t.shift if t.internal else t.shift
     thickness = t.module * (pi / 2 + 2 * own * tan(t.alpha))
-    found = {"normal_thickness": thickness} | _chords(t, thickness, given.get("tip_diameter"))
+    measured = {"normal_thickness": thickness} | _chords(t, thickness, given.get("tip_diameter"))
     if given.get("pin") is not None:
-        found |= _pins(t, given["pin"], inverse)
+        measured |= _pins(t, given["pin"], inverse)
     if given.get("over") and not (t.internal and t.beta):
         base = t.module * cos(t.alpha) * (pi * (given["over"] - 0.5) + t.teeth * t.involute)
         span = base + 2 * t.shift * t.module * sin(t.alpha)
-        found |= {"span.span": span, "span.contact_diameter": sqrt(t.base**2 + (span * t.base_helix) ** 2)}
+        measured |= {"span.span": span, "span.contact_diameter": sqrt(t.base**2 + (span * t.base_helix) ** 2)}
         if t.beta:
-            found["span.least_face_width"] = span * abs(sin(t.beta)) * cos(t.alpha)
-    return found
+            measured["span.least_face_width"] = span * abs(sin(t.beta)) * cos(t.alpha)
+    return measured
 
 
 def _chords(t: Teeth, thickness: float, tip: "float | None") -> "dict[str, float]":
     """s̄ = d_v·sin(s/d_v), h̄ = h_a + d_v·(1 − cos(s/d_v))/2 with d_v = z·m/cos³β; s·cos²α, h_a − s/2·sin α·cos α."""
     virtual = t.teeth * t.module / cos(t.beta) ** 3
-    found = {"chordal.thickness": virtual * sin(thickness / virtual)}
+    chords = {"chordal.thickness": virtual * sin(thickness / virtual)}
     if not t.internal:
-        found["constant_chord.thickness"] = thickness * cos(t.alpha) ** 2
+        chords["constant_chord.thickness"] = thickness * cos(t.alpha) ** 2
     if tip is not None:
         rise = virtual / 2 * (1 - cos(thickness / virtual))
         high = (tip - t.pitch) / 2
-        found["chordal.height"] = -high - rise if t.internal else high + rise
+        chords["chordal.height"] = -high - rise if t.internal else high + rise
         if not t.internal:
-            found["constant_chord.height"] = high - thickness / 2 * sin(t.alpha) * cos(t.alpha)
-    return found
+            chords["constant_chord.height"] = high - thickness / 2 * sin(t.alpha) * cos(t.alpha)
+    return chords
 
 
 def _pins(t: Teeth, pin: float, inverse: "Inverse") -> "dict[str, float]":
@@ -74,7 +74,7 @@ def _pins(t: Teeth, pin: float, inverse: "Inverse") -> "dict[str, float]":
     centre = t.base / cos(angle)
     across = centre * cos(pi / (2 * t.teeth)) if t.teeth % 2 else centre
     reach = t.base * tan(angle) - sign * pin * t.base_helix
-    found = {
+    pins = {
         "pins.pin": pin, "pins.centre_diameter": centre, "pins.size": across + sign * pin,
         "pins.contact_diameter": sqrt(t.base**2 + reach**2),
     }  # fmt: skip
@@ -83,5 +83,5 @@ def _pins(t: Teeth, pin: float, inverse: "Inverse") -> "dict[str, float]":
         touch = acos(t.base / (t.pitch + 2 * t.shift * t.module))
         half = t.quarter - sign * (t.involute + t.more)
         at = tan(touch) + sign * half
-        found["pins.ideal_pin"] = t.teeth * t.module * cos(t.alpha) * (sign * (tan(at) - at) + half)
-    return found
+        pins["pins.ideal_pin"] = t.teeth * t.module * cos(t.alpha) * (sign * (tan(at) - at) + half)
+    return pins

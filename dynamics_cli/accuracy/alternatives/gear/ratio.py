@@ -1,14 +1,13 @@
 """Tooth numbers for a ratio: every product looked at, beside continued fractions and a greedy choice stage by stage."""
 
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator
     from fractions import Fraction
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
 
 
@@ -95,28 +94,13 @@ METHODS = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method for every ratio; errors are those of the trains found, in exact fractions."""
     from fractions import Fraction
 
-    pace = Pace(full=full)
-    cases = [one for one in WANTED if one.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    for method, function in (*METHODS, *more):
-        errors = Errors()
-        for one in cases:
-            try:
-                found = function(one)
-            except ArithmeticError:
-                errors.refused += 1
-                continue
-            errors.cases += 1
-            errors.note(one.name, float(abs(found / Fraction(*one.target) - 1)), None)
-        time = None
-        if timed:
-            typical = next(one for one in WANTED if one.hard)
-            time = seconds(lambda: function(typical), repeats=3, least=pace.least)  # noqa: B023
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
+    def answer(errors: "Errors", wanted: "Any", function: "Callable[[Any], Any]", _: int) -> "Callable[[], Any]":
+        errors.note(wanted.name, float(abs(function(wanted) / Fraction(*wanted.target) - 1)), None)
+        return lambda: function(wanted)
+
+    cases = [wanted for wanted in WANTED if wanted.hard or not comparing.hard]
+    return comparing.rows(METHODS, cases, answer, repeats=3)

@@ -88,22 +88,22 @@ def _climbs(w: Wheel, speed: "float | None", kept: float, least: float, gravity:
     """What becomes of the wheel, from energies before and after; I_O = I + m·r² about the edge."""
     about = w.inertia + w.radius**2
     leaves = sqrt(gravity * (w.radius - w.height)) / kept
-    found = {"angular_ratio": kept, "share_lost": 1.0 - kept**2, "least_speed": least, "leaves_edge_speed": leaves}
+    climbs = {"angular_ratio": kept, "share_lost": 1.0 - kept**2, "least_speed": least, "leaves_edge_speed": leaves}
     if speed is None:
-        return found
+        return climbs
     spin = speed / w.radius
     after = kept * spin
     energy = 0.5 * about * after**2
     left = energy - gravity * w.height
     over = left >= 0.0
-    found |= {
+    climbs |= {
         "angular_velocity": spin, "angular_velocity_after": after, "centre_speed_after": after * w.radius,
         "speed_on_step": w.radius * sqrt(2.0 * left / about) if over else 0.0,
         "greatest_rise": 0.0 if over else energy / gravity,
     }  # fmt: skip
     if w.mass is not None:
-        found["energy_lost"] = w.mass * (0.5 * about * spin**2 - energy)
-    return found
+        climbs["energy_lost"] = w.mass * (0.5 * about * spin**2 - energy)
+    return climbs
 
 
 def step_by_book(

@@ -56,7 +56,7 @@ def _results(m: Meeting, after: "list[Pair]") -> "dict[str, float]":
     parts = [(m.along(old), m.along(new)) for old, new in zip(m.before, after, strict=True)]
     (old1, new1), (old2, new2) = parts
     assert one is not None
-    found = {
+    results = {
         "impulse": one * (old1[0] - new1[0]),
         "normal_direction": heading_of(*m.n, m.axes),
         "closing_speed": old1[0] - old2[0],
@@ -67,15 +67,15 @@ def _results(m: Meeting, after: "list[Pair]") -> "dict[str, float]":
     for name, body, mass, old, new, (_, along) in zip(
         ("first", "second"), m.bodies, m.masses, m.before, after, parts, strict=True
     ):
-        found |= state(name, new, m.axes)
-        found |= {f"{name}.normal_velocity": along[0], f"{name}.tangential_velocity": along[1]}
+        results |= state(name, new, m.axes)
+        results |= {f"{name}.normal_velocity": along[0], f"{name}.tangential_velocity": along[1]}
         if mass is not None:
             gains.append(kinetic(mass, new) - kinetic(mass, old))
-            found[f"{name}.energy_change"] = gains[-1]
-            found |= change(name, old, new, body.nose, m.axes, m.zero)
+            results[f"{name}.energy_change"] = gains[-1]
+            results |= change(name, old, new, body.nose, m.axes, m.zero)
     if two is not None:
-        found["energy_lost"] = -sum(gains)
-    return found
+        results["energy_lost"] = -sum(gains)
+    return results
 
 
 def by_components(**given: "Any") -> "dict[str, float]":

@@ -8,14 +8,15 @@ from math import hypot
 
 from dynamics_cli.accuracy.alternatives.march import own
 from dynamics_cli.accuracy.alternatives.shares import Way, compared
-from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.cases import Case
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.accuracy.alternatives.march import March
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Vector = tuple[float, float, float]
@@ -165,7 +166,6 @@ WAYS = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """The impulse by every method."""
-    cases = [case for case in load(FILE) if case.task == "keller" and (case.hard or not hard)]
-    return compared(name, cases, WAYS, NAMES, full=full, timed=timed, more=more)
+    return compared(comparing, comparing.cases(FILE, task="keller"), WAYS, NAMES)

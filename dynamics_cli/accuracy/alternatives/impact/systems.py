@@ -80,7 +80,7 @@ def _results(m: Meeting, after: "After") -> "dict[str, float]":
     x, y = (one.mass * (after[0][0][k] - one.velocity[k]) for k in (0, 1))
     normal, across = x * m.n[0] + y * m.n[1], x * m.t[0] + y * m.t[1]
     slip, parting = m.parts(after)
-    found = {
+    results = {
         "impulse[0]": -x, "impulse[1]": -y, "impulse_magnitude": hypot(x, y), "normal_impulse": normal,
         "tangential_impulse": across, "impulse_direction": heading_of(-x, -y, m.axes),
         "impulse_ratio": across / normal, "closing_speed": -m.approach, "separation_speed": parting,
@@ -88,18 +88,18 @@ def _results(m: Meeting, after: "After") -> "dict[str, float]":
     }  # fmt: skip
     lost = 0.0
     for name, body, (velocity, spin) in zip(("first", "second"), m.bodies, after, strict=True):
-        found |= state(name, velocity, m.axes)
-        found |= {f"{name}.spin": spin, f"{name}.spin_change": spin - body.spin}
+        results |= state(name, velocity, m.axes)
+        results |= {f"{name}.spin": spin, f"{name}.spin_change": spin - body.spin}
         if body.mass is None or body.inertia is None:
             continue
         gain = kinetic(body.mass, velocity) + 0.5 * body.inertia * spin**2
         gain -= kinetic(body.mass, body.velocity) + 0.5 * body.inertia * body.spin**2
         lost -= gain
-        found[f"{name}.energy_change"] = gain
-        found |= change(name, body.velocity, velocity, body.nose, m.axes, m.zero)
+        results[f"{name}.energy_change"] = gain
+        results |= change(name, body.velocity, velocity, body.nose, m.axes, m.zero)
     if m.bodies[1].mass is not None:
-        found["energy_lost"] = lost
-    return found
+        results["energy_lost"] = lost
+    return results
 
 
 def _solved(m: Meeting, last: "list[float]", value: float) -> "tuple[After, float]":

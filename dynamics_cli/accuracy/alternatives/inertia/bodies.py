@@ -5,26 +5,22 @@ from math import inf
 
 from dynamics_cli.accuracy.alternatives.inertia.mesh import named
 from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
-from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.cases import build, flat, leaves
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable
     from typing import Any
 
     import numpy as np
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
 FILE = "inertia_bodies.json"
-
-
-def of_task(task: str, *, hard: bool) -> "list[Case]":
-    """The cases of a task."""
-    return [case for case in load(FILE) if case.task == task and (case.hard or not hard)]
 
 
 @cache
@@ -111,7 +107,7 @@ def placed(case: "Any") -> "list[tuple[float, Array, Array]]":
     import numpy as np
 
     from dynamics_cli.inertia.assembly.parts import Walk
-    from dynamics_cli.inertia.bodies.mass_moments import IDENTITY
+    from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
     walk = Walk()
     walk.into(groups(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
@@ -177,8 +173,6 @@ ASSEMBLY = (
 )
 
 
-def compare_assemblies(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_assemblies(comparing: "Comparing") -> "list[Row]":
     """Assemblies of parts and holes."""
-    return rows_of(name, of_task("body", hard=hard), ASSEMBLY, full=full, timed=timed, more=more)
+    return rows_of(comparing, comparing.cases(FILE, task="body"), ASSEMBLY)

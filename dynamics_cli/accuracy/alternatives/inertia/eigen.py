@@ -2,17 +2,16 @@
 
 import math
 from decimal import Decimal
-from statistics import median
 
-from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import DIGITS, Errors, Pace, seconds
-from dynamics_cli.accuracy.rows import row
+from dynamics_cli.accuracy.cases import Case
+from dynamics_cli.accuracy.measure import DIGITS, Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Matrix = tuple[tuple[float, float, float], ...]
@@ -109,57 +108,31 @@ def _tilt(axis: "Sequence[float]", case: Case, place: int) -> float:
     return math.hypot(*map(float, parts)) * float(gap)
 
 
-def compare_axes(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare_axes(comparing: "Comparing") -> "list[Row]":
     """Principal axes: errors are angles times relative gaps."""
-    pace = Pace(full=full)
-    cases = [case for case in load("eigen.json") if case.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    for method, function in AXES:
-        errors = Errors()
-        for case in cases:
-            try:
-                axes = function(_rows(case))
-            except ArithmeticError:
-                errors.refused += 1
-                continue
-            errors.cases += 1
-            for place, axis in enumerate(axes):
-                errors.note(f"{case.name}: axis {place + 1}", _tilt(axis, case, place), None)
-        time = _time(function, cases, pace) if timed else None
-        base = base or time
-        made.append(row(name, method, errors, time, base))
-    return made
 
+    def answer(errors: "Errors", case: Case, function: "Callable[[Matrix], Axes]", _: int) -> "Callable[[], Any]":
+        for place, axis in enumerate(function(_rows(case))):
+            errors.note(f"{case.name}: axis {place + 1}", _tilt(axis, case, place), None)
+        rows = _rows(case)
+        return lambda: function(rows)
 
-def _time(function: "Callable[[Matrix], Any]", cases: "list[Case]", pace: Pace) -> float:
-    """The median time over some cases."""
-    some = [_rows(case) for case in cases[: pace.timed_cases]]
-    return median([seconds(lambda: function(rows), repeats=pace.repeats, least=pace.least) for rows in some])  # noqa: B023
+    return comparing.rows(AXES, comparing.cases("eigen.json"), answer, most=comparing.pace.timed_cases)
 
 
 def _rows(case: Case) -> "Matrix":
     return tuple(tuple(float(x) for x in line) for line in case.inputs["rows"])  # type: ignore[misc]
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Every method over every matrix; errors are relative to each eigenvalue itself."""
-    pace = Pace(full=full)
-    cases = [case for case in load("eigen.json") if case.hard or not hard]
-    made: list[Row] = []
-    base: float | None = None
-    own: Errors | None = None
-    for method, function in METHODS:
-        errors = Errors()
-        for case in cases:
-            errors.cases += 1
-            values, bounds = function(_rows(case))
-            for place in range(3):
-                address = f"values[{place}]"
-                bound = bounds[place] if bounds else None
-                errors.add(f"{case.name}: {address}", values[place], case.results[address], bound)
-        time = _time(function, cases, pace) if timed else None
-        base = base or time
-        made.append(row(name, method, errors, time, base, own=own))
-        own = own or errors
-    return made
+
+    def answer(errors: "Errors", case: Case, function: "Callable[[Matrix], Any]", _: int) -> "Callable[[], Any]":
+        rows = _rows(case)
+        values, bounds = function(rows)
+        for place in range(3):
+            address, bound = f"values[{place}]", bounds[place] if bounds else None
+            errors.add(f"{case.name}: {address}", values[place], case.results[address], bound)
+        return lambda: function(rows)
+
+    return comparing.rows(METHODS, comparing.cases("eigen.json"), answer, most=comparing.pace.timed_cases, shared=True)

@@ -8,12 +8,13 @@ from dynamics_cli.accuracy.cases import load
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     import numpy as np
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Array = np.ndarray[Any, np.dtype[Any]]
@@ -142,32 +143,25 @@ METHODS = (
 )
 
 
-def _cases(task: str, *, hard: bool, shell: bool = False) -> "list[Case]":
-    found = [case for case in load(FILE) if case.task == task and case.inputs["shell"] == shell]
-    return [case for case in found if case.hard or not hard]
+def _cases(comparing: "Comparing", task: str, *, shell: bool = False) -> "list[Case]":
+    return [case for case in comparing.cases(FILE, task=task) if case.inputs["shell"] == shell]
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Solids of up to some hundred triangles."""
-    return rows_of(name, _cases("mesh", hard=hard), METHODS, full=full, timed=timed, more=more)
+    return rows_of(comparing, _cases(comparing, "mesh"), METHODS)
 
 
-def compare_large(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_large(comparing: "Comparing") -> "list[Row]":
     """Solids of many triangles, where time is that of the sums."""
-    return rows_of(name, _cases("large mesh", hard=hard), METHODS, full=full, timed=timed, more=more)
+    return rows_of(comparing, _cases(comparing, "large mesh"), METHODS)
 
 
-def compare_overlapping(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_overlapping(comparing: "Comparing") -> "list[Row]":
     """Solids that single precision has left with faces through one another, and little between them."""
-    return rows_of(name, _cases("overlapping mesh", hard=hard), METHODS, full=full, timed=timed, more=more)
+    return rows_of(comparing, _cases(comparing, "overlapping mesh"), METHODS)
 
 
-def compare_shells(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_shells(comparing: "Comparing") -> "list[Row]":
     """Thin shells along the triangles."""
-    return rows_of(name, _cases("mesh", hard=hard, shell=True), METHODS, full=full, timed=timed, more=more)
+    return rows_of(comparing, _cases(comparing, "mesh", shell=True), METHODS)

@@ -4,14 +4,14 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 from dynamics_cli.accuracy.alternatives.inertia.bodies import arguments
 from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
-from dynamics_cli.accuracy.cases import load
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.inertia.section.contours import Hole, Piece
 
@@ -35,18 +35,18 @@ def exact(**given: "Any") -> "dict[str, Any]":
 
 def _contours(polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]") -> "list[Contour]":
     """Sign, corners (or the centre) and diameter."""
-    found: list[Contour] = [(1, list(zip(polygon[0::2], polygon[1::2], strict=True)), 0.0)] if polygon else []
+    contours: list[Contour] = [(1, list(zip(polygon[0::2], polygon[1::2], strict=True)), 0.0)] if polygon else []
     for sign, items in ((1, pieces), (-1, holes)):
         for item in items:
             if item.polygon:
-                found.append((sign, list(zip(item.polygon[0::2], item.polygon[1::2], strict=True)), 0.0))
+                contours.append((sign, list(zip(item.polygon[0::2], item.polygon[1::2], strict=True)), 0.0))
             elif item.diameter is not None:
-                found.append((sign, [(item.x, item.y)], item.diameter))
+                contours.append((sign, [(item.x, item.y)], item.diameter))
             else:
                 a, b = 0.5 * (item.width or 0.0), 0.5 * (item.height or 0.0)
                 ends = ((-a, -b), (a, -b), (a, b), (-a, b))
-                found.append((sign, [(item.x + x, item.y + y) for x, y in ends], 0.0))
-    return found
+                contours.append((sign, [(item.x + x, item.y + y) for x, y in ends], 0.0))
+    return contours
 
 
 def _sums(contour: "Contour", near: "tuple[float, float]") -> "list[float]":
@@ -154,7 +154,6 @@ METHODS = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Sections of polygons, circles and rectangles, with holes."""
-    cases = [case for case in load("inertia_sections.json") if case.hard or not hard]
-    return rows_of(name, cases, METHODS, full=full, timed=timed, more=more)
+    return rows_of(comparing, comparing.cases("inertia_sections.json"), METHODS)

@@ -6,9 +6,7 @@ coordinate, by the moments, or by what the difference is of.
 
 from decimal import Decimal
 
-from dynamics_cli.accuracy.measure import DIGITS, REFERENCE, Errors, Pace, results_of, seconds
-from dynamics_cli.accuracy.rows import row
-from dynamics_cli.errors import DynamicsError
+from dynamics_cli.accuracy.measure import DIGITS, REFERENCE, Errors, results_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,6 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
 UNIT_ROUNDOFF = Decimal(2.0**-53)
@@ -78,39 +77,16 @@ def _gyration(sizes: "dict[str, Decimal]") -> Decimal:
     return DIGITS.sqrt(DIGITS.divide(moment, mass))
 
 
-def rows_of(
-    name: str,
-    cases: "Sequence[Case]",
-    methods: "Sequence[Way]",
-    *,
-    full: bool,
-    timed: bool,
-    most: int = 20,
-    more: "Sequence[tuple[str, Any]]" = (),
-) -> "list[Row]":
-    """A row for every method over the cases; `most` of them are timed."""
-    pace = Pace(full=full)
-    made: list[Row] = []
-    base: float | None = None
-    own: Errors | None = None
-    for way in (*methods, *(Way(*pair) for pair in more)):
-        errors, calls = Errors(), []
-        for index, case in enumerate(cases):
-            try:
-                call = way.prepare(case)
-                count(errors, case, results_of(way.stated(case) if way.stated else call()), index)
-            except (DynamicsError, ArithmeticError, ValueError):
-                errors.refused += 1
-                continue
-            calls.append(call)
-        some = calls[:: max(1, len(calls) // most)]
-        time = None
-        if timed and some:
-            time = seconds(lambda: [call() for call in some], repeats=pace.repeats, least=pace.least) / len(some)  # noqa: B023
-        base = base or time
-        made.append(row(name, way.name, errors, time, base, own=own))
-        own = own or errors
-    return made
+def rows_of(comparing: "Comparing", cases: "Sequence[Case]", methods: "Sequence[Way]") -> "list[Row]":
+    """A row for every method over the cases."""
+    return comparing.rows([(way.name, way) for way in methods], cases, _answer, most=20, shared=True)
+
+
+def _answer(errors: Errors, case: "Case", method: "Any", index: int) -> "Callable[[], Any]":
+    way = method if isinstance(method, Way) else Way("", method)
+    call = way.prepare(case)
+    count(errors, case, results_of(way.stated(case) if way.stated else call()), index)
+    return call
 
 
 def count(errors: Errors, case: "Case", found: "dict[str, Any]", index: int) -> None:
@@ -121,7 +97,6 @@ def count(errors: Errors, case: "Case", found: "dict[str, Any]", index: int) -> 
     values = {name: Decimal(getattr(value, "value", value)) for name, value in shown.items()}
     if not values or not all(value.is_finite() for value in values.values()):
         raise ArithmeticError
-    errors.cases += 1
     for name, value in values.items():
         error = DIGITS.subtract(value, true[name]).copy_abs()
         error = max(DIGITS.subtract(error, DIGITS.multiply(sizes[name], REFERENCE)), Decimal(0))

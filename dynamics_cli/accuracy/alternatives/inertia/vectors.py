@@ -1,12 +1,12 @@
 """Tensors, torques and bodies side by side: LAPACK and the trigonometric formula, Euler's equations, differences."""
 
 from dynamics_cli.accuracy.alternatives.inertia.bodies import (
+    FILE,
     both,
     both_stated,
     from_centre,
     from_origin,
     groups,
-    of_task,
     own,
     tensor,
 )
@@ -15,12 +15,13 @@ from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     import numpy as np
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     Array = np.ndarray[Any, np.dtype[Any]]
@@ -157,25 +158,21 @@ compare_by_centre = compared(from_centre, _lapack_axes)
 compare_by_origin = compared(from_origin, _book_axes)
 
 
-def compare_pairs(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_pairs(comparing: "Comparing") -> "list[Row]":
     """Two bodies side by side."""
     ways = (
         own("composed each about its mass centre", both, both_stated),
         Way("textbook: about the origin, arc cosines", compare_by_origin),
         Way("tensors about the mass centre, LAPACK", compare_by_centre),
     )
-    return rows_of(name, of_task("compare", hard=hard), ways, full=full, timed=timed, more=more)
+    return rows_of(comparing, comparing.cases(FILE, task="compare"), ways)
 
 
-def compare_tensors(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_tensors(comparing: "Comparing") -> "list[Row]":
     """Given tensors."""
     ways = (
         own("Jacobi on the tensor", tensor),
         Way("textbook: roots by an arc cosine", tensor_by_cardano),
         Way("LAPACK eigvalsh", tensor_by_lapack),
     )
-    return rows_of(name, of_task("tensor", hard=hard), ways, full=full, timed=timed, more=more)
+    return rows_of(comparing, comparing.cases(FILE, task="tensor"), ways)

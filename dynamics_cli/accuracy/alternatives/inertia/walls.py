@@ -2,15 +2,15 @@
 
 from math import pi
 
-from dynamics_cli.accuracy.alternatives.inertia.bodies import of_task, own, shape
+from dynamics_cli.accuracy.alternatives.inertia.bodies import FILE, own, shape
 from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-    from typing import Any
+    from collections.abc import Callable, Mapping
 
     from dynamics_cli.accuracy.cases import Case
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
     # Measure, height of the centroid, and second moments about the centroid, for a mass of one.
@@ -110,7 +110,7 @@ METHODS = (
 )
 
 
-def compare(name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
     """Hollow shapes by their wall thickness."""
-    cases = [case for case in of_task("shape", hard=hard) if case.inputs["shape"]["record"] in OUTLINES]
-    return rows_of(name, cases, METHODS, full=full, timed=timed, more=more)
+    cases = [case for case in comparing.cases(FILE, task="shape") if case.inputs["shape"]["record"] in OUTLINES]
+    return rows_of(comparing, cases, METHODS)

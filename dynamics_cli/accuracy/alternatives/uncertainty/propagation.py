@@ -7,7 +7,7 @@ from functools import cache, partial
 from statistics import median
 
 from dynamics_cli.accuracy.alternatives.uncertainty.models import FORMULAS, Arrays
-from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.accuracy.measure import Errors, Pace, seconds
 from dynamics_cli.accuracy.questions import Comparison
 from dynamics_cli.accuracy.rows import ESTIMATE, row
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.core.inputs.uncertain.distributions import Distribution
 
@@ -114,44 +115,35 @@ def of_library(library: "Callable[..., Found]", case: Case) -> "Answer":
     return library(distributions(case), correlations(case), FORMULAS[case.task]), None
 
 
-def compare_smooth(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_smooth(comparing: "Comparing") -> "list[Row]":
     """Models with derivatives of inputs without bounds."""
-    return _compared(name, "smooth", hard=hard, full=full, timed=timed, more=more)
+    return _compared(comparing, "smooth")
 
 
-def compare_bounded(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_bounded(comparing: "Comparing") -> "list[Row]":
     """Inputs between bounds, and steps."""
-    return _compared(name, "bounded", hard=hard, full=full, timed=timed, more=more)
+    return _compared(comparing, "bounded")
 
 
-def compare_kinked(
-    name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
-) -> "list[Row]":
+def compare_kinked(comparing: "Comparing") -> "list[Row]":
     """Kinks, atoms, branches that meet."""
-    return _compared(name, "kinked", hard=hard, full=full, timed=timed, more=more)
+    return _compared(comparing, "kinked")
 
 
-def _compared(
-    name: str, kind: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]"
-) -> "list[Row]":
-    cases = [case for case in load("uncertainty.json") if kind_of(case) == kind and (case.hard or not hard)]
-    own_ones = own_methods(kind, full=full)
-    methods: list[tuple[str, Method]] = [(title, partial(own, options=options)) for title, options in own_ones]
-    methods += [(title, partial(of_library, library)) for title, library in more]
-    pace = Pace(full=full)
-    made: list[Row] = []
+def _compared(comparing: "Comparing", kind: str) -> "list[Row]":
+    cases = [case for case in comparing.cases("uncertainty.json") if kind_of(case) == kind]
+    options = own_methods(kind, full=comparing.full)
+    methods: list[tuple[str, Method]] = [(title, partial(own, options=option)) for title, option in options]
+    methods += [(title, partial(of_library, library)) for title, library in comparing.more]
+    rows: list[Row] = []
     base: float | None = None
     for title, method in methods:
         foreign = method.func is of_library  # type: ignore[attr-defined]
         errors = _errors(method, cases, Exception if foreign else (DynamicsError, ArithmeticError))
-        time = _time(method, cases, pace) if timed and errors.cases else None
+        time = _time(method, cases, comparing.pace) if comparing.timed and errors.cases else None
         base = base or time
-        made.append(row(name, title, errors, time, base, bound=ESTIMATE, measure=MEASURE))
-    return made
+        rows.append(row(comparing.name, title, errors, time, base, bound=ESTIMATE, measure=MEASURE))
+    return rows
 
 
 def _errors(method: "Method", cases: "Sequence[Case]", refusals: "Any") -> Errors:

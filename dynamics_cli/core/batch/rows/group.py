@@ -2,7 +2,6 @@
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.plan import Plan
-from dynamics_cli.core.batch.text.columns import Column, Unsuited
 from dynamics_cli.core.batch.text.conversions import ExactPlan
 from dynamics_cli.core.batch.text.shapes import NUMBER
 
@@ -10,6 +9,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
+
+    from dynamics_cli.core.batch.text.columns import Column
 
 # Smaller groups cost more together than one by one.
 SMALLEST_GROUP = 64
@@ -42,8 +43,6 @@ def make_plan(
     """The plan for rows like this one; raises Unsuited, or what is wrong with this one row."""
     if case.measure[0]:
         return ExactPlan(case, raw, addresses)
-    if not case.task.arrays:
-        raise Unsuited("the physics takes one case at a time")
     return Plan(case, raw, addresses, units)
 
 

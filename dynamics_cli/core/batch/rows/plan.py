@@ -1,22 +1,26 @@
-"""Many rows answered by one call of the physics: the inputs of one row as template, arrays in place of its numbers.
+"""Many rows answered by few calls of the physics: the inputs of one row as template, arrays in place of its numbers.
 
-Whatever an array cannot settle (a row that physics refuses, a number out of range or bounds) is left to the single
-call, which also words the error. A division by zero or an overflow anywhere counts as that too, since numpy would go on
-where Python stops: the rows are halved until the one that does it is alone.
+Formulas that branch on their numbers part the rows by the way they go (`numerics.lanes`). Physics that takes no arrays
+is called row by row with the template's inputs, which saves reading each row and writing it.
+
+Whatever this cannot settle (a row that physics refuses, a number out of range or bounds) is left to the single call,
+which also words the error. A division by zero or an overflow anywhere counts as that too, since numpy would go on where
+Python stops: the rows are halved until the one that does it is alone.
 """
 
 import numpy as np
 
-from dynamics_cli.core.answering.models import arguments, call_model, choose
+from dynamics_cli.core.answering.models import arguments, choose
 from dynamics_cli.core.answering.task import Model, load
+from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, shown, shown_factor
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited, joined_texts, texts
+from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited
 from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
-from dynamics_cli.core.output.row_layout import Part, compact
-from dynamics_cli.core.units.display import Shown
 from dynamics_cli.core.units.lookup import parse_unit
-from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
-from dynamics_cli.numerics.exact.factors import Factor, scale
+from dynamics_cli.errors import DynamicsError, InadmissibleError
+from dynamics_cli.numerics.lanes import Part as LanePart
+from dynamics_cli.numerics.lanes import parts
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.records import Check, Columns
 
 TYPE_CHECKING = False
@@ -26,28 +30,14 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.output.row_layout import Part
+
     Array = NDArray[Any]
     Mask = NDArray[Any]
-    # (part, "each", one text a row), (part, "measured", (texts, unit)) or (part, "all", the value of every row).
-    Result = tuple[Part, str, Any]
-
-# Fewer rows than this are not worth another array call.
-FEWEST = 16
-MOST_REFUSALS = 24
-NAN = float("nan")
-VARIES = object()
 
 
-class Untouchable:
-    """Stands for a number that a choice of model may pass on but not look at."""
-
-    def _touched(self, *_: object) -> "Any":
-        raise Unsuited("the choice of model depends on the numbers")
-
-    __bool__ = __float__ = __int__ = __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _touched
-    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _touched
-    __neg__ = __abs__ = __pow__ = __getattr__ = _touched
-    __hash__ = None  # type: ignore[assignment]
+# What such a result is shown in depends on its numbers.
+OWN_UNITS = ("measured", "components")
 
 
 def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
@@ -70,18 +60,34 @@ class Plan:
         self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"
     ) -> None:
         self.case = case
-        self.proved = False
+        # How rows went of which the first and the last have been compared with single calls.
+        self.proved: set[tuple[Any, ...]] = set()
         self.failures = 0
         self.bound = case.bind(raw)
         leaves = {bound.address: bound for bound in values_of(self.bound)}
+        # A list of one number may be given by that number alone.
+        addresses = [
+            f"{name}[0]" if name not in leaves and f"{name}[0]" in leaves and f"{name}[1]" not in leaves else name
+            for name in addresses
+        ]
         self._leaves = {address: leaves[_owner(address, leaves)] for address, _, _ in self.bound.leaves()}
         unknown = [address for address in addresses if address not in self._leaves]
         if unknown or not addresses:
             raise Unsuited(f"{unknown} are not numbers that arrays can stand for", set(self._leaves))
         self.addresses = list(addresses)
         self.slots = [self._slot(address, unit) for address, unit in zip(addresses, units, strict=True)]
-        self.model = self._model()
-        self._scales = [_shown_factor(part.shown) for part in case.layout.parts]
+        # Whether the physics takes arrays; known when it has been tried.
+        self.lanes = True
+        self._constants = {address: si for address, _, si in self.bound.leaves()}
+        self._mirrored = list(self._mirrors())
+        self._scales = [shown_factor(part.shown) for part in case.layout.parts]
+
+    def _mirrors(self) -> "Iterator[tuple[str, str]]":
+        """Elements of tensors that must be equal; where they are nearly so, the single call knows what to do."""
+        for leaf in values_of(self.bound):
+            if leaf.kind.form == "tensor":
+                for i, j in ((0, 1), (0, 2), (1, 2)):
+                    yield f"{leaf.address}[{i}][{j}]", f"{leaf.address}[{j}][{i}]"
 
     def _slot(self, address: str, unit: "str | None") -> Slot:
         leaf = self._leaves[address]
@@ -96,170 +102,122 @@ class Plan:
             raise Unsuited(f"{address} is read in a way of its own")
         return Slot(address, kind, read)
 
-    def _model(self) -> Model:
+    def _model(self, values: "dict[str, Any]") -> Model:
+        """The smallest model that suffices, with arrays in place of numbers."""
         task = self.case.task
         if len(task.models) > 1 and not self.case.asked:
-            args, kwargs = arguments(task, self.bound, {address: Untouchable() for address in self.addresses})
+            args, kwargs = arguments(task, self.bound, values)
             for model in task.models[:-1]:
                 if load(model.suffices)(*args, **kwargs) is not None:
                     return model
             return task.models[-1]
         return choose(task, self.bound, self.case.asked)[0]
 
-    def run(self, columns: "list[Column]") -> "tuple[list[Result], Mask | None]":
-        """The results of all rows that can be answered together, and which these are (None: all)."""
+    def _record(self, values: "dict[str, Any]") -> "Any":
+        args, kwargs = arguments(self.case.task, self.bound, values)
+        return self._model(values).call()(*args, **kwargs)
+
+    def run(self, columns: "list[Column]") -> "list[Answered]":
+        """The results of all rows that can be answered together, those alike together; the others are left out."""
         count = len(columns[0].tokens)
         arrays: dict[str, Array] = {}
-        bad: Mask | None = None
+        bad: Mask = np.zeros(count, dtype=bool)
         for slot, column in zip(self.slots, columns, strict=True):
             # Where a row gives a parameter twice, the later place (an earlier step's result) wins.
             arrays[slot.address], odd = slot.read(column)
             if odd is not None:
-                bad = odd if bad is None else bad | odd
-        good = np.ones(count, dtype=bool) if bad is None else ~bad
-        found = _Found(self, count)
-        rows = np.flatnonzero(good)
-        found.evaluate(arrays if bad is None else {name: array[rows] for name, array in arrays.items()}, rows, 0)
-        return found.results(), None if found.good.all() else found.good
+                bad |= odd
+        for one, other in self._mirrored:
+            bad |= arrays.get(one, self._constants[one]) != arrays.get(other, self._constants[other])
+        rows = np.flatnonzero(~bad) if bad.any() else np.arange(count)
+        if bad.any():
+            arrays = {name: array[rows] for name, array in arrays.items()}
+        answered = self._by_lanes(arrays, len(rows)) if self.lanes else self._one_by_one(arrays, len(rows))
+        for part in answered:
+            part.rows = rows[part.rows]
+        return answered
 
-
-class _Found:
-    """Results gathered from one or several array calls."""
-
-    def __init__(self, plan: Plan, count: int) -> None:
-        self.plan = plan
-        self.good = np.zeros(count, dtype=bool)
-        self.constant: list[Any] = []
-        self.arrays: dict[int, Any] = {}
-
-    def evaluate(self, arrays: "dict[str, Array]", rows: "NDArray[np.int64]", depth: int) -> None:
-        """Answer some rows; those that cannot be answered stay marked as bad."""
-        if not len(rows) or depth > MOST_REFUSALS:
-            return
-        plan = self.plan
+    def _by_lanes(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
         try:
             with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-                record = call_model(plan.case.task, plan.model, plan.bound, arrays)
-        except InadmissibleError as error:
-            refused = error.refused
-            if isinstance(refused, np.ndarray) and refused.shape == rows.shape and refused.any():
-                kept = ~refused
-                self.evaluate({name: array[kept] for name, array in arrays.items()}, rows[kept], depth + 1)
-                return
-            self._halve(arrays, rows, depth)
+                taken = map(self._taken, parts(self._record, arrays, np.arange(count), _refused))
+                return [answered for answered in taken if answered is not None]
         except Unsuited:
-            raise
-        except (DynamicsError, ArithmeticError, ValueError):
-            self._halve(arrays, rows, depth)
-        except (TypeError, AttributeError) as error:
-            raise Unsuited(f"the physics does not take arrays: {error}") from None
-        else:
-            self._take(record, rows)
+            self.lanes = False
+            return self._one_by_one(arrays, count)
 
-    def _halve(self, arrays: "dict[str, Array]", rows: "NDArray[np.int64]", depth: int) -> None:
-        if len(rows) <= FEWEST:
-            return
-        middle = len(rows) // 2
-        for part in (slice(None, middle), slice(middle, None)):
-            self.evaluate({name: array[part] for name, array in arrays.items()}, rows[part], depth + 1)
-
-    def _take(self, record: "Any", rows: "NDArray[np.int64]") -> None:
-        good = _finite(record, len(rows))
+    def _taken(self, part: LanePart) -> "Answered | None":
+        """The results of rows that went the same way."""
+        good = _finite(part.outcome, len(part.rows))
         if not good.any():
-            return
-        layout = self.plan.case.layout
-        constant: list[Any] = []
-        for index, (part, factor) in enumerate(zip(layout.parts, self.plan._scales, strict=True)):
-            found = part.of(record)
-            if not isinstance(found, np.ndarray) or not found.ndim:
-                constant.append(_constant(part, record))
+            return None
+        rows, record = part.rows, part.outcome
+        columns: list[tuple[Part, str, Any]] = []
+        for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
+            value = layout.of(record)
+            if layout.how in OWN_UNITS and value is not None:
+                raise Unsuited("results with units of their own are written one by one")
+            if not isinstance(value, np.ndarray) or not value.ndim:
+                columns.append((layout, "all", constant(layout, record)))
                 continue
-            if found.shape != rows.shape or part.how == "word":
-                raise Unsuited(f"{part.address} is no column")
-            constant.append(VARIES)
-            shown = _shown(found, part, factor, good)
-            if len(rows) == len(self.good):
-                self.arrays[index] = shown
+            if value.shape != rows.shape or layout.how == "word":
+                raise Unsuited(f"{layout.address} is no column")
+            columns.append((layout, "each", shown(value, layout, factor, good)))
+        return kept(rows, columns, good, part.trail)
+
+    def _one_by_one(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
+        """Each row by a call of its own; those whose results exist alike are written together."""
+        layout = self.case.layout
+        alike: dict[tuple[bool, ...], tuple[list[int], list[list[Any]]]] = {}
+        names = list(arrays)
+        for row, numbers in enumerate(zip(*(array.tolist() for array in arrays.values()), strict=True)):
+            try:
+                record = self._record(dict(zip(names, numbers, strict=True)))
+                layout.check(record)
+            except (DynamicsError, ArithmeticError, ValueError):
+                continue  # the single call words it
+            values = [part.of(record) for part in layout.parts]
+            rows, lists = alike.setdefault(tuple([value is None for value in values]), ([], []))
+            rows.append(row)
+            lists.append(values)
+        return [
+            answered
+            for missing, (rows, lists) in alike.items()
+            if (answered := self._listed(missing, rows, lists)) is not None
+        ]
+
+    def _listed(self, missing: "tuple[bool, ...]", rows: "list[int]", lists: "list[list[Any]]") -> "Answered | None":
+        columns: list[tuple[Part, str, Any]] = []
+        good = np.ones(len(rows), dtype=bool)
+        for part, factor, absent, values in zip(
+            self.case.layout.parts, self._scales, missing, zip(*lists, strict=True), strict=True
+        ):
+            if part.how in OWN_UNITS and not absent:
+                raise Unsuited("results with units of their own are written one by one")
+            if absent:
+                columns.append((part, "all", None))
+            elif part.how == "number":
+                numbers = np.array([float(plain(value)) for value in values])
+                columns.append((part, "each", shown(numbers, part, factor, good)))
             else:
-                whole = self.arrays.setdefault(index, np.zeros(len(self.good), dtype=shown.dtype))
-                whole[rows] = shown
-        if self.constant and [item is VARIES for item in constant] != [item is VARIES for item in self.constant]:
-            raise Unsuited("results exist for some rows only")
-        # Values that are alike in all rows of one call may differ between calls.
-        if self.constant and any(a != b for a, b in zip(constant, self.constant, strict=True) if a is not VARIES):
-            raise Unsuited("results differ between calls")
-        self.constant = constant
-        self.good[rows] = good
-
-    def results(self) -> "list[Result]":
-        """The results for the rows that are good."""
-        made: list[Result] = []
-        everything = self.good.all()
-        for index, (part, value) in enumerate(zip(self.plan.case.layout.parts, self.constant, strict=False)):
-            if value is not VARIES:
-                made.append((part, "all", value))
-                continue
-            array = self.arrays[index]
-            made.append((part, "each", array if everything else array[self.good]))
-        return made
+                cells = np.empty(len(values), dtype=object)
+                cells[:] = [str(value) if part.how == "word" else value for value in values]
+                columns.append((part, "each", cells))
+        return kept(np.array(rows), columns, good, missing)
 
 
-def _constant(part: Part, record: "Any") -> "Any":
-    try:
-        return part.value(record)
-    except UsageError as error:
-        raise Unsuited(error.message) from None
-
-
-def _shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "Any":
-    """A column of results as it is shown: doubles, or what a compound unit or a flag is written as."""
-    if part.how != "number":
-        return found.astype(object)
-    values = found.astype(float)
-    if part.shown is None or (factor is not None and factor.is_one):
-        return values
-    if factor is None:
-        return _mapped(values, part.shown, good)
-    with np.errstate(all="ignore"):
-        made = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
-    lost = np.isnan(made)
-    if lost.any():
-        good &= ~lost
-        made[lost] = 0.0
-    return made
-
-
-def _one_by_one(shown: Shown) -> "Any":
-    def one(value: float) -> "Any":
-        try:
-            return shown.value(value)
-        except UsageError:
-            return NAN
-
-    return one
-
-
-def _mapped(values: "Array", shown: Shown, good: "Mask") -> "Any":
-    made = np.empty(len(values), dtype=object)
-    one = _one_by_one(shown)
-    for row in np.flatnonzero(good).tolist():
-        made[row] = one(float(values[row]))
-        if made[row] != made[row]:
-            good[row] = False
-    return made
-
-
-def _shown_factor(shown: "Shown | None") -> "Factor | None":
-    """From SI to the unit shown; None where it takes more than a factor."""
-    if shown is None or shown.compound:
+def _refused(error: Exception) -> "Any":
+    """Which lanes an error is about: see `numerics.lanes.parts`."""
+    if isinstance(error, InadmissibleError):
+        return True if error.refused is None else error.refused
+    if isinstance(error, Unsuited):
+        raise error
+    if isinstance(error, DynamicsError):
+        return True
+    # An array that is none of lanes has been asked for its truth.
+    if isinstance(error, ArithmeticError | ValueError) and "ambiguous" not in str(error):
         return None
-    unit = shown.unit
-    if unit is None:
-        return Factor(1, 1)
-    if shown.kind.form == "slope" and unit.text != "%":
-        return None
-    shift, over = unit.offset
-    return Factor(unit.denominator, unit.numerator, -unit.pi, (-shift * unit.denominator, over * unit.numerator))
+    raise Unsuited(f"the physics does not take arrays: {error}") from error
 
 
 def _finite(node: "Any", count: int) -> "Mask":
@@ -269,8 +227,10 @@ def _finite(node: "Any", count: int) -> "Mask":
         if isinstance(item, Check):
             good &= np.asarray(item.passed, dtype=bool)
         elif isinstance(item, np.ndarray):
+            if item.ndim and item.shape != good.shape:
+                raise Unsuited("a number of the record is no column")
             if item.dtype.kind == "f":
-                good &= np.isfinite(item)
+                good &= np.isfinite(np.asarray(item))
         elif isinstance(item, float) and not -np.inf < item < np.inf:
             good[:] = False
     return good
@@ -305,35 +265,3 @@ def _owner(address: str, leaves: "dict[str, Value | VectorValue]") -> str:
     while address not in leaves:
         address = address.rpartition("[")[0]
     return address
-
-
-def written(results: "list[Result]", form: str) -> "list[Result]":
-    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them."""
-    made: list[Result] = []
-    side: list[Array] = []
-    for part, how, value in results:
-        if how == "each" and isinstance(value, np.ndarray):
-            if value.dtype == object:
-                value = _listed(value.tolist(), part, form)
-            elif form == "csv":
-                # Neighbours are written together, which saves a cut and a join a row.
-                side.append(value)
-                if len(side) > 1:
-                    made.pop()
-                made.append((part, how, side))
-                continue
-            else:
-                value = texts(value)
-        side = []
-        made.append((part, how, value))
-    return [
-        (part, how, joined_texts(value) if how == "each" and value and isinstance(value[0], np.ndarray) else value)
-        for part, how, value in made
-    ]
-
-
-def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":
-    if form == "ndjson":
-        return [compact(row).encode() for row in rows]
-    separator = "," if form == "csv" else "\t"
-    return [separator.join(part.cells(row)).encode() for row in rows]

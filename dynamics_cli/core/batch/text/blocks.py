@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 # Enough rows to amortise array calls, few enough to stay in the processor's cache.
 BLOCK_ROWS = 6000
-LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 20
+LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 22
 # A longer line is nobody's case, and must not eat the memory.
 LONGEST_LINE = 1 << 24
 BOM = b"\xef\xbb\xbf"
@@ -55,7 +55,7 @@ class Source:
         rest: list[bytes] = []
         length = 0
         dropping = False
-        while data := self._next():
+        while data := self._next() if not self._first else self._beginning():
             end = data.rfind(b"\n")
             if dropping:
                 start = data.find(b"\n")
@@ -94,6 +94,15 @@ class Source:
             data = b"".join(parts)
         self.bytes_read += len(data)
         return data
+
+    def _beginning(self) -> bytes:
+        """The first bytes: of long rows as many as later blocks have, if they have come."""
+        data = self._next()
+        if len(data) < LEAST_BYTES or (self.size is None and not self._more()):
+            return data
+        self._fit(len(data), data.count(b"\n") + 1)
+        self._block -= len(data)
+        return data + self._next() if self._block >= LEAST_BYTES else data
 
     def _more(self) -> bool:
         """Whether more bytes wait in a pipe; "no" where it cannot be asked."""

@@ -4,6 +4,7 @@ from math import gcd
 
 import numpy as np
 
+from dynamics_cli.core.batch.rows.answered import Answered
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.text.columns import Column, Unsuited, exact_scale, texts
 from dynamics_cli.core.inputs.quantity_text import read_number
@@ -111,7 +112,7 @@ class ExactPlan:
 
     def __init__(self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]") -> None:
         self.case = case
-        self.proved = False
+        self.proved: set[tuple[Any, ...]] = set()
         self.failures = 0
         name, targets = case.measure
         self.addresses = list(addresses)
@@ -128,8 +129,8 @@ class ExactPlan:
             raise Unsuited("only plain units are converted together", {name})
         self.conversions = [Conversion(*parse_pair(value.value.unit, target)) for target in self.targets]
 
-    def run(self, columns: "list[Column]") -> "tuple[list[Result], Mask | None]":
-        """The converted numbers of all rows that a single call would not refuse, and which these are (None: all)."""
+    def run(self, columns: "list[Column]") -> "list[Answered]":
+        """The converted numbers of all rows that a single call would not refuse."""
         flags = [part for part in self.case.layout.parts if part.how == "flag"]
         runs = [conversion.run(columns[0], flag=bool(flags)) for conversion in self.conversions]
         good: Mask | None = None
@@ -145,7 +146,8 @@ class ExactPlan:
                 results.append((part, "each", [b"true" if flag else b"false" for flag in kept]))
             else:
                 results.append(self._measured(part, [run[0] if good is None else run[0][good] for run in runs]))
-        return results, good
+        places = np.arange(len(columns[0].tokens)) if good is None else np.flatnonzero(good)
+        return [Answered(places, results, ())] if len(places) else []
 
     def _measured(self, part: Part, values: "list[Array]") -> "Result":
         if part.unit:

@@ -188,7 +188,7 @@ class Truncated(Distribution):
         self._a, self._b = (-b, -a) if self._mirrored else (a, b)
         _check(self._a < 37.0, f"hardly anything of {centre:g} ± {width:g} is between {low:g} and {high:g}")
         self._upper_a, self._upper_b = normal.upper(self._a), normal.upper(self._b)
-        first, second = _truncated_moments(self._a, self._b)
+        first, second = arrays.truncated_moments(self._a, self._b)
         self.mean = centre + width * (-first if self._mirrored else first)
         self.std = width * second
 
@@ -330,23 +330,6 @@ def _check(holds: bool, message: str) -> None:
 
 def _quantile(p: "Array") -> "Array":
     return arrays.quantile(np.maximum(p, 1e-320))
-
-
-def _truncated_moments(a: float, b: float) -> tuple[float, float]:
-    """Mean and deviation of a standard normal between a and b, by tanh–sinh quadrature: no term cancels."""
-    # Beyond these the density is 1e-18 of its largest value.
-    b = min(b, math.sqrt(max(a, 0.0) ** 2 + 84.0))
-    a = max(a, -9.2)
-    steps = np.arange(-72, 73) / 18.0
-    bend = 0.5 * math.pi * np.sinh(steps)
-    weight = np.cosh(steps) / np.cosh(bend) ** 2
-    nearer = 1.0 / (np.exp(2.0 * np.abs(bend)) + 1.0)  # share of the way from the nearer end
-    x = np.where(bend < 0.0, a + (b - a) * nearer, b - (b - a) * nearer)
-    start = max(a, 0.0)
-    mass = weight * np.exp(-0.5 * (x - start) * (x + start))
-    mass /= mass.sum()
-    mean = float(a + (mass * (x - a)).sum())
-    return mean, math.sqrt(float((mass * (x - mean) ** 2).sum()))
 
 
 KINDS: "dict[str, type[Distribution]]" = {

@@ -1,10 +1,9 @@
-"""Quantiles, moments and probabilities of one result by integration along its gradient, with an estimate of the error.
+"""Which method gives a result's quantiles, moments and probabilities: a table, tried from the top.
 
-Rules across the direction, in order: tensor Gauss–Hermite (at most two axes) or Smolyak grids; when these do not settle
-(kinks, bounded inputs), shifted lattices; when the model turns, jumps or is partly inadmissible, scanned lines; where
-that would be dear, for many results or calls one by one, a sample that all results share (`pooled`). Errors are in
-standard deviations of the result. The factors of the estimates were fitted on thousands of random problems so that the
-true error stays below them; plain differences of levels or replicates do not achieve that.
+A method is tried when it suits the problem and what is known so far is worse than its limit; the first outcome within
+the accuracy asked for ends the search, else the best of all is taken. Errors are in standard deviations of the result.
+The factors of the estimates were fitted on thousands of random problems so that the true error stays below them; plain
+differences of levels or replicates do not achieve that.
 """
 
 import numpy as np
@@ -12,72 +11,66 @@ import numpy as np
 from dynamics_cli.core.uncertainty.methods.grids import grids
 from dynamics_cli.core.uncertainty.methods.lattices import lattices
 from dynamics_cli.core.uncertainty.methods.lines import Lines
-from dynamics_cli.core.uncertainty.methods.nested import nested, suits
+from dynamics_cli.core.uncertainty.methods.listed_grids import listed_grids
+from dynamics_cli.core.uncertainty.methods.listed_grids import suits as suits_listed_grids
+from dynamics_cli.core.uncertainty.methods.nested import nested
+from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome
 from dynamics_cli.core.uncertainty.methods.pooled import pooled
 from dynamics_cli.core.uncertainty.methods.scanned_lines import alone, scanned, scanned_grids
+from dynamics_cli.core.uncertainty.methods.shared_lines import ACCURACY, shared_lines, turns
+from dynamics_cli.core.uncertainty.methods.shared_lines import suits as suits_shared_lines
 from dynamics_cli.core.uncertainty.space import Space, complement
 from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS
 
-# Of more results than this, those that turn, jump or have kinks share one sample.
-FEW_RESULTS = 4
-# Grids of scanned lines are for so many inputs at the most.
-FEW_INPUTS = 3
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
 
     Array = NDArray[Any]
+    Method = Callable[[Space, int, Array, Array, Goal], Outcome | None]
+
+# More results than this are several: those that turn, jump or have kinks share their points.
+FEW_RESULTS = 4
+# Grids of scanned lines are for so many inputs at the most.
+FEW_INPUTS = 3
+ANY = float("inf")
 
 
-def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:
-    """The best outcome for one result within the goal's points."""
-    if space.size == 1:
-        return alone(space, result, direction, goal)
-    across = complement(direction)
-    own = goal.own(space)
-    if asked == "auto" and suits(space, own):
-        made = _nested(space, result, direction, across, own)
-        if made is not None and made.estimate <= own.accuracy:
-            return made
-    best: Outcome | None = None
-    if asked != "lattice" and not space.stepped:
-        best = grids(space, result, direction, across, own)
-        if best is not None and (best.estimate <= own.accuracy or asked == "quadrature"):
-            return best
-    several = len(space.results) > FEW_RESULTS
-    dear = several and space.slow
-    narrow = space.size <= MOST_DIMENSIONS
-    if narrow and not space.stepped and not dear:
-        best = _better(best, lattices(space, result, direction, across, own))
-    if several and _poor(best, GOOD):
-        best = _better(best, pooled(space, result, direction, across, goal))
-    if _poor(best, GOOD) and space.size <= FEW_INPUTS and not space.stepped and not dear:
-        best = _better(best, scanned_grids(space, result, direction, across, own))
-    if _poor(best, FAIR) and narrow and not dear:
-        best = _better(best, scanned(space, result, direction, across, own))
-    if _poor(best, GOOD) and not several:
-        best = _better(best, pooled(space, result, direction, across, goal))
-    assert best is not None
-    return best
+class Problem:
+    """One result of a model, and what is asked of it."""
+
+    def __init__(self, space: Space, goal: Goal, asked: str) -> None:
+        self.space = space
+        self.goal = goal
+        self.asked = asked
+        self.narrow = space.size <= MOST_DIMENSIONS
+        self.several = len(space.results) > FEW_RESULTS
+        # Calls one by one, for many results: points must be shared.
+        self.dear = self.several and space.slow
+        self.sharing = self.several and not goal.limits and asked == "auto" and suits_shared_lines(space)
 
 
-def _poor(best: Outcome | None, limit: float) -> bool:
-    return best is None or best.estimate > limit
+class Way:
+    """A row of the table: the method, the problems it suits, and how poor what is known must be for it to be tried."""
 
-
-def _better(one: Outcome | None, other: Outcome | None) -> Outcome | None:
-    if one is None or other is None:
-        return one or other
-    return other if other.estimate < one.estimate else one
+    def __init__(
+        self, method: "Method", suits: "Callable[[Problem], bool]", *, above: float = 0.0, whole: bool = False
+    ) -> None:
+        self.method = method
+        self.suits = suits
+        self.above = above
+        # Whether it may use all of the goal's points, as it does so once for all results.
+        self.whole = whole
 
 
 def _nested(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+    """Nested integrals where these settle; where they do not they say nothing."""
     found = nested(space, result, goal)
-    if found is None:
+    if found is None or not found.estimate <= goal.accuracy:
         return None
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     made = Outcome("nested integrals, cut at the corners of the densities", found.quantiles, centre)
@@ -85,3 +78,50 @@ def _nested(space: Space, result: int, direction: "Array", across: "Array", goal
     made.mean, made.std = found.mean, found.std
     made.estimate, made.admissible = found.estimate, found.admissible
     return made
+
+
+# What a method costs, in evaluations of the model for one result.
+WAYS = (
+    # 1e3 to 1e5: two or three bounded or triangular inputs
+    Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
+    # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
+    Way(grids, lambda p: p.asked != "lattice" and not p.space.stepped),
+    # 1e3 to 1e5: lists of values among inputs that are smooth
+    Way(listed_grids, lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
+    # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
+    Way(shared_lines, lambda p: p.sharing and not p.space.slow, above=ACCURACY),
+    # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line
+    Way(lattices, lambda p: p.narrow and not p.space.stepped and not p.dear and not p.sharing),
+    # 2e5 to 2e6, once for all results, whatever they do
+    Way(pooled, lambda p: p.several and not p.sharing, above=GOOD, whole=True),
+    Way(pooled, lambda p: p.sharing, above=FAIR, whole=True),
+    # 1e4 to 1e6: few inputs, results that turn or jump
+    Way(scanned_grids, lambda p: p.space.size <= FEW_INPUTS and not p.space.stepped and not p.several, above=GOOD),
+    # 1e5 to 3e6: the same of more inputs
+    Way(scanned, lambda p: p.narrow and not p.dear and not p.sharing, above=FAIR),
+    # 2e5 to 2e6
+    Way(pooled, lambda p: not p.several, above=GOOD, whole=True),
+)
+
+
+def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:
+    """The best outcome for one result within the goal's points."""
+    own = goal.own(space)
+    problem = Problem(space, own, asked)
+    across = complement(direction)
+    if space.size == 1:
+        if problem.sharing and not space.slow and turns(space, result, direction, own):
+            return shared_lines(space, result, direction, across, own)
+        return alone(space, result, direction, goal)
+    best: Outcome | None = None
+    for way in WAYS:
+        known = ANY if best is None else best.estimate
+        if not known > max(way.above, own.accuracy) or not way.suits(problem):
+            continue
+        made = way.method(space, result, direction, across, goal if way.whole else own)
+        if made is not None and (best is None or made.estimate < best.estimate):
+            best = made
+        if best is not None and way.method is grids and asked == "quadrature":
+            break
+    assert best is not None
+    return best

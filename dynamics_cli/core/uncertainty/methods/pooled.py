@@ -46,7 +46,8 @@ class Pool:
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
-        self.shifts = SHIFTS if space.slow else max(min(most // self.count, room), SHIFTS)
+        # Lines that results share have left few of them poor.
+        self.shifts = SHIFTS if space.slow or space.shared else max(min(most // self.count, room), SHIFTS)
         total = self.shifts * self.count
         if space.size <= MOST_DIMENSIONS:
             uniform = lattice(space.size, self.count, self.shifts, goal.seed)

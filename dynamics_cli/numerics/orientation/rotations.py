@@ -1,16 +1,15 @@
 """Rotations as people write them: an axis and an angle, Euler angles in a named order, a quaternion, a matrix."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.bodies.mass_moments import IDENTITY, product, transposed
-from dynamics_cli.numerics.elementary import sin, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, sin, sqrt, where
+from dynamics_cli.numerics.number import single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, Direction, Quaternion, Ratio, Text, Vector
 from dynamics_cli.records import record
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from dynamics_cli.inertia.bodies.mass_moments import Matrix
+Matrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
+IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 # A matrix further than this from a rotation is a mistake; one that is nearer was rounded by who wrote it.
 NEAR_ROTATION = 1e-3
 ORDERS = ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz")
@@ -55,13 +54,11 @@ class ByMatrix:
 Turn = AxisAngle | Euler | ByQuaternion | ByMatrix
 
 
-def matrix_of(turn: Turn) -> "Matrix":
+def matrix_of(turn: Turn) -> Matrix:
     """The rotation matrix R that takes vectors of the turned axes to the given ones; its columns are the turned axes.
 
-    Raises
-    ------
-    InadmissibleError
-        When an axis or a quaternion is zero, the order of Euler angles unknown, or a matrix not a rotation.
+    Raises InadmissibleError when an axis or a quaternion is zero, the order of Euler angles unknown, or a matrix not a
+    rotation.
     """
     if isinstance(turn, AxisAngle):
         return axis_angle(turn.rotation_axis, turn.rotation_angle)
@@ -72,7 +69,18 @@ def matrix_of(turn: Turn) -> "Matrix":
     return from_rows(turn.rotation_matrix)
 
 
-def axis_angle(axis: "tuple[float, float, float]", angle: float) -> "Matrix":
+def product(a: Matrix, b: Matrix) -> Matrix:
+    """The product of two matrices."""
+    columns = tuple(zip(*b, strict=True))
+    return tuple(tuple(r[0] * c[0] + r[1] * c[1] + r[2] * c[2] for c in columns) for r in a)  # type: ignore[return-value]
+
+
+def transposed(matrix: Matrix) -> Matrix:
+    """The transpose, for a rotation its inverse."""
+    return tuple(zip(*matrix, strict=True))  # type: ignore[return-value]
+
+
+def axis_angle(axis: "tuple[float, float, float]", angle: float) -> Matrix:
     """Rodrigues' rotation cos θ·1 + (1 − cos θ) n nᵀ + sin θ [n×], small angles by the half, which loses nothing."""
     x, y, z = axis
     square = x * x + y * y + z * z
@@ -88,7 +96,7 @@ def axis_angle(axis: "tuple[float, float, float]", angle: float) -> "Matrix":
     )
 
 
-def from_quaternion(q: "tuple[float, float, float, float]") -> "Matrix":
+def from_quaternion(q: "tuple[float, float, float, float]") -> Matrix:
     """The rotation of a quaternion of any length."""
     w, x, y, z = q
     square = w * w + x * x + y * y + z * z
@@ -103,7 +111,7 @@ def from_quaternion(q: "tuple[float, float, float, float]") -> "Matrix":
     )
 
 
-def euler(angles: "tuple[float, ...]", order: str) -> "Matrix":
+def euler(angles: "tuple[float, ...]", order: str) -> Matrix:
     """The product of three turns about coordinate axes; intrinsic for small letters, extrinsic for capitals."""
     require(
         order.lower() in ORDERS and order in (order.lower(), order.upper()),
@@ -113,14 +121,14 @@ def euler(angles: "tuple[float, ...]", order: str) -> "Matrix":
         read=repr(order),
     )
     require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles))
-    made = IDENTITY
+    whole = IDENTITY
     for letter, angle in zip(order.lower(), angles, strict=True):
         turn = about_axis("xyz".index(letter), angle)
-        made = product(made, turn) if order.islower() else product(turn, made)
-    return made
+        whole = product(whole, turn) if order.islower() else product(turn, whole)
+    return whole
 
 
-def about_axis(k: int, angle: float) -> "Matrix":
+def about_axis(k: int, angle: float) -> Matrix:
     """A turn about a coordinate axis."""
     c, s = turned(angle)
     if k == 0:
@@ -130,7 +138,7 @@ def about_axis(k: int, angle: float) -> "Matrix":
     return (c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0)
 
 
-def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> "Matrix":
+def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
     """The rotation nearest to a matrix that was written with few digits; anything further off is refused."""
     require(len(rows) == 3, "read {count} rows of a rotation matrix, wanted 3", code="rotation", count=len(rows))
     matrix: Matrix = (rows[0], rows[1], rows[2])
@@ -143,28 +151,44 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> "Matrix":
         departure=(off, Ratio),
     )
     require(
-        _determinant(matrix) > 0.0,
+        determinant(matrix) > 0.0,
         "the matrix is a reflection: its determinant is {determinant:6}",
         code="rotation",
         hint="a body is turned, not mirrored; change the sign of one row if the axes are left-handed",
-        determinant=(_determinant(matrix), Ratio),
+        determinant=(determinant(matrix), Ratio),
     )
     # Newton's iteration for the polar factor squares the departure; three steps end at rounding
     for _ in range(4):
-        if departure(matrix) < 4e-16:
+        done = departure(matrix) < 4e-16
+        if done is True or getattr(done, "all", bool)():
             break
         excess = product(transposed(matrix), matrix)
         half = tuple(tuple((1.5 if i == j else 0.0) - 0.5 * excess[i][j] for j in range(3)) for i in range(3))
-        matrix = product(matrix, half)  # type: ignore[arg-type]
+        better = product(matrix, half)  # type: ignore[arg-type]
+        matrix = _chosen(done, matrix, better)
     return matrix
 
 
-def departure(matrix: "Matrix") -> float:
+def _chosen(first: bool, a: Matrix, b: Matrix) -> Matrix:
+    """The first matrix where that is to be, the second elsewhere."""
+    if first is False:
+        return b
+    return tuple(tuple(where(first, x, y) for x, y in zip(p, q, strict=True)) for p, q in zip(a, b, strict=True))  # type: ignore[return-value]
+
+
+def departure(matrix: Matrix) -> float:
     """The greatest element of R Rᵀ − 1."""
     grown = product(matrix, transposed(matrix))
-    return max(abs(grown[i][j] - (1.0 if i == j else 0.0)) for i in range(3) for j in range(3))
+    off = [abs(grown[i][j] - (1.0 if i == j else 0.0)) for i in range(3) for j in range(3)]
+    if single(*off):
+        return max(off)
+    largest = off[0]
+    for other in off[1:]:
+        largest = maximum(largest, other)
+    return largest
 
 
-def _determinant(m: "Matrix") -> float:
+def determinant(m: Matrix) -> float:
+    """The determinant: 1 of a rotation, −1 of a mirror."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)

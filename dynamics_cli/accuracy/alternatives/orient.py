@@ -1,0 +1,75 @@
+"""Orientation: the ways of textbooks and of libraries, which lose digits at small angles, half turns and near lock."""
+
+import math
+
+from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.numerics.orientation.sequences import sequence_of
+from dynamics_cli.orient.turns.attitude import orientation
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.orient.turns.attitude import Attitude
+
+HERE = "dynamics_cli.accuracy.alternatives.orient:"
+# Within this of lock, libraries set the third angle to zero.
+THRESHOLD = 1e-7
+
+
+def _addresses(name: str, v: "Any") -> "dict[str, float]":
+    return {f"{name}[{k}]": x for k, x in enumerate(v)}
+
+
+def textbook(turn: "Attitude", sequence: str) -> "dict[str, float]":
+    """Angle by the arc cosine of the trace, axis over its sine, quaternion by the trace, angles by an arc sine."""
+    m = orientation(turn).matrix
+    angle = math.acos(min(1.0, max(-1.0, 0.5 * (m[0][0] + m[1][1] + m[2][2] - 1.0))))
+    over = 0.5 / math.sin(angle)
+    axis = [over * (m[2][1] - m[1][2]), over * (m[0][2] - m[2][0]), over * (m[1][0] - m[0][1])]
+    w = 0.5 * math.sqrt(1.0 + m[0][0] + m[1][1] + m[2][2])
+    share = 0.25 / w
+    quaternion = [w, share * (m[2][1] - m[1][2]), share * (m[0][2] - m[2][0]), share * (m[1][0] - m[0][1])]
+    return {
+        "rotation_angle": angle,
+        **_addresses("rotation_axis", axis),
+        **_addresses("quaternion", quaternion),
+        **_addresses("rotation_vector", [angle * part for part in axis]),
+        **_addresses("euler_angles", _angles(m, sequence, 0.0)),
+    }
+
+
+def with_threshold(turn: "Attitude", sequence: str) -> "dict[str, float]":
+    """Angles as libraries give them: near lock the third is zero, and the first takes what both had."""
+    return _addresses("euler_angles", _angles(orientation(turn).matrix, sequence, THRESHOLD))
+
+
+def _angles(m: "Any", sequence: str, threshold: float) -> "tuple[float, ...]":
+    """The middle angle by its arc function, the others by two elements each."""
+    order = sequence_of(sequence)
+    i, j, k = order.axes
+    e, last = order.cycle, 3 - i - j
+    if order.repeats:
+        b = math.acos(min(1.0, max(-1.0, m[i][i])))
+        first, third = (m[j][i], -e * m[last][i]), (m[i][j], e * m[i][last])
+    else:
+        b = math.asin(min(1.0, max(-1.0, e * m[i][k])))
+        first, third = (-e * m[j][k], m[k][k]), (-e * m[i][j], m[i][i])
+    if math.hypot(*first) < threshold:
+        a, c = math.atan2(e * m[last][j], m[j][j]), 0.0
+    else:
+        a, c = math.atan2(*first), math.atan2(*third)
+    return (c, b, a) if order.fixed else (a, b, c)
+
+
+QUESTIONS = (
+    Question(
+        "orient",
+        "convert",
+        "orient convert",
+        "orient.json",
+        "convert",
+        Method("textbook, acos and asin", HERE + "textbook"),
+        Method("zero within 1e-7 of lock", HERE + "with_threshold"),
+    ),
+)

@@ -1,0 +1,77 @@
+"""A comparison that is asked for: its cases, and a row for every method over them."""
+
+from dynamics_cli.accuracy.cases import Case, load
+from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.rows import Row, row
+from dynamics_cli.errors import DynamicsError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+    from typing import Any
+
+    # Counts a method's answer to a case, the nth, and gives the call to be timed; None where the case is not asked.
+    Answer = Callable[[Errors, Any, Any, int], Callable[[], Any] | None]
+
+
+class Comparing:
+    """The question's name, which cases take part, whether times are wanted; `more` are pairs of a name and a method."""
+
+    def __init__(
+        self, name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
+    ) -> None:
+        self.name = name
+        self.hard = hard
+        self.full = full
+        self.timed = timed
+        self.more = tuple(more)
+        self.pace = Pace(full=full)
+
+    def cases(self, *files: str, task: str = "") -> "list[Case]":
+        """The cases of files, of one task or all."""
+        every = [case for file in files for case in load(file) if task in ("", case.task)]
+        return [case for case in every if case.hard or not self.hard]
+
+    def rows(
+        self,
+        methods: "Iterable[tuple[str, Any]]",
+        cases: "Sequence[Any]",
+        answer: "Answer",
+        *,
+        most: int = 1,
+        shared: bool = False,
+        repeats: int = 0,
+        arrays: "Callable[[Any], float | None] | None" = None,
+        **options: "Any",
+    ) -> "list[Row]":
+        """A row for every method; `most` cases are timed, and where answers are `shared` all are set beside the first.
+
+        `arrays` gives a method's time per case of an array.
+        """
+        rows: list[Row] = []
+        base: float | None = None
+        first: Errors | None = None
+        for name, method in (*methods, *self.more):
+            errors, calls = Errors(), []
+            for index, case in enumerate(cases):
+                try:
+                    call = answer(errors, case, method, index)
+                except (DynamicsError, ArithmeticError, ValueError):
+                    errors.refused += 1
+                    continue
+                if call is not None:
+                    errors.cases += 1
+                    calls.append(call)
+            time = self.time(calls[:: max(1, len(calls) // most)], repeats)
+            base = base or time
+            many = arrays(method) if arrays and self.timed else None
+            rows.append(row(self.name, name, errors, time, base, array_time=many, own=first, **options))
+            first = (first or errors) if shared else None
+        return rows
+
+    def time(self, calls: "Sequence[Callable[[], Any]]", repeats: int = 0) -> "float | None":
+        """The mean time of calls; None where no times are wanted."""
+        if not self.timed or not calls:
+            return None
+        repeats = repeats or self.pace.repeats
+        return seconds(lambda: [call() for call in calls], repeats=repeats, least=self.pace.least) / len(calls)

@@ -1,0 +1,135 @@
+"""Columns of results: rows that were answered alike, their numbers as they are shown, and as text."""
+
+import numpy as np
+
+from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts, texts
+from dynamics_cli.core.output.row_layout import Part, compact
+from dynamics_cli.core.units.display import Shown
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.exact.factors import Factor, scale
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+    Mask = NDArray[Any]
+    Rows = NDArray[np.int64]
+    # (part, "each", one value or text a row), (part, "measured", (texts, units)) or (part, "all", that of every row).
+    Result = tuple[Part, str, Any]
+
+NAN = float("nan")
+
+
+class Answered:
+    """Rows that were answered alike: which they are, their results, and what tells them from others."""
+
+    __slots__ = ("results", "rows", "signature")
+
+    def __init__(self, rows: "Rows", results: "list[Result]", signature: "tuple[Any, ...]") -> None:
+        self.rows = rows
+        self.results = results
+        self.signature = signature
+
+
+def kept(rows: "Rows", columns: "list[Result]", good: "Mask", trail: "tuple[Any, ...]") -> "Answered | None":
+    """The results of the rows that are good."""
+    if not good.all():
+        if not good.any():
+            return None
+        columns = [(part, how, value[good] if how == "each" else value) for part, how, value in columns]
+        rows = rows[good]
+    return Answered(rows, columns, trail)
+
+
+def constant(part: Part, record: "Any") -> "Any":
+    """A result that is the same in all rows, as it is shown."""
+    try:
+        return part.value(record)
+    except UsageError as error:
+        raise Unsuited(error.message) from None
+
+
+def shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "Any":
+    """A column of results as it is shown: doubles, or what a compound unit or a flag is written as."""
+    if part.how != "number":
+        return np.asarray(found).astype(object)
+    values = np.asarray(found, dtype=float)
+    if part.shown is None or (factor is not None and factor.is_one):
+        return values
+    if factor is None:
+        return _mapped(values, part.shown, good)
+    with np.errstate(all="ignore"):
+        made = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
+    lost = np.isnan(made)
+    if lost.any():
+        good &= ~lost
+        made[lost] = 0.0
+    return made
+
+
+def _one_by_one(shown: Shown) -> "Any":
+    def one(value: float) -> "Any":
+        try:
+            return shown.value(value)
+        except UsageError:
+            return NAN
+
+    return one
+
+
+def _mapped(values: "Array", shown: Shown, good: "Mask") -> "Any":
+    made = np.empty(len(values), dtype=object)
+    one = _one_by_one(shown)
+    for row in np.flatnonzero(good).tolist():
+        made[row] = one(float(values[row]))
+        if made[row] != made[row]:
+            good[row] = False
+    return made
+
+
+def shown_factor(shown: "Shown | None") -> "Factor | None":
+    """From SI to the unit shown; None where it takes more than a factor."""
+    if shown is None or shown.compound:
+        return None
+    unit = shown.unit
+    if unit is None:
+        return Factor(1, 1)
+    if shown.kind.form == "slope" and unit.text != "%":
+        return None
+    shift, over = unit.offset
+    return Factor(unit.denominator, unit.numerator, -unit.pi, (-shift * unit.denominator, over * unit.numerator))
+
+
+def written(results: "list[Result]", form: str) -> "list[Result]":
+    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them."""
+    made: list[Result] = []
+    side: list[Array] = []
+    for part, how, value in results:
+        if how == "each" and isinstance(value, np.ndarray):
+            if value.dtype == object:
+                value = _listed(value.tolist(), part, form)
+            elif form == "csv":
+                # Neighbours are written together, which saves a cut and a join a row.
+                side.append(value)
+                if len(side) > 1:
+                    made.pop()
+                made.append((part, how, side))
+                continue
+            else:
+                value = texts(value)
+        side = []
+        made.append((part, how, value))
+    return [
+        (part, how, joined_texts(value) if how == "each" and value and isinstance(value[0], np.ndarray) else value)
+        for part, how, value in made
+    ]
+
+
+def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":
+    if form == "ndjson":
+        return [compact(row).encode() for row in rows]
+    separator = "," if form == "csv" else "\t"
+    return [separator.join(part.cells(row)).encode() for row in rows]

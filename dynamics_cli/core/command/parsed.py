@@ -1,0 +1,47 @@
+"""What typer has parsed, as a call; refusals of what is given twice, or without a value."""
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.unknown import unknown_option
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS, Call
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def call_of(task: Task, given: "dict[str, Any]") -> Call:
+    """The call that typer's values stand for."""
+    call = Call()
+    call.words = list(given.pop("words__", None) or ())
+    for word in call.words:
+        if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
+            raise unknown_option(task, word, call.words)
+    for name in UNIVERSAL_OPTIONS:
+        value = given.pop(variable("setting", name), None)
+        if value:
+            call.settings[name] = single(name, value, UNIVERSAL_OPTIONS[name][0])
+    for name, option in task.options.items():
+        value = given.pop(variable("option", name), None)
+        if value:
+            how = "flag" if option.flag else "many" if option.repeats else "value"
+            call.options[name] = single(name, value, how)
+    return call
+
+
+def variable(side: str, name: str) -> str:
+    """What typer calls the value of an option of a task, or of a setting."""
+    return f"{side}__{name.replace('-', '_')}"
+
+
+def single(name: str, value: "Any", how: str) -> "Any":
+    """The value of an option given once, or all of one that repeats."""
+    if how == "flag":
+        return True
+    if how == "many":
+        return list(value)
+    if value[-1].startswith("--"):
+        raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
+    if len(value) > 1:
+        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
+    return value[0]

@@ -1,0 +1,1 @@
+"""Inputs in forms of their own: tensors, formulas and their variables."""

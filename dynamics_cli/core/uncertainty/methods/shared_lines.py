@@ -1,0 +1,313 @@
+"""Quantiles from lines that many results share: for results that turn, jump or have kinks, each in its own way.
+
+The model is evaluated once at dense points on parallel lines, for all results together. Along a line a result is what
+pieces between the points say, and the measure of each piece is nearly exact: what is left to sample lies across the
+lines, where kinks have been integrated away. Results that rise in like directions share their lines.
+"""
+
+import numpy as np
+
+from dynamics_cli.core.uncertainty.methods.lines import Lines
+from dynamics_cli.core.uncertainty.methods.outcome import FAIR, FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome
+from dynamics_cli.core.uncertainty.space import Space, complement
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.distributions.normal_arrays import probability, quantile
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+# In standard deviations: what results that share their lines are known to, surely (as a rule to a fifth of that); finer
+# lines cost more than that is worth.
+ACCURACY = 5e-3
+# How far lines reach, in standard deviations; a normal one is beyond with 2e-8.
+REACH = 5.6
+POINTS = 97
+# Of a single input the only line has more; where many lines are needed, each has fewer.
+POINTS_ALONE, POINTS_OF_MANY = 4097, 49
+# Lines across: on a grid of so many a dimension where one or two are left over, else so many of each lattice; tried
+# first, and where that is not near enough.
+GRIDS = {0: (1,), 1: (48, 144), 2: (26, 44)}
+COUNTS = (256,)
+# The cosine between a result's direction and that of the lines it may share.
+ALIKE, OWN = 0.5, 0.95
+# More sets of lines than this cost more than the one sample that is left for what they serve badly.
+MOST_SETS = 4
+STEPS = 8
+# What twice the step changes is this much of what the step itself errs by, at kinks.
+OF_TWICE = 0.5
+# How far a grid of lines reaches, and weights beside the largest that are not worth a line.
+GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
+OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
+# The parts of a grid, each of every second or fourth line, are replicates of one another.
+PARTS = 4
+# Together they err by far less than lattices whose shifts are drawn would: a tenth or less, where it was measured.
+OF_PARTS = 0.25
+
+
+def suits(space: Space) -> bool:
+    """Whether inputs are two or more, not too many, and continuous with a finite variance."""
+    return 1 <= space.size <= MOST_DIMENSIONS and not (space.heavy or space.stepped)
+
+
+class SharedLines:
+    """Values of every result (results, lines, points) on parallel lines."""
+
+    def __init__(self, space: Space, direction: "Array", count: int, seed: int) -> None:
+        self.direction = direction
+        self.count = count
+        rest, weights, self.group = _across(space.size - 1, count, seed)
+        self.lines = weights.size
+        self.points = POINTS_ALONE if space.size == 1 else POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
+        grid = np.linspace(-REACH, REACH, self.points)
+        # A kink then lies anywhere between two points, and what a fixed grid errs by averages out.
+        shift = (np.arange(self.lines) * 0.6180339887498949 + 0.5) % 1.0 - 0.5
+        self.s = grid + (shift * (grid[1] - grid[0]))[:, None]
+        z = (complement(direction) @ rest)[:, :, None] + direction[:, None, None] * self.s
+        values = space.evaluate(z.reshape(space.size, -1))
+        self.values = values.reshape(len(values), self.lines, self.points)
+        below = probability(self.s)
+        # What lies beyond the ends is as at the ends.
+        below[:, 0], below[:, -1] = 0.0, 1.0
+        self.mass = np.diff(below, axis=1) * weights[:, None]
+
+    @property
+    def method(self) -> str:
+        """What they are, in words."""
+        if self.lines == 1:
+            return f"{self.points} points of the only input, shared by all results"
+        if self.group.max() == PARTS - 1:
+            return f"a grid of {self.lines} lines that results share, {self.points} points on each"
+        return f"{SHIFTS} shifted lattices of {self.count} lines that results share, {self.points} points on each"
+
+    def cells(self, result: int, every: int = 1) -> "Cells":
+        """One result between each two neighbouring points, or between every so many."""
+        mass = self.mass if every == 1 else self.mass.reshape(len(self.mass), -1, every).sum(axis=2)
+        s = self.s[:, ::every]
+        return Cells(
+            self.values[result][:, ::every], mass, self.group, 0.25 * (s[:, :-1] + s[:, 1:]) * (s[0, 1] - s[0, 0])
+        )
+
+
+class Cells:
+    """A result on lines, cell by cell: both ends, half its bend, the share of cases and half the fall of their density.
+
+    With t the place in a cell from 0 to 1, the result is a + (b − a) t − bend t(1 − t), and the share of the cell's
+    cases up to t is t + fall t(1 − t).
+    """
+
+    def __init__(self, values: "Array", mass: "Array", group: "Array", fall: "Array") -> None:
+        sound = np.isfinite(values)
+        self.whole = bool(sound.all())
+        a, b = values[:, :-1], values[:, 1:]
+        if not self.whole:
+            # Half a cell is admissible, on average, where only one of its ends is.
+            mass = mass * (0.5 * (sound[:, :-1].astype(float) + sound[:, 1:]))
+            a, b = np.where(sound[:, :-1], a, b), np.where(sound[:, 1:], b, a)
+            lost = ~np.isfinite(a)
+            a, b = np.where(lost, 0.0, a), np.where(lost, 0.0, b)
+        self.a, self.b, self.mass, self.group, self.fall = a, b, mass, group, fall
+        self.low, self.high = np.minimum(a, b), np.maximum(a, b)
+        self.bend = _bend(a, b)
+        self.admissible = float(mass.sum())
+
+    def replicates(self, by_line: "Array") -> "Array":
+        """Sums over the lines of each replicate."""
+        return np.bincount(self.group, by_line)
+
+    def moments(self) -> "tuple[Array, Array, Array, float]":
+        """Mass, mean and mean square of each replicate, both about a value in the midst."""
+        centre = float(self.a[len(self.a) // 2, self.a.shape[1] // 2])
+        a, b = self.a - centre, self.b - centre
+        mass = self.mass
+        middle = 0.5 * (a + b) - (b - a) * self.fall / 6.0 - self.bend / 6.0
+        first = mass * middle
+        second = mass * (middle * middle + (b - a) * (b - a) / 12.0)
+        share, first, second = (self.replicates(part.sum(axis=1)) for part in (mass, first, second))
+        return share, first, second, centre
+
+    def below(self, v: float) -> "tuple[Array, float]":
+        """The admissible share up to a value in each replicate, and the density there."""
+        under = self.high <= v
+        cut = np.nonzero((self.low <= v) & ~under)
+        a, rise, mass = self.a[cut], self.b[cut] - self.a[cut], self.mass[cut]
+        t = (v - a) / rise
+        curved = t + self.bend[cut] / rise * t * (1.0 - t)
+        t = np.clip(np.where(np.abs(self.bend[cut]) < np.abs(rise), curved, t), 0.0, 1.0)
+        part = t + self.fall[cut] * t * (1.0 - t)
+        inside = mass * np.where(rise > 0.0, part, 1.0 - part)
+        share = np.bincount(cut[0], inside, minlength=len(self.a)) + np.where(under, self.mass, 0.0).sum(axis=1)
+        return self.replicates(share), float((mass / np.abs(rise)).sum())
+
+    def quantile(self, p: float, start: float, scale: float) -> "tuple[float, Array, float]":
+        """The value that a share of the admissible cases stays below; the shares there, and the density."""
+        wanted = p * self.admissible
+        low, high = float(self.low.min()), float(self.high.max())
+        v = min(max(start, low), high)
+        for step in range(60):
+            share, dense = self.below(v)
+            excess = float(share.sum()) - wanted
+            low, high = (low, v) if excess >= 0.0 else (v, high)
+            if abs(excess) <= 1e-7:
+                break
+            if high - low <= 1e-9 * scale:
+                v = high  # a jump of the probability: an atom
+                share, dense = self.below(v)
+                break
+            move = -excess / dense if dense > 0.0 else np.inf
+            new = v + move
+            v = new if step < STEPS and low < new < high else 0.5 * (low + high)
+        return v, share, dense
+
+    def first_quantiles(self, p: "Array") -> "Array":
+        """Quantiles of a part of the cells, each taken at its middle."""
+        every = max(self.mass.size // 8192, 1)
+        middle = (0.5 * (self.low + self.high)).ravel()[::every]
+        mass = self.mass.ravel()[::every]
+        order = np.argsort(middle)
+        ranked = np.cumsum(mass[order])
+        place = np.searchsorted(ranked, p * ranked[-1])
+        return middle[order][np.minimum(place, ranked.size - 1)]  # type: ignore[no-any-return]
+
+
+def _across(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
+    """Where lines cross the rest of the space (rest, lines), their weights, and the replicate of each."""
+    if rest == 0:
+        return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
+    if rest > max(GRIDS):
+        made = quantile(lattice(rest, count, SHIFTS, seed))
+        lines = made.shape[1]
+        return made, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
+    # The trapezoid rule: nothing is better for what decays as a normal density does.
+    places = np.indices((count,) * rest).reshape(rest, -1)
+    step = 2.0 * GRID_REACH / (count - 1)
+    # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
+    made = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
+    if rest == 2:
+        made = TURN @ made
+    weights = np.exp(-0.5 * (made * made).sum(axis=0))
+    kept = weights > LEAST_WEIGHT
+    made, places, weights = made[:, kept], places[:, kept], weights[kept]
+    group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
+    # Each replicate is a rule of its own.
+    for part in range(PARTS):
+        weights[group == part] /= weights[group == part].sum() * PARTS
+    return made, weights, group
+
+
+def _bend(a: "Array", b: "Array") -> "Array":
+    """Half the second difference of each cell: the smaller of those at its ends, none where these turn (kinks)."""
+    made = np.zeros_like(a)
+    rise = b - a
+    step = np.diff(rise, axis=1)
+    one, other = step[:, :-1], step[:, 1:]
+    made[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
+    return made
+
+
+def _moments(cells: Cells) -> "tuple[Array, float, float, tuple[Array, Array]]":
+    """The replicates' masses, mean and deviation of all, and those of every replicate (about the mean of all)."""
+    share, first, second, centre = cells.moments()
+    mean = float(first.sum()) / cells.admissible
+    std = float(np.sqrt(max(float(second.sum()) / cells.admissible - mean**2, 0.0)))
+    means, squares = first / share, second / share
+    return share, centre + mean, std, (means, np.sqrt(np.maximum(squares - 2.0 * mean * means + mean**2, 0.0)))
+
+
+class Found:
+    """One result's numbers, and its probabilities for limits."""
+
+    def __init__(self, cells: Cells, p: "Array") -> None:
+        self.cells = cells
+        self.p = p
+        self.admissible = cells.admissible
+        self.share, self.mean, self.std, self.replicates = _moments(cells)
+        scale = self.std or 1.0
+        made = [cells.quantile(q, s, scale) for q, s in zip(p.tolist(), cells.first_quantiles(p).tolist(), strict=True)]
+        self.quantiles = np.array([v for v, _, _ in made])
+        self.shares = [(shares, dense) for _, shares, dense in made]
+
+    def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
+        """The admissible share up to each value, as one line's."""
+        made = [self.cells.below(float(value)) for value in np.asarray(v, dtype=float)]
+        return np.array([[share.sum() for share, _ in made]]), np.array([dense for _, dense in made])
+
+    def scatter(self) -> float:
+        """The scatter of the replicates, in deviations: of mean and deviation, and of probabilities over densities."""
+        if not self.std > 0.0 or self.share.size == 1:
+            return 0.0
+        errors = [float(part.std(ddof=1)) / self.std for part in self.replicates]
+        for v, p, (share, dense) in zip(self.quantiles.tolist(), self.p.tolist(), self.shares, strict=True):
+            own = float((share / self.share).std(ddof=1))
+            sure = REPLICATE_FACTOR * own
+            before = float(self.cells.below(v - 1e-7 * self.std)[0].sum()) / self.admissible
+            if before + sure < p < float(share.sum()) / self.admissible - sure:
+                continue  # well within an atom the quantile is the atom, whatever the scatter
+            steep = dense / self.admissible * self.std
+            # Where the density vanishes a probability says nothing of the quantile.
+            errors.append(own / steep if steep > 1e-3 else own)
+        factor = OF_PARTS if self.share.size == PARTS else 1.0
+        return factor * REPLICATE_FACTOR * max(errors) / float(np.sqrt(self.share.size))
+
+    def apart(self, other: Cells) -> float:
+        """How far these numbers are from those of coarser cells, in deviations."""
+        if not self.std > 0.0:
+            return 0.0
+        _, mean, std, _ = _moments(other)
+        parts = [abs(self.mean - mean) / self.std, abs(self.std - std) / self.std]
+        for v, p, (share, dense) in zip(self.quantiles.tolist(), self.p.tolist(), self.shares, strict=True):
+            if float(share.sum()) / self.admissible - p > 1e-3:
+                continue  # an atom
+            off = abs(float(other.below(v)[0].sum()) / other.admissible - float(share.sum()) / self.admissible)
+            steep = dense / self.admissible * self.std
+            parts.append(off / steep if steep > 1e-3 else off)
+        return max(parts)
+
+
+def shared_lines(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
+    """One result by lines that it shares with others; finer ones where the first are not near enough."""
+    wanted = max(goal.accuracy, ACCURACY)
+    counts = GRIDS.get(space.size - 1, COUNTS)
+    made = _outcome(_lines(space, direction, counts[0], ALIKE, goal.seed), space, result, across, goal)
+    # Errors fall about as the count of lines grows: by less than is missing, finer ones are no use.
+    if wanted < made.estimate <= 8.0 * wanted and counts[-1] > counts[0]:
+        made = _outcome(_lines(space, direction, counts[-1], ALIKE, goal.seed), space, result, across, goal)
+    if made.estimate > FAIR and len(space.shared) < MOST_SETS:
+        own = _outcome(_lines(space, direction, counts[0], OWN, goal.seed), space, result, across, goal)
+        made = own if own.estimate < made.estimate else made
+    return made
+
+
+def turns(space: Space, result: int, direction: "Array", goal: Goal) -> bool:
+    """Whether a result of a single input turns, jumps or is partly inadmissible."""
+    values = _lines(space, direction, 1, ALIKE, goal.seed).values[result]
+    rise = np.diff(values, axis=1)
+    return not ((rise >= 0.0).all() or (rise <= 0.0).all())
+
+
+def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int) -> SharedLines:
+    known: list[SharedLines] = space.shared
+    fitting = [lines for lines in known if abs(float(lines.direction @ direction)) >= alike and lines.count >= count]
+    if not fitting:
+        known.append(SharedLines(space, direction, count, seed))
+        return known[-1]
+    return max(fitting, key=lambda lines: abs(float(lines.direction @ direction)))
+
+
+def _outcome(lines: SharedLines, space: Space, result: int, across: "Array", goal: Goal) -> Outcome:
+    cells = lines.cells(result)
+    if not cells.admissible > 1e-6:
+        message = "hardly any case within the inputs' uncertainty is admissible"
+        raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
+    found = Found(cells, goal.p)
+    centre = Lines(space, result, lines.direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
+    made = Outcome(lines.method, found.quantiles, centre)
+    made.mean, made.std, made.admissible = found.mean, found.std, min(found.admissible, 1.0)
+    made.scan = found  # type: ignore[assignment]
+    made.estimate = max(found.scatter() + OF_TWICE * found.apart(lines.cells(result, 2)), FLOOR)
+    return made

@@ -1,0 +1,266 @@
+"""Formulas as people type them, `20*t - 2*t^2`, read into a small tree and evaluated; never by `eval`.
+
+Numbers, variables, pi, + − * / ^ (also **), brackets and the functions of `FUNCTIONS`. A tree is evaluated on doubles,
+arrays, tracked numbers, numbers of many digits and jets (`jets.Jet`), which give exact derivatives.
+"""
+
+import math
+
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics import elementary
+from dynamics_cli.numerics.elementary import pi_beside
+from dynamics_cli.numerics.expressions import jets
+from dynamics_cli.numerics.number import is_array, plain
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any, TypeAlias
+
+    # an operation, then what it is of: numbers, names, trees
+    Tree: TypeAlias = tuple[Any, ...]
+
+
+FUNCTIONS = tuple(jets.FUNCTIONS)
+MOST_DEPTH = 60
+LONGEST = 2000
+SIGNS = {"−": "-", "·": "*", "×": "*", "÷": "/"}
+PRODUCTS, SUMS = ("*", "/"), ("+", "-")
+
+
+class Expression:
+    """A formula: its text, its tree, the variables in it, and where in the text it ends."""
+
+    __slots__ = ("end", "names", "text", "tree")
+
+    def __init__(self, text: str, tree: "Tree", end: int) -> None:
+        self.text = text
+        self.tree = tree
+        self.end = end
+        self.names = frozenset(_names(tree))
+
+    def __call__(self, **variables: "Any") -> "Any":
+        """The value for these variables: numbers of any sort, or jets."""
+        beside = [x.parts[0] if isinstance(x, jets.Jet) else x for x in variables.values()]
+        return _value(self.tree, variables, pi_beside(*beside))
+
+
+def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | None" = None) -> Expression:
+    """Read a whole formula; refuse what is left over, and names that are not variables.
+
+    >>> parse("3*t^2 - sin(t)")(t=2.0)
+    11.090702573174319
+    """
+    made = begin(text)
+    if made.end < len(text.rstrip()):
+        rest = text[made.end :]
+        at = made.end + len(rest) - len(rest.lstrip())
+        _refuse(text, at, f"{rest.strip()[:20]!r} does not continue the formula")
+    if variables is not None:
+        check_names(made, variables)
+    return made
+
+
+def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:
+    """Refuse variables that have no value."""
+    for name in sorted(formula.names - set(variables)):
+        known = ", ".join(sorted(variables))
+        at = _position_of(formula.text, name)
+        _refuse(formula.text, at, f"{name!r} has no value", hint=f"variables here: {known}; functions: sin, sqrt, …")
+
+
+def begin(text: str) -> Expression:
+    """Read the formula that a text begins with; what follows it, such as a unit, begins at `end`."""
+    if len(text) > LONGEST:
+        raise UsageError(f"the formula has more than {LONGEST} characters", code="expression")
+    reader = _Reader("".join(SIGNS.get(letter, letter) for letter in text))
+    tree = reader.sum(0)
+    return Expression(text, tree, reader.at)
+
+
+class _Reader:
+    """Reads a formula from left to right, by precedence."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+
+    def peek(self) -> str:
+        at = self.at
+        while at < len(self.text) and self.text[at].isspace():
+            at += 1
+        return self.text[at : at + 1]
+
+    def take(self) -> str:
+        while self.text[self.at].isspace():
+            self.at += 1
+        self.at += 1
+        return self.text[self.at - 1]
+
+    def sum(self, depth: int) -> "Tree":
+        if depth > MOST_DEPTH:
+            _refuse(self.text, self.at, "too many brackets within each other")
+        tree = self.product(depth)
+        while self.peek() in SUMS:
+            sign = self.take()
+            tree = (sign, tree, self.product(depth))
+        return tree
+
+    def product(self, depth: int) -> "Tree":
+        tree = self.signed(depth)
+        while self.peek() in PRODUCTS:
+            sign = self.take()
+            tree = (sign, tree, self.signed(depth))
+        return tree
+
+    def signed(self, depth: int) -> "Tree":
+        if self.peek() in SUMS:
+            if depth > MOST_DEPTH:
+                _refuse(self.text, self.at, "too many signs in a row")
+            sign = self.take()
+            tree = self.signed(depth + 1)
+            return ("neg", tree) if sign == "-" else tree
+        return self.raised(depth)
+
+    def raised(self, depth: int) -> "Tree":
+        base = self.operand(depth)
+        rest = self.text[self.at :].lstrip()
+        if rest.startswith(("^", "**")):
+            self.take()
+            if rest.startswith("**"):
+                self.take()
+            # to the right first, as in a^b^c
+            return ("^", base, self.signed(depth + 1))
+        return base
+
+    def operand(self, depth: int) -> "Tree":
+        letter = self.peek()
+        if not letter:
+            _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is wanted")
+        if letter == "(":
+            self.take()
+            return self.closed(depth)
+        if letter.isdigit() or letter == ".":
+            return ("number", self.number())
+        if letter.isalpha() or letter == "_":
+            return self.name(depth)
+        self.take()
+        _refuse(self.text, self.at - 1, f"{letter!r} is not wanted here")
+        raise AssertionError
+
+    def closed(self, depth: int) -> "Tree":
+        opened = self.at - 1
+        tree = self.sum(depth + 1)
+        if self.peek() != ")":
+            _refuse(self.text, opened, "this bracket is not closed")
+        self.take()
+        return tree
+
+    def number(self) -> float:
+        self.take()
+        start = self.at - 1
+        while self.at < len(self.text) and (self.text[self.at].isdigit() or self.text[self.at] == "."):
+            self.at += 1
+        mark = self.text[self.at : self.at + 1]
+        rest = self.text[self.at + 1 : self.at + 3]
+        if mark in ("e", "E") and (rest[:1].isdigit() or (rest[:1] in SUMS and rest[1:].isdigit())):
+            self.at += 2
+            while self.at < len(self.text) and self.text[self.at].isdigit():
+                self.at += 1
+        word = self.text[start : self.at]
+        try:
+            value = float(word) if word.isascii() else math.nan
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            _refuse(self.text, start, f"{word!r} is not a number")
+        return value
+
+    def name(self, depth: int) -> "Tree":
+        self.take()
+        start = self.at - 1
+        while self.at < len(self.text) and (self.text[self.at].isalnum() or self.text[self.at] == "_"):
+            self.at += 1
+        word = self.text[start : self.at]
+        if self.peek() == "(":
+            if word not in FUNCTIONS:
+                _refuse(
+                    self.text, start, f"there is no function {word!r}", hint=f"functions are {', '.join(FUNCTIONS)}"
+                )
+            self.take()
+            return (word, self.closed(depth))
+        if word in FUNCTIONS:
+            _refuse(self.text, start, f"{word} wants its argument in brackets", hint=f"for example {word}(2*t)")
+        return ("pi",) if word == "pi" else ("name", word)
+
+
+def _refuse(text: str, at: int, why: str, hint: str = "") -> None:
+    where = f"{text[: at + 1].lstrip()[-20:]!r}" if at < len(text) else "its end"
+    raise UsageError(
+        f"{text!r}, at character {at + 1} ({where}): {why}",
+        code="expression",
+        hint=hint or "a formula such as 3*t^2 - 2*sin(t)",
+    )
+
+
+def _position_of(text: str, name: str) -> int:
+    at = text.find(name)
+    while at >= 0 and (text[at - 1 : at].isalnum() or text[at + len(name) : at + len(name) + 1].isalnum()):
+        at = text.find(name, at + 1)
+    return max(at, 0)
+
+
+def _names(tree: "Tree") -> "Iterator[str]":
+    if tree[0] == "name":
+        yield tree[1]
+    elif tree[0] not in ("number", "pi"):
+        for part in tree[1:]:
+            yield from _names(part)
+
+
+def _value(tree: "Tree", variables: "Mapping[str, Any]", pi: "Any") -> "Any":
+    operation = tree[0]
+    if operation == "number":
+        return tree[1]
+    if operation == "name":
+        return variables[tree[1]]
+    if operation == "pi":
+        return pi
+    first = _value(tree[1], variables, pi)
+    if operation == "neg":
+        return -first
+    if len(tree) == 2:
+        return _function(operation, first)
+    second = _value(tree[2], variables, pi)
+    if isinstance(second, jets.Jet) and not isinstance(first, jets.Jet):
+        # numbers that carry more than a double do not know jets
+        first = jets.Jet([first, *[0.0] * (len(second.parts) - 1)])
+    if operation == "+":
+        return first + second
+    if operation == "-":
+        return first - second
+    if operation == "*":
+        return first * second
+    return first / second if operation == "/" else _power(first, second)
+
+
+def _function(name: str, x: "Any") -> "Any":
+    if isinstance(x, jets.Jet):
+        return jets.FUNCTIONS[name](x)
+    if name == "abs":
+        return abs(x)
+    return getattr(elementary, name)(x)
+
+
+def _power(base: "Any", exponent: "Any") -> "Any":
+    if isinstance(base, jets.Jet) or isinstance(exponent, jets.Jet):
+        return jets.power(base, exponent)
+    whole = plain(exponent)
+    if not is_array(whole) and whole == int(whole) and abs(whole) <= 64:
+        return jets.whole_power(base, int(whole))
+    return elementary.exp(exponent * elementary.log(base))
+
+
+def constant(tree: "Tree") -> "float | None":
+    """The number that a tree without variables is; None where it has some."""
+    return float(_value(tree, {}, math.pi)) if not any(_names(tree)) else None

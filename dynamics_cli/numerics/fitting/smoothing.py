@@ -1,0 +1,116 @@
+"""Smoothing splines of degree 5 through measured points: the smallest mean square of the third derivative.
+
+The minimum of Σ(y − f)² + λ∫f‴² among quintic splines, with λ by generalised cross-validation or, for a known noise, by
+the unbiased estimate of the risk (Mallows). In the basis in which both sums are diagonal, every λ costs one division
+for each function, and the noise of the values and derivatives follows from the same numbers.
+Craven & Wahba, Smoothing noisy data with spline functions, Numer. Math. 31 (1979); Eilers & Marx, Flexible smoothing
+with B-splines and penalties, Statist. Sci. 11 (1996).
+"""
+
+import math
+
+import numpy as np
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+DEGREE = 5
+# More knots than these are thinned: the decomposition takes their cube.
+MOST_KNOTS = 300
+FEWEST_POINTS = 8
+DECADES, PER_DECADE = 24.0, 8
+# Freedom counts this much in the cross-validation, which now and then follows the noise otherwise (Wood, Generalized
+# Additive Models, 2nd ed., CRC Press 2017, section 6.2).
+CAUTION = 1.4
+
+
+class Smooth:
+    """A smoothing spline of several coordinates: values and derivatives, and their standard deviations."""
+
+    def __init__(self, times: "Any", values: "Any", sigma: float | None) -> None:
+        from scipy.interpolate import BSpline
+
+        count = len(times)
+        self.start, self.span = float(times[0]), float(times[-1] - times[0])
+        t = (times - times[0]) / self.span
+        inside = t[3:-3]
+        if len(inside) > MOST_KNOTS:
+            inside = inside[np.linspace(0, len(inside) - 1, MOST_KNOTS).astype(int)]
+        self.knots = np.concatenate([np.zeros(DEGREE + 1), inside, np.ones(DEGREE + 1)])
+        self.thinned = len(inside) < count - 6
+        self._spline = BSpline
+        self._basis, penalties = self._decomposed(t)
+        fits = self.basis(times, 0)
+        middle = values.mean(axis=0)
+        parts = fits.T @ (values - middle)
+        rest = ((values - middle - fits @ parts) ** 2).sum()
+        self._middle = middle
+        self.sigma_given = sigma
+        shrink = self._chosen(penalties, parts, float(rest), count, sigma)
+        self._shrink = shrink
+        self._parts = parts * shrink[:, None]
+        self.freedom = float(shrink.sum())
+        self.residual = float(rest + (((1.0 - shrink[:, None]) * parts) ** 2).sum())
+        self.sigma = sigma or math.sqrt(self.residual / (values.shape[1] * max(count - self.freedom, 1e-9)))
+        self.measured_sigma = math.sqrt(self.residual / (values.shape[1] * max(count - self.freedom, 1e-9)))
+
+    def _decomposed(self, t: "Any") -> "tuple[Any, Any]":
+        """Coefficients of the functions in which both sums are diagonal, and their penalties, the smallest first."""
+        from scipy.linalg import eigh
+
+        count = len(self.knots) - DEGREE - 1
+        design = self._spline.design_matrix(t, self.knots, DEGREE).toarray()
+        edges = np.unique(self.knots)
+        nodes, weights = np.polynomial.legendre.leggauss(3)
+        middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
+        places = (middle[:, None] + half[:, None] * nodes).ravel()
+        third = self._spline(self.knots, np.eye(count), DEGREE).derivative(3)(places)
+        penalty = (third * (half[:, None] * weights).ravel()[:, None]).T @ third
+        values, functions = eigh(penalty / np.trace(penalty), design.T @ design)
+        # quadratics are not penalised
+        values[:3] = 0.0
+        return functions, np.maximum(values, 0.0)
+
+    def _chosen(self, penalties: "Any", parts: "Any", rest: float, count: int, sigma: float | None) -> "Any":
+        """How much of each function is kept, by the criterion's minimum over λ."""
+        squares = (parts**2).sum(axis=1)
+        width = parts.shape[1]
+        scale = float(np.median(penalties[3:]))
+
+        def criterion(power: float) -> float:
+            shrink: Any = 1.0 / (1.0 + 10.0**power / scale * penalties)
+            residual = rest + float(((1.0 - shrink) ** 2 * squares).sum())
+            if sigma is not None:
+                return residual + 2.0 * float(width) * sigma * sigma * float(shrink.sum())
+            left = count - CAUTION * float(shrink.sum())
+            return residual / (left * left) if left > 0.0 else math.inf
+
+        powers = np.linspace(-0.5 * DECADES, 0.5 * DECADES, int(DECADES * PER_DECADE) + 1)
+        values = [criterion(power) for power in powers]
+        best = int(np.argmin(values))
+        low, high = powers[max(best - 1, 0)], powers[min(best + 1, len(powers) - 1)]
+        for _ in range(40):
+            one, other = low + 0.382 * (high - low), low + 0.618 * (high - low)
+            low, high = (low, other) if criterion(one) <= criterion(other) else (one, high)
+        self.power = 0.5 * (low + high)
+        return 1.0 / (1.0 + 10.0**self.power / scale * penalties)
+
+    def basis(self, times: "Any", order: int) -> "Any":
+        """The functions, or their derivatives of that order by time, at some times: a row for each time."""
+        t = np.clip((np.asarray(times) - self.start) / self.span, 0.0, 1.0)
+        count = len(self.knots) - DEGREE - 1
+        spline = self._spline(self.knots, np.eye(count), DEGREE)
+        values = spline(t) if order == 0 else spline.derivative(order)(t)
+        return (values @ self._basis) / self.span**order
+
+    def at(self, times: "Any", order: int) -> "tuple[Any, Any]":
+        """Values or derivatives at some times, a row for each, and the standard deviation of every coordinate there.
+
+        The deviation has the share of what smoothing takes away (Wahba, Bayesian confidence intervals for the
+        cross-validated smoothing spline, J. R. Statist. Soc. B 45 (1983)).
+        """
+        basis = self.basis(times, order)
+        values = basis @ self._parts
+        deviation = self.sigma * np.sqrt((basis**2 * self._shrink).sum(axis=1))
+        return values + (self._middle if order == 0 else 0.0), deviation

@@ -1,0 +1,195 @@
+"""Arrays that go through formulas written for one case, branches included: many cases side by side, one in each lane.
+
+A formula may ask a number for its truth (`if depth > tip:`). A lane array answers where all its lanes agree; where they
+do not, the cases are parted by what they would have answered, and each part runs again from the start. So every lane
+takes exactly the steps that its case would take alone, and gives the same bits.
+"""
+
+import numpy as np
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+    Rows = NDArray[np.int64]
+
+# Fewer lanes than this cost more together than one by one.
+FEWEST = 12
+# Parts of one call: beyond this its cases hardly have steps in common.
+MOST_PARTS = 400
+
+
+class Diverged(BaseException):
+    """The lanes take different branches; `mask` is what each of them would answer.
+
+    No formula may take this for a failure of its own, so it is no `Exception`.
+    """
+
+    def __init__(self, mask: "Array") -> None:
+        super().__init__()
+        self.mask = mask
+
+
+class Lanes(np.ndarray):
+    """Numbers of as many cases; what they decide is noted in `trail`, so that calls of the same steps are known."""
+
+    trail: "list[Any]" = []  # noqa: RUF012  one for all, as there is one call at a time
+
+    def __bool__(self) -> bool:
+        """What all lanes say."""
+        if not self.ndim:
+            return bool(self.item())
+        truth = np.asarray(self, dtype=bool)
+        answer = bool(truth[0]) if truth.size else False
+        if truth.all() if answer else not truth.any():
+            Lanes.trail.append(answer)
+            return answer
+        raise Diverged(truth)
+
+    def _whole(self, rounded: "Array") -> int:
+        """The whole number that all lanes come to."""
+        first = rounded.flat[0]
+        same = np.asarray(rounded == first)
+        if same.all():
+            Lanes.trail.append(int(first))
+            return int(first)
+        raise Diverged(same)
+
+    def __int__(self) -> int:
+        return self._whole(np.trunc(np.asarray(self)))
+
+    __trunc__ = __int__
+
+    def __floor__(self) -> int:
+        return self._whole(np.floor(np.asarray(self)))
+
+    def __ceil__(self) -> int:
+        return self._whole(np.ceil(np.asarray(self)))
+
+    def __round__(self, digits: "int | None" = None) -> "Any":
+        if digits is None:
+            return self._whole(np.rint(np.asarray(self)))
+        from dynamics_cli.numerics.elementary import over_array
+
+        return over_array(lambda number: round(number, digits), self)
+
+    def __float__(self) -> float:
+        """The number, where it is the same in all lanes."""
+        first = self.flat[0]
+        if (np.asarray(self) == first).all():
+            return float(first)
+        raise TypeError("lanes hold several numbers")
+
+    def __pow__(self, power: "Any", modulus: None = None) -> "Any":
+        """As Python raises a double, which numpy does in other bits."""
+        return _raised(self, power)
+
+    def __rpow__(self, base: "Any", modulus: None = None) -> "Any":
+        return _raised(base, self)
+
+
+def _raised(base: "Any", power: "Any") -> "Any":
+    from dynamics_cli.numerics.elementary import over_array
+
+    return over_array(pow, base, power)
+
+
+class Part:
+    """Cases that went the same way: which they are, what came of them, and by which steps."""
+
+    __slots__ = ("outcome", "rows", "trail")
+
+    def __init__(self, rows: "Rows", outcome: "Any", trail: "tuple[Any, ...]") -> None:
+        self.rows = rows
+        self.outcome = outcome
+        self.trail = trail
+
+
+def parts(
+    call: "Callable[[dict[str, Array]], Any]",
+    arrays: "dict[str, Array]",
+    rows: "Rows",
+    refused: "Callable[[Exception], Any]",
+    kind: "type[Lanes]" = Lanes,
+) -> "Iterator[Part]":
+    """What `call` gives for all cases, part by part; cases that it refuses are left out.
+
+    `refused` is asked about what the call raised: the mask of cases that the formula refuses, True for all of them,
+    or None when it cannot be told which, so that they are halved until those are few. What it raises ends the search.
+    """
+    waiting = [rows]
+    tries = 0
+    while waiting:
+        here = waiting.pop()
+        if len(here) < FEWEST or tries > MOST_PARTS:
+            continue
+        tries += 1
+        Lanes.trail = []
+        given = arrays if len(here) == len(rows) else {name: array[here] for name, array in arrays.items()}
+        try:
+            outcome = call({name: array.view(kind) for name, array in given.items()})
+        except Diverged as parting:
+            if parting.mask.shape != here.shape:
+                raise TypeError("lanes met an array of another shape") from None
+            waiting += [here[~parting.mask], here[parting.mask]]
+        except Exception as error:
+            bad = refused(error)
+            if bad is None:
+                middle = len(here) // 2
+                waiting += [here[middle:], here[:middle]]
+            elif bad is not True and np.shape(bad) == here.shape and not np.all(bad):
+                waiting.append(here[~np.asarray(bad)])
+        else:
+            yield Part(here, outcome, tuple(Lanes.trail))
+
+
+def each_lane(function: "Callable[..., tuple[float, ...]]", *trees: "Any") -> "tuple[Any, ...]":
+    """What a function of nested tuples of doubles gives for every lane, where it needs their exact bits."""
+    leaves = [leaf for tree in trees for leaf in _leaves(tree)]
+    kind = next(type(leaf) for leaf in leaves if isinstance(leaf, np.ndarray))
+    columns = [column.tolist() for column in np.broadcast_arrays(*leaves)]
+    made = [function(*(_filled(tree, numbers) for tree in trees)) for numbers in map(iter, zip(*columns, strict=True))]
+    return tuple(np.array(column).view(kind) for column in zip(*made, strict=True))
+
+
+def _leaves(tree: "Any") -> "Iterator[Any]":
+    if not isinstance(tree, tuple | list):
+        yield tree
+        return
+    for part in tree:
+        yield from _leaves(part)
+
+
+def _filled(tree: "Any", numbers: "Iterator[float]") -> "Any":
+    return tuple(_filled(part, numbers) for part in tree) if isinstance(tree, tuple | list) else next(numbers)
+
+
+def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
+    """Where a function that is positive at `low` and not at `high` changes its sign, lane by lane.
+
+    Each lane takes the steps that `gear.single.limits.bisect` takes alone, and stays where these end.
+    """
+    f_low, f_high = function(low), function(high)
+    kind = type(f_low)
+    low, high, f_low, f_high = (np.array(x, dtype=float) for x in np.broadcast_arrays(low, high, f_low, f_high))
+    going = np.ones(f_low.shape, dtype=bool)
+    with np.errstate(all="ignore"):
+        for count in range(200):
+            middle = 0.5 * (low + high)
+            if count % 3 != 2:
+                trial = (low * f_high - high * f_low) / (f_high - f_low)
+                within = ((low < trial) & (trial < high)) | ((high < trial) & (trial < low))
+                middle = np.where(within & (f_low > 0.0) & (f_high < 0.0), trial, middle)
+            size = np.maximum(abs(low), abs(high))
+            going &= (middle != low) & (middle != high) & (abs(high - low) > 4e-16 * size)
+            if not going.any():
+                break
+            value = np.asarray(function(middle.view(kind)))
+            up, down = going & (value > 0.0), going & ~(value > 0.0)
+            low, f_low = np.where(up, middle, low), np.where(up, value, f_low)
+            high, f_high = np.where(down, middle, high), np.where(down, value, f_high)
+    return np.where(abs(f_low) < abs(f_high), low, high).view(kind)

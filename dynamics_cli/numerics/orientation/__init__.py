@@ -1,0 +1,1 @@
+"""Orientation in numbers: rotations, quaternions, and angles in the 24 sequences."""

@@ -1,0 +1,1 @@
+"""Orientation: turns in every notation, angular velocity and acceleration, rolling."""

@@ -1,0 +1,157 @@
+"""Tasks of `dynamics orient`: turns themselves."""
+
+from dynamics_cli.core.answering.task import Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+NAMES = "dynamics_cli.numerics.orientation.sequences:ALL"
+SENSE = "axes are right-handed, angles counter-clockwise seen from the tip of the axis"
+
+CONVERT = Task(
+    "convert",
+    "A rotation in every notation, from any of them.",
+    Model(
+        "rotations",
+        "dynamics_cli.orient.turns.convert:convert",
+        source=BOOK + "sections 4.2, 18.5, 18.7; Bernardes & Viollet 2022",
+        formula="q = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ}), R = 1 + sin{rotation_angle|θ}·[n×] + "
+        "(1 − cos{rotation_angle|θ})·[n×]²",
+        assumptions=(SENSE, "the matrix takes body components to fixed ones: its columns are the body axes"),
+    ),
+    headline=(
+        "euler_angles: angles",
+        "names: that is",
+        "quaternion: quaternion w, x, y, z",
+        "rotation_angle: angle of the turn θ",
+        "rotation_axis: axis of the turn n",
+        "rotation_matrix: matrix",
+        "lock_distance: distance from lock",
+        "lock: gimbal lock",
+    ),
+    table="sequences",
+    names={"sequence": NAMES, "euler-order": NAMES},
+    plot="dynamics_cli.orient.pictures.triads:converted",
+    examples=(
+        'dynamics orient convert --euler-angles "30, 20, -40 deg" --euler-order zyx',
+        'dynamics orient convert --quaternion "0.5, 0.5, 0.5, 0.5" --sequence rpy',
+        'dynamics orient convert --rotation-matrix "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]" --sequence zxz',
+        'dynamics orient convert --from-direction "1, 0, 0" --to-direction "1, 1, 0.2"',
+    ),
+)
+
+COMPOSE = Task(
+    "compose",
+    "Total of a chain of turns, and direction cosines between all frames.",
+    Model(
+        "product of turns",
+        "dynamics_cli.orient.turns.compose:compose",
+        source=BOOK + "section 4.3",
+        formula="R = R₁·R₂·…·Rₙ about the body's axes, Rₙ·…·R₂·R₁ about the fixed ones",
+        assumptions=(SENSE, "each turn is about an axis of its frame"),
+    ),
+    headline=(
+        "rotation_angle: angle of the total turn θ",
+        "rotation_axis: its axis n",
+        "quaternion: quaternion w, x, y, z",
+        "rotation_matrix: matrix",
+        "frames",
+        "cosines: direction cosines",
+    ),
+    table="cosines",
+    plot="dynamics_cli.orient.pictures.graph:configuration",
+    examples=(
+        'dynamics orient compose --simple-turn "axis=z, angle=40 deg" --simple-turn "axis=x, angle=25 deg" '
+        '--simple-turn "axis=z, angle=70 deg"',
+        'dynamics orient compose --simple-turn "axis=z, angle=30 deg, name=cradle" '
+        '--simple-turn "axis=y, angle=20 deg, name=tool" --base machine',
+    ),
+)
+
+BETWEEN = Task(
+    "between",
+    "Turn from one orientation to another, its part about an axis, orientations on the way.",
+    Model(
+        "quaternions",
+        "dynamics_cli.orient.turns.between:between",
+        source=BOOK + "section 4.2",
+        formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ})",
+        assumptions=(SENSE, "the shorter way round"),
+    ),
+    headline=(
+        "rotation_angle: angle between them θ",
+        "rotation_axis: axis, fixed components",
+        "body_axis: axis, body components",
+        "part_about: part about the axis given",
+        "rest: tilt of that axis",
+        "quaternion: quaternion w, x, y, z",
+        "steps: on the way",
+    ),
+    table="steps",
+    names={"sequence": NAMES},
+    plot="dynamics_cli.orient.pictures.triads:between",
+    examples=(
+        'dynamics orient between --first-euler-angles "0, 0, 0 deg" --first-euler-order zyx '
+        '--second-euler-angles "30, 20, -40 deg" --second-euler-order zyx --about "0, 0, 1"',
+        'dynamics orient between --first-quaternion "1, 0, 0, 0" --second-quaternion "0.5, 0.5, 0.5, 0.5" --count 3',
+    ),
+)
+
+SCREW = Task(
+    "screw",
+    "Screw axis, turn and travel of a displacement.",
+    Model(
+        "screw axis",
+        "dynamics_cli.orient.turns.screw:screw",
+        source="Chasles' theorem",
+        formula="{travel|s} = n·d, p = ½·(d⊥ + cot ½{rotation_angle|θ}·n × d⊥)",
+        assumptions=(SENSE, "d is the displacement of the body's point that was at the origin"),
+    ),
+    headline=(
+        "rotation_angle: angle of the turn θ",
+        "travel: travel along the axis s",
+        "lead: travel for a whole turn",
+        "axis: axis n",
+        "point: point of the axis nearest the origin",
+    ),
+    plot="dynamics_cli.orient.pictures.triads:screw",
+    examples=(
+        'dynamics orient screw --euler-angles "40, 25, 70 deg" --euler-order zxz --displacement "0.2, -0.1, 0.3 m"',
+        'dynamics orient screw --rotation-axis "0, 0, 1" --rotation-angle "90 deg" --displacement "1, 0, 0 ft" '
+        '--of-point "2, 0, 0 ft" --units us',
+    ),
+)
+
+ALIGN = Task(
+    "align",
+    "Rotation that takes given directions to measured ones.",
+    Model(
+        "least squares",
+        "dynamics_cli.orient.turns.align:align",
+        source="Wahba 1965; Davenport's q-method",
+        formula="Σ wᵢ·|R·bᵢ − aᵢ|² = least",
+        assumptions=(SENSE, "directions before are in the body, those after by fixed components"),
+        method="Jacobi rotations",
+    ),
+    headline=(
+        "euler_angles: angles",
+        "euler_order: sequence",
+        "quaternion: quaternion w, x, y, z",
+        "rotation_angle: angle of the turn θ",
+        "rotation_axis: axis of the turn n",
+        "residual: residual (rms)",
+        "sharpness: sharpness",
+        "pairs",
+    ),
+    arrays=False,
+    tracked=False,
+    table="pairs",
+    names={"sequence": NAMES},
+    plot="dynamics_cli.orient.pictures.triads:aligned",
+    examples=(
+        'dynamics orient align --pair "before=(1, 0, 0), after=(0.1, 0.99, 0)" '
+        '--pair "before=(0, 0, 1), after=(0, 0.02, 1)"',
+        'dynamics orient align --pair "before=(1, 0, 0), after=(0, 1, 0), name=edge" '
+        '--pair "before=(0, 1, 0), after=(-1, 0, 0.1), name=face" --fit triad',
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (CONVERT, COMPOSE, BETWEEN, SCREW, ALIGN)

@@ -1,0 +1,1 @@
+"""Bodies that roll on others, and joints between shafts."""

@@ -1,0 +1,1 @@
+"""Turns themselves: conversion, chains, differences, displacements, fits."""

@@ -1,0 +1,138 @@
+"""The turn from one orientation to another, and orientations on the way."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.orientation.quaternions import (
+    axis_and_angle,
+    conjugate,
+    multiply,
+    of_axis_angle,
+    rotated,
+    unit,
+    upright,
+)
+from dynamics_cli.numerics.orientation.rotations import from_quaternion, product
+from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
+from dynamics_cli.orient.turns.attitude import Attitude, orientation, part_about
+from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
+from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Count, Direction, Fraction, Quaternion, Text
+from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind
+from dynamics_cli.records import Advice, Check, record
+
+MOST_STEPS = 1000
+
+
+@record
+class Oriented:
+    """An orientation, in any notation."""
+
+    turn: Annotated[Attitude, "The rotation, in one of the notations."]
+
+
+@record
+class Step:
+    """An orientation on the way, at a constant rate about a constant axis."""
+
+    share: Annotated[Fraction, "Share of the way [-]."]
+    quaternion: Annotated[Quaternion, "Its quaternion [-]."]
+    euler_angles: Annotated[AngleTriple, "Its angles in the sequence asked for [rad]."]
+
+
+@record
+class Between:
+    """The turn from one orientation to another."""
+
+    rotation_angle: Annotated[Angle, "Angle of the turn, from 0 to 180° [rad]."]
+    rotation_axis: Annotated[Direction, "Its axis by fixed components [-]."]
+    body_axis: Annotated[Direction, "Its axis by components in either body, which are the same [-]."]
+    quaternion: Annotated[Quaternion, "The turn in axes of the first orientation: q₁⁻¹·q₂ [-]."]
+    rotation_matrix: Annotated[RotationMatrixKind, "R₁ᵀ·R₂ [-]."]
+    part_about: Annotated[Angle | None, "The part of it about the axis given [rad]."] = None
+    rest: Annotated[Angle | None, "What the rest tilts that axis by [rad]."] = None
+    steps: Annotated[tuple[Step, ...] | None, "Orientations on the way, where they were asked for."] = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def between(
+    *,
+    first: Annotated[Oriented, "The orientation before."],
+    second: Annotated[Oriented, "The orientation after."],
+    about: Annotated[
+        Direction | None, "An axis in the first body to give the part of the turn about, e.g. 0, 0, 1."
+    ] = None,
+    count: Annotated[Count, "How many orientations to give on the way, e.g. 5."] = 0,
+    sequence: Annotated[Text, "Angles wanted on the way: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
+) -> Between:
+    """Turn from one orientation to another: its angle and axis, its part about an axis, orientations on the way.
+
+    Equation
+    --------
+    q = q₁⁻¹·q₂ with the sign of the shorter way; part about n: 2·atan2(v·n, w); on the way q₁·(cos ½sθ, n sin ½sθ).
+
+    Returns
+    -------
+    Between
+        The turn in axes of the first orientation and of the frame, and the steps.
+
+    Raises
+    ------
+    InadmissibleError
+        When an orientation or the axis cannot be read, or more than 1000 steps are wanted.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 4.2.
+
+    Examples
+    --------
+    >>> from dynamics_cli.numerics.orientation.rotations import ByQuaternion
+    >>> one = Oriented(turn=ByQuaternion(quaternion=(1.0, 0.0, 0.0, 0.0)))
+    >>> two = Oriented(turn=ByQuaternion(quaternion=(1.0, 1.0, 1.0, 1.0)))
+    >>> round(between(first=one, second=two).rotation_angle, 9)
+    2.094395102
+    """
+    wanted = sequence_of(sequence)
+    require(count <= MOST_STEPS, "{count} orientations on the way are more than {most}", count=count, most=MOST_STEPS)
+    start, end = orientation(first.turn), orientation(second.turn)
+    q = upright(multiply(conjugate(start.quaternion), end.quaternion))
+    axis, angle = axis_and_angle(q)
+    part = rest = None
+    if about is not None:
+        n = unit(about)
+        part = part_about(q, n)
+        twist = of_axis_angle(n, part)
+        rest = axis_and_angle(upright(multiply(q, conjugate(twist))))[1]
+    steps = []
+    for nth in range(1, count + 1):
+        share = nth / (count + 1)
+        way = upright(multiply(start.quaternion, of_axis_angle(axis, share * angle)))
+        steps.append(Step(share, way, angles_of_quaternion(way, wanted).angles))
+    alone = single(*q)
+    return Between(
+        rotation_angle=angle,
+        rotation_axis=rotated(start.matrix, axis),
+        body_axis=axis,
+        quaternion=q,
+        rotation_matrix=from_quaternion(q),
+        part_about=part,
+        rest=rest,
+        steps=tuple(steps) if alone and count else None,
+        checks=_checks(start.matrix, q, end.matrix) if alone else (),
+        advice=_advice(q) if alone else (),
+    )
+
+
+def _checks(start: "tuple[tuple[float, ...], ...]", q: Quaternion, end: object) -> tuple[Check, ...]:
+    bare = from_quaternion(tuple(map(plain, q)))  # type: ignore[arg-type]
+    off = distance_of(product(start, bare), end)  # type: ignore[arg-type]
+    return (Check("the turn takes the first to the second", off <= TOLERANCE, off, TOLERANCE),)
+
+
+def _advice(q: Quaternion) -> tuple[Advice, ...]:
+    if plain(q[0]) == 0.0:
+        message = "half a turn apart: both ways round are equally long, and the one shown is one of two"
+        return (Advice("half-turn", message, severity="note"),)
+    if not any(map(plain, q[1:])):
+        return (Advice("no-turn", "both orientations are the same: the axis shown is any", severity="note"),)
+    return ()

@@ -1,0 +1,126 @@
+"""A displacement of a body as a screw: a turn about a line and a travel along it."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, length, rotated, unit
+from dynamics_cli.numerics.orientation.rotations import from_quaternion
+from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract
+from dynamics_cli.orient.turns.attitude import Attitude, orientation
+from dynamics_cli.quantities import Angle, Annotated, Direction, Length, Position
+from dynamics_cli.records import Advice, Check, record
+
+ORIGIN = (0.0, 0.0, 0.0)
+TOLERANCE = 1e-12
+TURN = 6.283185307179586
+# Below this angle [rad] the line is far away and not well known.
+SMALL = 1e-6
+
+
+@record
+class Screw:
+    """A displacement as a screw."""
+
+    rotation_angle: Annotated[Angle, "Angle of the turn, from 0 to 180° [rad]."]
+    axis: Annotated[Direction, "Unit vector along the screw axis [-]."]
+    point: Annotated[Position | None, "The point of the axis nearest to the origin; of a pure translation none [m]."]
+    travel: Annotated[Length, "Travel along the axis [m]."]
+    lead: Annotated[Length | None, "Travel for a whole turn; of a pure translation none [m]."]
+    displacement: Annotated[Position, "Displacement of the body's point that was at the origin [m]."]
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def screw(
+    *,
+    turn: Annotated[Attitude, "The turn of the body, in one of the notations."],
+    displacement: Annotated[Position, "Displacement of a point of the body, e.g. 0.2, -0.1, 0.3 m."],
+    of_point: Annotated[Position, "That point before the displacement; the origin unless given."] = ORIGIN,
+) -> Screw:
+    """Screw of a displacement: axis, turn, travel and lead.
+
+    Equation
+    --------
+    travel n·d, point ½·(d⊥ + cot(θ/2)·n × d⊥) for the displacement d of the point at the origin, d⊥ its part across n.
+
+    Returns
+    -------
+    Screw
+        The axis by its direction and its point nearest to the origin, the angle, the travel and the lead.
+
+    Raises
+    ------
+    InadmissibleError
+        When the turn cannot be read, or nothing moves.
+
+    References
+    ----------
+    Chasles' theorem.
+
+    Examples
+    --------
+    >>> from dynamics_cli.numerics.orientation.rotations import AxisAngle
+    >>> half = AxisAngle(rotation_axis=(0.0, 0.0, 1.0), rotation_angle=3.141592653589793)
+    >>> screw(turn=half, displacement=(2.0, 0.0, 0.5)).point
+    (1.0, 0.0, 0.0)
+    """
+    read = orientation(turn)
+    matrix = from_quaternion(read.quaternion)
+    d = subtract(add(of_point, displacement), rotated(matrix, of_point))
+    w, *rest = read.quaternion
+    half_sine = length((rest[0], rest[1], rest[2]))
+    axis, angle = axis_and_angle(read.quaternion)
+    alone = single(half_sine, *d)
+    if alone and half_sine == 0.0:
+        return _translation(d, angle)
+    require(half_sine > 0.0, "a row is a pure translation")
+    travel = dot(axis, d)
+    across = subtract(d, scale(travel, axis))
+    point = scale(0.5, add(across, scale(w / half_sine, cross(axis, across))))
+    return Screw(
+        rotation_angle=angle,
+        axis=axis,
+        point=point,
+        travel=travel,
+        lead=travel * (TURN / angle),
+        displacement=d,
+        checks=_checks(matrix, point, axis, travel, d) if alone else (),
+        advice=_advice(angle) if alone else (),
+    )
+
+
+def _translation(d: "tuple[float, float, float]", angle: float) -> Screw:
+    require(
+        plain(length(d)) > 0.0,
+        "nothing moves: neither a turn nor a displacement",
+        code="no-motion",
+        hint="give a turn or a displacement",
+    )
+    note = Advice(
+        "translation", "a pure translation: the axis shown is its direction, at no certain place", severity="note",
+        result="point",
+    )  # fmt: skip
+    return Screw(angle, unit(d), None, length(d), None, d, advice=(note,))
+
+
+def _checks(
+    matrix: object,
+    point: "tuple[float, float, float]",
+    axis: "tuple[float, float, float]",
+    travel: float,
+    d: "tuple[float, float, float]",
+) -> tuple[Check, ...]:
+    """The point of the axis moves along it by the travel."""
+    bare = tuple(tuple(map(plain, row)) for row in matrix)  # type: ignore[attr-defined]
+    p, n, by = (tuple(map(plain, v)) for v in (point, axis, d))
+    moved = add(rotated(bare, p), by)  # type: ignore[arg-type]
+    wanted = add(p, scale(plain(travel), n))  # type: ignore[arg-type]
+    size = max(map(abs, (*p, *by))) + 1e-300
+    off = max(abs(x - y) for x, y in zip(moved, wanted, strict=True)) / size
+    return (Check("the axis stays in place", off <= TOLERANCE, off, TOLERANCE),)
+
+
+def _advice(angle: float) -> tuple[Advice, ...]:
+    if plain(angle) > SMALL:
+        return ()
+    message = "the turn is tiny: the axis is far away, and as uncertain as the angle is relatively"
+    return (Advice("tiny-turn", message),)

@@ -1,0 +1,113 @@
+"""What velocity, acceleration and jerk say of a path: speed, tangential and normal parts, curvature, torsion.
+
+Products are compensated, so that nearly parallel velocity and acceleration keep their digits. What does not exist (the
+direction of a point at rest, the normal of a straight path) is None, with the reason.
+"""
+
+from dynamics_cli.numerics.elementary import hypot, multiply_add
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.vectors import Vector, dot, scale
+from dynamics_cli.records import Advice, record
+
+
+@record
+class Bend:
+    """Speed and turning of a path at one point; None for what does not exist there."""
+
+    speed: float
+    magnitude: float
+    tangential: float | None
+    normal: float | None
+    curvature: float | None
+    radius: float | None
+    tangent: Vector | None
+    normal_direction: Vector | None
+    binormal: Vector | None
+    torsion: float | None
+    reason: str = ""
+
+
+def product_difference(a: float, b: float, c: float, d: float) -> float:
+    """a·b − c·d, within a rounding or two of exact also where it cancels (Kahan)."""
+    product = c * d
+    rest = multiply_add(c, d, -product)
+    return multiply_add(a, b, -product) - rest
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """Vector product, each component compensated."""
+    return (
+        product_difference(a[1], b[2], a[2], b[1]),
+        product_difference(a[2], b[0], a[0], b[2]),
+        product_difference(a[0], b[1], a[1], b[0]),
+    )
+
+
+def norm(a: Vector) -> float:
+    """Length of a vector, without overflow."""
+    return hypot(hypot(a[0], a[1]), a[2])
+
+
+def directed(a: Vector, length: float) -> Vector:
+    """The unit vector."""
+    return a[0] / length, a[1] / length, a[2] / length
+
+
+def vanishes(x: float, size: float) -> bool:
+    """Whether a number is zero, or smaller than its own rounding bound beside that size."""
+    value = abs(plain(x))
+    return bool(value == 0.0 or value <= getattr(x, "error", 0.0) or value < 1e-300 * plain(size))
+
+
+def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -> Bend:
+    """Tangential and normal acceleration, curvature, directions and torsion at one point.
+
+    Equation: a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖², T = v/‖v‖, B = v×a/‖v×a‖, N = B×T.
+    """
+    speed, size = norm(velocity), norm(acceleration)
+    if vanishes(speed, 1.0):
+        return Bend(speed, size, None, None, None, None, None, None, None, None, "rest")
+    tangential = dot(velocity, acceleration) / speed
+    across = cross(velocity, acceleration)
+    turning = norm(across)
+    tangent = directed(velocity, speed)
+    if vanishes(turning, 1.0):
+        return Bend(speed, size, tangential, turning, 0.0 * speed, None, tangent, None, None, None, "straight")
+    normal = turning / speed
+    curvature = normal / speed / speed
+    binormal = directed(across, turning)
+    torsion = None if jerk is None else dot(across, jerk) / turning / turning
+    radius = speed * (speed / normal)
+    side = cross(binormal, tangent)
+    return Bend(speed, size, tangential, normal, curvature, radius, tangent, side, binormal, torsion)
+
+
+REST = (
+    "the point is at rest: direction, curvature and the parts of the acceleration do not exist; it moves off, or turns "
+    "back, along the acceleration"
+)
+STRAIGHT = "velocity and acceleration are parallel: the curvature is zero and the radius of curvature infinite"
+
+
+def advice_of(made: Bend, *names: str) -> tuple[Advice, ...]:
+    """Why results do not exist, for each of the names that is None."""
+    if not made.reason:
+        return ()
+    message = REST if made.reason == "rest" else STRAIGHT
+    return tuple(Advice(f"at-{made.reason}", message, "note", result=name) for name in names)
+
+
+def centre_of(position: Vector, made: Bend) -> "Vector | None":
+    """The centre of curvature."""
+    if made.radius is None or made.normal_direction is None:
+        return None
+    offset = scale(made.radius, made.normal_direction)
+    return position[0] + offset[0], position[1] + offset[1], position[2] + offset[2]
+
+
+def balanced(made: Bend) -> "tuple[float, float] | None":
+    """How far a_t and a_n are from making up the acceleration, and what rounding allows."""
+    if made.tangential is None or made.normal is None:
+        return None
+    apart = abs(plain(hypot(made.tangential, made.normal)) - plain(made.magnitude))
+    return apart, 1e-12 * plain(made.magnitude) + 1e-300

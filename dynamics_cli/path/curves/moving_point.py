@@ -1,0 +1,201 @@
+"""A point on a curve over time: position, velocity, acceleration and jerk, by Taylor jets of a formula or a name."""
+
+import math
+
+from dynamics_cli.errors import DynamicsError, require
+from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.number import is_carrier, is_many, is_tracked, like, plain
+from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
+from dynamics_cli.numerics.vectors import Vector
+from dynamics_cli.path.bends import Bend, bend
+from dynamics_cli.path.formulas import law_of
+from dynamics_cli.quantities import Time
+from dynamics_cli.records import Formula, Let, over_parts
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+# A result whose bound is looser than this is evaluated once more, in 60 digits.
+LOOSE = 1e-12
+
+
+class State:
+    """Where a point is and how it moves at one time."""
+
+    __slots__ = ("acceleration", "bend", "jerk", "position", "velocity")
+
+    def __init__(self, position: Vector, velocity: Vector, acceleration: Vector, jerk: Vector) -> None:
+        self.position = position
+        self.velocity = velocity
+        self.acceleration = acceleration
+        self.jerk = jerk
+        self.bend: Bend = bend(velocity, acceleration, jerk)
+
+
+class MovingPoint:
+    """A motion as functions of time, in numbers of any sort; `flat` says that it stays in the x–y plane."""
+
+    def __init__(
+        self,
+        formulas: "dict[str, Formula | None]",
+        shape: "Any",
+        parameter: "Formula | None",
+        let: "tuple[Let, ...]",
+    ) -> None:
+        self.formulas = {name: formula for name, formula in formulas.items() if formula is not None}
+        require(
+            bool(self.formulas) != (shape is not None),
+            "the motion is either formulas x, y, z or a named curve",
+            code="motion",
+            hint="--x '3*cos(t) m' --y '3*sin(t) m', or --curve helix",
+        )
+        self.shape = shape
+        self.let = let
+        self.parameter = parameter
+        self.flat = "z" not in self.formulas if shape is None else type(shape).__name__ not in ("Helix", "Line")
+        self.laws = {name: law_of(formula, let, ("t",)) for name, formula in self.formulas.items()}
+        self.law = law_of(parameter, let, ("t",)) if parameter is not None else None
+
+    def state(self, time: "Any") -> State:
+        """The state at a time."""
+        clock = Jet.variable(time, 3)
+        if self.shape is None:
+            paths = [self._jet(self.laws[name], clock) if name in self.laws else clock * 0.0 for name in "xyz"]
+            return State(*[_vector([path.derivative(k) for path in paths]) for k in range(4)])
+        u = clock if self.law is None else self._jet(self.law, clock)
+        rate = Jet([part * float(k) for k, part in enumerate(u.parts)][1:])
+        slopes = [slope * rate for slope in self.shape.slopes(Jet(u.parts[:3]))]
+        moves = [_vector([slope.derivative(k) for slope in slopes]) for k in range(3)]
+        return State(self.shape.place(u.parts[0]), *moves)
+
+    def speed(self, time: float) -> float:
+        """The speed alone, of doubles."""
+        clock = Jet.variable(time, 1)
+        if self.shape is None:
+            return math.hypot(*(self._jet(law, clock).parts[1] for law in self.laws.values()))
+        u = clock if self.law is None else self._jet(self.law, clock)
+        rate = math.hypot(*(slope.parts[0] for slope in self.shape.slopes(Jet(u.parts[:1]))))
+        return float(abs(u.parts[1])) * rate
+
+    def _jet(self, law: "Callable[..., Any]", clock: Jet) -> Jet:
+        out = law(t=clock)
+        return out if isinstance(out, Jet) else clock * 0.0 + out
+
+    def plainly(self) -> "MovingPoint":
+        """The same with doubles in place of tracked numbers."""
+        let = tuple(Let(one.name, plain(one.value), one.unit) for one in self.let)
+        shape = self.shape
+        if shape is not None:
+            values = {name: _in_doubles(getattr(shape, name)) for name in shape.fields}
+            shape = type(shape)(**values)
+        return MovingPoint(self._all(), shape, self.parameter, let)
+
+    def _all(self) -> "dict[str, Formula | None]":
+        return {name: self.formulas.get(name) for name in "xyz"}
+
+    def many(self) -> "MovingPoint":
+        """The same with numbers of many digits."""
+        from dynamics_cli.numerics.exact.many_digits import ManyDigits
+
+        def exact(value: "Any") -> "Any":
+            if isinstance(value, tuple):
+                return tuple(map(exact, value))
+            return value if value is None else ManyDigits.inputs([plain(value)])[0]
+
+        let = tuple(Let(one.name, exact(one.value), one.unit) for one in self.let)
+        shape = self.shape
+        if shape is not None:
+            shape = type(shape)(**{name: exact(getattr(shape, name)) for name in shape.fields})
+        return MovingPoint(self._all(), shape, self.parameter, let)
+
+    def sharp(self, time: "Any") -> State:
+        """The state at a time, evaluated in 60 digits where terms of the formulas cancel."""
+        carrier = next(filter(is_carrier, (time, *self._inputs())), None)
+        number = like(time, carrier) if carrier is not None else Tracked(time, 0.0, ())
+        state = self._sharpened(number)
+        if carrier is None:
+            for name in State.__slots__:
+                setattr(state, name, over_plain(getattr(state, name)))
+        return state
+
+    def _inputs(self) -> "list[Any]":
+        fields = [getattr(self.shape, name) for name in self.shape.fields] if self.shape is not None else []
+        numbers = [one.value for one in self.let]
+        for field in fields:
+            numbers.extend(field if isinstance(field, tuple) else (field,))
+        return numbers
+
+    def _sharpened(self, number: "Any") -> State:
+        state = self.state(number)
+        if is_many(number) or not any(map(_loose, _numbers(state.bend))):
+            return state
+        from dynamics_cli.numerics.exact.many_digits import ManyDigits, run
+
+        try:
+            exact = run(lambda: self.many().state(ManyDigits.inputs([plain(number)])[0]))
+        except (DynamicsError, ArithmeticError):
+            return state
+        for name in ("position", "velocity", "acceleration", "jerk"):
+            setattr(state, name, _sharper(getattr(state, name), getattr(exact, name)))
+        fields = {name: _sharper(getattr(state.bend, name), getattr(exact.bend, name)) for name in state.bend.fields}  # type: ignore[attr-defined]
+        state.bend = Bend(**fields)
+        return state
+
+    def check(self, start: float, end: float) -> None:
+        """Refuse a pole, a corner or a gap between two times."""
+        from dynamics_cli.numerics.expressions import parse
+        from dynamics_cli.numerics.expressions.domain import first_fault
+
+        others = {one.name: float(plain(one.value)) for one in self.let}
+        formulas = {**self.formulas, **({"the law": self.parameter} if self.parameter is not None else {})}
+        for name, formula in formulas.items():
+            read = parse(formula.text)
+            named = {key: value for key, value in others.items() if key in read.names}
+            fault = first_fault(read, "t", start, end, **named) if end > start else None
+            require(
+                fault is None,
+                "{name} = {text} has a pole, a corner or no value at {time:6}",
+                code="pole",
+                hint="choose a range of times without it: it is from {start} to {end} now",
+                name=name,
+                text=formula.text,
+                time=(fault or 0.0, Time),
+                start=(start, Time),
+                end=(end, Time),
+            )
+
+
+def _vector(parts: "list[Any]") -> Vector:
+    return parts[0], parts[1], parts[2]
+
+
+def _in_doubles(value: "Any") -> "Any":
+    return tuple(map(plain, value)) if isinstance(value, tuple) else plain(value)
+
+
+def over_plain(tree: "Any") -> "Any":
+    """Doubles in place of every number of a record or a vector."""
+    return over_parts(tree, over_plain) if isinstance(tree, tuple) or hasattr(tree, "fields") else plain(tree)
+
+
+def _numbers(made: Bend) -> "list[Any]":
+    values = [getattr(made, name) for name in ("speed", "tangential", "normal", "curvature", "torsion")]
+    return [value for value in values if is_tracked(value)]
+
+
+def _loose(number: Tracked) -> bool:
+    return number.error > LOOSE * abs(number.value)
+
+
+def _sharper(number: "Any", exact: "Any") -> "Any":
+    """A tracked number with the value that many digits give, and its rounding as the only error."""
+    if isinstance(number, tuple) and isinstance(exact, tuple):
+        return tuple(_sharper(one, other) for one, other in zip(number, exact, strict=True))
+    if not is_tracked(number) or not is_many(exact):
+        return exact if number is None and not is_many(exact) else number
+    value = plain(exact)
+    if not math.isfinite(value):
+        return number
+    return Tracked(value, 2.0 * UNIT_ROUNDOFF * abs(value) + 5e-324, number.slopes)

@@ -1,0 +1,283 @@
+"""The task `curve`: motion along formulas or a named curve, its arc length, extremes, cusps and inflections."""
+
+import math
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.number import is_many, plain
+from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.path.bends import Bend, advice_of
+from dynamics_cli.path.coordinates import parts_check
+from dynamics_cli.path.curves.events import Event, arc_lengths, events
+from dynamics_cli.path.curves.moving_point import MovingPoint, State
+from dynamics_cli.path.curves.named import Shape
+from dynamics_cli.quantities import (
+    Acceleration,
+    AccelerationVector,
+    AngleFormula,
+    Annotated,
+    Count,
+    Curvature,
+    Distance,
+    Jerk,
+    Length,
+    LengthFormula,
+    Position,
+    Speed,
+    Time,
+    Variable,
+    Velocity,
+)
+from dynamics_cli.records import Advice, Check, ErrorBound, Formula, Numerics, record
+from dynamics_cli.sampling import drawing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MOST_STEPS = 2000
+# A derivative beside the difference quotient of the function itself.
+QUOTIENT = 1e-5
+# An arc length less certain than this share of it is said to be.
+LOOSE = 1e-6
+DUST = 4e-15
+
+
+@record
+class Point:
+    """One row of the motion."""
+
+    time: Annotated[Time, "Time [s]."]
+    x: Annotated[Length, "Along x [m]."]
+    y: Annotated[Length, "Along y [m]."]
+    z: Annotated[Length | None, "Along z, for curves in space [m]."]
+    speed: Annotated[Speed, "Speed [m/s]."]
+    tangential: Annotated[Acceleration | None, "Tangential acceleration [m/s^2]."]
+    normal: Annotated[Acceleration | None, "Normal acceleration [m/s^2]."]
+    curvature: Annotated[Curvature | None, "Curvature [1/m]."]
+    arc: Annotated[Distance, "Length of the path since the start [m]."]
+
+
+@record
+class CurveMotion:
+    """The motion at one time, and over a range of times."""
+
+    time: Annotated[Time, "The time of the state shown [s]."]
+    position: Annotated[Position, "Position [m]."]
+    velocity: Annotated[Velocity, "Velocity [m/s]."]
+    acceleration: Annotated[AccelerationVector, "Acceleration [m/s^2]."]
+    speed: Annotated[Speed, "Magnitude of the velocity [m/s]."]
+    acceleration_size: Annotated[Acceleration, "Magnitude of the acceleration [m/s^2]."]
+    tangential: Annotated[Acceleration | None, "Tangential acceleration a_t [m/s^2]."]
+    normal: Annotated[Acceleration | None, "Normal acceleration a_n [m/s^2]."]
+    radius_of_curvature: Annotated[Length | None, "Radius of curvature ρ [m]."]
+    curvature: Annotated[Curvature | None, "Curvature κ [1/m]."]
+    torsion: Annotated[Curvature | None, "Torsion τ, for curves in space [1/m]."]
+    jerk_size: Annotated[Jerk, "Magnitude of the jerk [m/s^3]."]
+    arc_length: Annotated[Distance | None, "Length of the path from the start to the end [m]."]
+    events: Annotated[tuple[Event, ...] | None, "Extremes of speed and curvature, cusps and inflections."]
+    points: Annotated[tuple[Point, ...], "The motion at equally spaced times."]
+    numerics: Numerics | None = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def curve(
+    *,
+    x: Annotated[LengthFormula | None, "x over the time t [s], e.g. 20*t m."] = None,
+    y: Annotated[LengthFormula | None, "y over t, e.g. 5*t - 4.9*t^2 m."] = None,
+    z: Annotated[LengthFormula | None, "z over t, e.g. exp(-t) m."] = None,
+    shape: Annotated[Shape | None, "A curve by its name, in place of formulas."] = None,
+    angle_law: Annotated[AngleFormula | None, "Angle along a named curve, e.g. 90*t deg."] = None,
+    length_law: Annotated[LengthFormula | None, "Length or x along a named curve, e.g. 3*t m."] = None,
+    let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. a=3 m, w=2 rad/s."] = (),
+    start: Annotated[Time, "Start of the range of times, e.g. 0 s."] = 0.0,
+    end: Annotated[Time | None, "End of the range; the state shown is there, e.g. 5 s."] = None,
+    at: Annotated[Time | None, "Another time of the state shown, e.g. 2 s."] = None,
+    steps: Annotated[Count, "Intervals of the table [-]."] = 10,
+) -> CurveMotion:
+    """Velocity, acceleration, curvature and torsion along a curve over time, with exact derivatives.
+
+    Equation
+    --------
+    v = dr/dt, a = dv/dt, j = da/dt; a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖²; s = ∫‖v‖dt.
+
+    Returns
+    -------
+    CurveMotion
+        The state at one time, arc length, extremes, cusps and inflections over the range, and a table.
+
+    Raises
+    ------
+    UsageError
+        When a formula cannot be read.
+    InadmissibleError
+        When a formula has a pole or a corner in the range, or times are not in order.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 3.2 to 3.6.
+
+    Examples
+    --------
+    >>> from dynamics_cli.records import Formula
+    >>> made = curve(x=Formula("t^2", 1.0, "m"), y=Formula("sin(3*t)", 1.0, "m"), end=0.8)
+    >>> round(made.speed, 9)
+    2.730154835
+    """
+    motion = MovingPoint({"x": x, "y": y, "z": z}, shape, _parameter(shape, angle_law, length_law), let)
+    first, last, now = _range(start, end, at, steps)
+    whole = not (drawing() or is_many(now))
+    if whole:
+        motion.check(first, last)
+    state = motion.sharp(now)
+    made = state.bend
+    lengths: tuple[float | None, float] = (None, 0.0)
+    found: tuple[Event, ...] = ()
+    rows: tuple[Point, ...] = ()
+    if not is_many(now) and drawing() and last > first:
+        arcs, doubt = arc_lengths(motion.plainly(), [first, last])
+        lengths = (arcs[-1], doubt)
+    elif whole and last > first:
+        plainly = motion.plainly()
+        times = [first + (last - first) * i / steps for i in range(steps)] + [last]
+        arcs, doubt = arc_lengths(plainly, times)
+        rows = tuple(_row(plainly.sharp(time), time, arc, plainly.flat) for time, arc in zip(times, arcs, strict=True))
+        found = events(plainly, first, last)
+        lengths = (arcs[-1], doubt)
+    return CurveMotion(
+        time=now,
+        position=state.position,
+        velocity=state.velocity,
+        acceleration=state.acceleration,
+        speed=made.speed,
+        acceleration_size=made.magnitude,
+        tangential=made.tangential,
+        normal=made.normal,
+        radius_of_curvature=made.radius,
+        curvature=made.curvature,
+        torsion=None if motion.flat else made.torsion,
+        jerk_size=_size(state),
+        arc_length=lengths[0],
+        events=found or None,
+        points=rows,
+        numerics=_numerics(lengths),
+        checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
+        advice=(*_advice(made, motion.flat), *_loose(lengths)),
+    )
+
+
+def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> Formula | None:
+    given = [name for name, law in (("angle", angle), ("length", length)) if law is not None]
+    require(len(given) < 2, "a curve has one parameter: angle law and length law are both given", code="exclusive")
+    if not given:
+        return None
+    require(
+        shape is not None, "a law of the {law} is for named curves", code="law", hint="--curve circle", law=given[0]
+    )
+    require(
+        shape.parameter in (given[0], "time"),
+        "the parameter of this curve is its {wanted}",
+        code="law",
+        hint="give --{wanted}-law",
+        wanted=shape.parameter,
+    )
+    require(shape.parameter != "time", "the parameter of this curve is the time itself: it has no law", code="law")
+    return angle if angle is not None else length
+
+
+def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
+    require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps)
+    require(end is not None or at is not None, "a time is wanted", code="missing", hint="--end '5 s', or --at '2 s'")
+    now = at if at is not None else end
+    last = plain(end if end is not None else at)
+    first = plain(start)
+    require(
+        first <= last,
+        "the range of times ends at {end}, before it starts at {start}",
+        code="times",
+        end=(last, Time),
+        start=(first, Time),
+    )
+    require(
+        first <= plain(now) <= last,
+        "the time of {at} is not in the range from {start} to {end}",
+        code="times",
+        hint="leave out start and end, or widen them",
+        at=(plain(now), Time),
+        start=(first, Time),
+        end=(last, Time),
+    )
+    return first, last, now
+
+
+def _row(state: State, time: float, arc: float, flat: bool) -> Point:
+    made = state.bend
+    size = math.hypot(*state.position)
+    x, y, z = (_without_dust(part, size) for part in state.position)
+    tangential = None if made.tangential is None else _without_dust(made.tangential, made.magnitude)
+    return Point(time, x, y, None if flat else z, made.speed, tangential, made.normal, made.curvature, arc)
+
+
+def _without_dust(part: float, size: float) -> float:
+    """Zero for what the rounding of times and variables alone leaves beside a size."""
+    return 0.0 if abs(part) < DUST * size else part
+
+
+def _size(state: State) -> "Any":
+    from dynamics_cli.path.bends import norm
+
+    return norm(state.jerk)
+
+
+def _numerics(lengths: "tuple[float | None, float]") -> Numerics | None:
+    if lengths[0] is None:
+        return None
+    method = "Taylor jets (exact derivatives); arc length by Gauss–Legendre, its error estimated by halving"
+    return Numerics(method, (ErrorBound("arc_length", lengths[1], relative=False),))
+
+
+def _loose(lengths: "tuple[float | None, float]") -> tuple[Advice, ...]:
+    """That the motion changes too often for the range of times."""
+    if lengths[0] is None or lengths[1] <= LOOSE * lengths[0]:
+        return ()
+    message = worded(
+        "the motion changes too often in this range of times: the length of the path is known to {doubt:2} only, and "
+        "events may be missed",
+        doubt=(lengths[1], Length),
+    )
+    return (Advice("busy", message, remedy="take a shorter range of times"),)
+
+
+def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tuple[Check, ...]:
+    """The velocity beside a difference quotient of the positions."""
+    here = motion.state(now)
+    speed, rate, jerk = (math.hypot(*vector) for vector in (here.velocity, here.acceleration, here.jerk))
+    scales = [speed / rate if rate else 0.0, math.sqrt(speed / jerk) if jerk else 0.0, last - first]
+    step = 1e-4 * min((scale for scale in scales if scale), default=1.0)
+    low, high = max(first, now - step), min(last, now + step)
+    if not low < high or now - low != high - now:
+        low, high = (now, now + step) if now + step <= last else (now - step, now)
+    try:
+        before, after = (motion.state(Tracked(time, 0.0, ())) for time in (low, high))
+        here = motion.state(0.5 * (low + high))
+    except (ArithmeticError, ValueError):
+        return ()
+    apart = math.hypot(
+        *(
+            plain((b - a) / (high - low) - v)
+            for a, b, v in zip(before.position, after.position, here.velocity, strict=True)
+        )
+    )
+    size = max(plain(state.bend.speed) for state in (before, here, after))
+    noise = sum(getattr(part, "error", 0.0) for state in (before, after) for part in state.position) / (high - low)
+    allowed = QUOTIENT * size + 2.0 * noise
+    return (Check("velocity is the difference of positions", apart <= allowed, apart, allowed),)
+
+
+def _advice(made: Bend, flat: bool) -> tuple[Advice, ...]:
+    names = ["radius_of_curvature"] if made.reason else []
+    if made.reason and not flat:
+        names.append("torsion")
+    if made.reason == "rest":
+        names += ["tangential", "normal", "curvature"]
+    return advice_of(made, *names)

@@ -1,0 +1,43 @@
+"""A formula with its unit as a function of numbers in SI."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.expressions import check_names, parse
+from dynamics_cli.records import Formula, Let
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+def law_of(
+    formula: Formula, let: "tuple[Let, ...]" = (), variables: "tuple[str, ...]" = ("t", "x", "v")
+) -> "Callable[..., Any]":
+    """The function of a formula in SI, with the variables of `let` filled in.
+
+    Raises
+    ------
+    UsageError
+        When a name has no value.
+    InadmissibleError
+        When the formula has variables with units, and its own unit is not the coherent one of SI.
+    """
+    read = parse(formula.text)
+    values = {one.name: one.value for one in let}
+    check_names(read, {*variables, *values})
+    used = [one.name for one in let if one.unit and one.name in read.names]
+    require(
+        not used or formula.factor == 1.0,
+        "the formula {text} ends in {unit}, and {names} in it has a unit of its own",
+        code="mixed-units",
+        hint="variables count in m, s and rad: end the formula in m, rad or m/s^2",
+        text=repr(formula.text),
+        unit=formula.unit,
+        names=", ".join(used),
+    )
+
+    def value(**given: "Any") -> "Any":
+        out = read(**values, **given)
+        return out if formula.factor == 1.0 else out * formula.factor
+
+    return value

@@ -1,0 +1,1 @@
+"""Straight motion: phases of constant acceleration, and laws of the acceleration."""

@@ -1,0 +1,1 @@
+"""Measured tracks: the file, and velocity and acceleration with their noise."""

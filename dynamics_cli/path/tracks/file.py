@@ -1,0 +1,138 @@
+"""Files of measured positions: CSV with a time and two or three lengths, or latitude and longitude."""
+
+import csv
+import math
+from itertools import pairwise
+
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# What a bracket behind a name may say: the unit's share of the SI unit.
+UNITS = {
+    "m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254, "s": 1.0, "ms": 1e-3, "min": 60.0,
+    "h": 3600.0, "deg": 1.0,
+}  # fmt: skip
+TIMES = ("t", "time")
+LENGTHS = ("x", "y", "z")
+GLOBE = {"lat": "lat", "latitude": "lat", "lon": "lon", "lng": "lon", "long": "lon", "longitude": "lon"}
+MOST_ROWS = 20000
+# WGS 84: equatorial radius and the square of the eccentricity.
+EQUATOR, ECCENTRICITY = 6378137.0, 6.69437999014e-3
+
+
+class Track:
+    """Times [s] and positions [m] as rows of numbers; `globe` says that they were latitudes and longitudes."""
+
+    def __init__(self, times: "list[float]", places: "list[list[float]]", globe: bool) -> None:
+        self.times = times
+        self.places = places
+        self.globe = globe
+
+
+def read_track(file: str) -> Track:
+    """Read a track; refuse what is not numbers, times that do not increase, and too few points.
+
+    Raises
+    ------
+    InadmissibleError
+        When the file has no columns of time and position, a cell is not a number, or times do not increase.
+    """
+    with open(file, encoding="utf-8-sig", newline="") as stream:
+        rows = [row for row in csv.reader(stream) if row and not row[0].lstrip().startswith("#")]
+    require(bool(rows), "the file is empty", code="track")
+    columns = _columns(rows[0])
+    require(len(rows) - 1 <= MOST_ROWS, "the track has more than {most} points", code="track", most=MOST_ROWS)
+    numbers = [_row(row, columns, line) for line, row in enumerate(rows[1:], 2)]
+    times = [row["t"] for row in numbers]
+    for line, (before, after) in enumerate(pairwise(times), 3):
+        require(
+            after > before,
+            "line {line}: the time of {after:6} is not later than the one before",
+            code="times",
+            hint="sort the rows by time, and keep one of those at the same time",
+            line=line,
+            after=(after, Time),
+        )
+    names = [name for name in LENGTHS if name in columns]
+    if "lat" in columns:
+        return Track(times, _on_a_plane(numbers, names), globe=True)
+    return Track(times, [[row[name] for name in names] for row in numbers], globe=False)
+
+
+def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
+    """Where each column is, and its unit's factor."""
+    found: dict[str, tuple[int, float]] = {}
+    for place, cell in enumerate(header):
+        name, _, unit = cell.strip().lower().partition("[")
+        name, unit = name.strip(), unit.strip().rstrip("]").strip()
+        key = "t" if name in TIMES else GLOBE.get(name, name)
+        if key not in ("t", *LENGTHS, "lat", "lon"):
+            continue
+        require(
+            not unit or unit in UNITS,
+            "the column {cell} has a unit that tracks are not read in",
+            code="unit",
+            hint="use one of {known}",
+            cell=repr(cell),
+            known=", ".join(UNITS),
+        )
+        found[key] = place, UNITS[unit] if unit else 1.0
+    enough = "t" in found and ("x" in found or ("lat" in found and "lon" in found))
+    require(
+        enough,
+        "the header {header} has no columns of a time and a position",
+        code="header",
+        hint="name them t[s],x[m],y[m] (and z[m]), or t[s],lat[deg],lon[deg]",
+        header=repr(",".join(header)[:60]),
+    )
+    return found
+
+
+def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -> "dict[str, float]":
+    made = {}
+    for name, (place, factor) in columns.items():
+        text = row[place].strip() if place < len(row) else ""
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        require(
+            math.isfinite(value),
+            "line {line}: {text} is not a number",
+            code="number",
+            hint="leave out rows without a measurement",
+            line=line,
+            text=repr(text),
+        )
+        made[name] = value * factor
+    return made
+
+
+def _on_a_plane(rows: "list[dict[str, float]]", names: "list[str]") -> "list[list[float]]":
+    """East and north of the first point, on the plane that touches the ellipsoid half way."""
+    latitudes = [math.radians(row["lat"]) for row in rows]
+    middle = 0.5 * (min(latitudes) + max(latitudes))
+    bulge = 1.0 - ECCENTRICITY * math.sin(middle) ** 2
+    north = EQUATOR * (1.0 - ECCENTRICITY) / bulge**1.5
+    east = EQUATOR / math.sqrt(bulge) * math.cos(middle)
+    first = rows[0]
+    up = "z" in names
+
+    def place(row: "dict[str, float]", latitude: float) -> "list[float]":
+        turned = math.remainder(row["lon"] - first["lon"], 360.0)
+        flat = [east * math.radians(turned), north * (latitude - latitudes[0])]
+        return [*flat, row["z"]] if up else flat
+
+    return [place(row, latitude) for row, latitude in zip(rows, latitudes, strict=True)]
+
+
+def third_differences(values: "Any") -> float:
+    """The noise of equally good measurements, from their third differences: √(Σ(Δ³y)²/(20 n))."""
+    import numpy as np
+
+    third = np.diff(np.asarray(values), 3, axis=0)
+    return float(np.sqrt((third**2).mean() / 20.0))

@@ -1,0 +1,265 @@
+"""The task `table`: velocity and acceleration of a measured track, with their noise."""
+
+import math
+
+from dynamics_cli.errors import require
+from dynamics_cli.path.tracks.file import Track, read_track, third_differences
+from dynamics_cli.quantities import (
+    Acceleration,
+    Annotated,
+    Curvature,
+    Distance,
+    InputFile,
+    Length,
+    Ratio,
+    Speed,
+    Time,
+)
+from dynamics_cli.records import Advice, Check, Choice, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.numerics.fitting.smoothing import Smooth
+
+FEWEST = 8
+# Residuals this many times the stated deviation say that one of the two is wrong.
+TOO_FAR = 1.5
+# Freedom above this share of the points means that hardly anything is smoothed.
+BUSY = 0.5
+# A plane that touches the globe is good for so far.
+FLAT = 20e3
+ENERGY = 1e-6
+
+
+class Smoothing(Choice):
+    """How the noise is kept out of the derivatives."""
+
+    names = ("spline", "none")
+    aliases = {"raw": "none"}  # noqa: RUF012
+
+
+SPLINE = Smoothing("spline")
+
+
+@record
+class TrackPoint:
+    """One measured time."""
+
+    time: Annotated[Time, "Time [s]."]
+    x: Annotated[Length, "Along x, or east, smoothed [m]."]
+    y: Annotated[Length | None, "Along y, or north, smoothed [m]."]
+    z: Annotated[Length | None, "Along z, smoothed [m]."]
+    speed: Annotated[Speed, "Speed [m/s]."]
+    speed_noise: Annotated[Speed, "Its standard deviation [m/s]."]
+    tangential: Annotated[Acceleration, "Tangential acceleration a_t [m/s^2]."]
+    normal: Annotated[Acceleration, "Normal acceleration a_n [m/s^2]."]
+    acceleration_noise: Annotated[Acceleration, "Standard deviation of each [m/s^2]."]
+    curvature: Annotated[Curvature | None, "Curvature of the path; none where it stands [1/m]."]
+    curvature_noise: Annotated[Curvature | None, "Its standard deviation [1/m]."]
+
+
+@record
+class TrackMotion:
+    """What a measured track says of the motion."""
+
+    top_speed: Annotated[Speed, "Highest speed [m/s]."]
+    top_speed_time: Annotated[Time, "When [s]."]
+    hardest_braking: Annotated[Acceleration | None, "Largest deceleration along the path [m/s^2]."]
+    hardest_braking_time: Annotated[Time | None, "When [s]."]
+    strongest_acceleration: Annotated[Acceleration | None, "Largest acceleration along the path [m/s^2]."]
+    strongest_lateral: Annotated[Acceleration | None, "Largest acceleration across the path [m/s^2]."]
+    strongest_lateral_time: Annotated[Time | None, "When [s]."]
+    length: Annotated[Distance, "Length of the smoothed path [m]."]
+    speed_noise: Annotated[Speed, "Standard deviation of the speed, median over the track [m/s]."]
+    acceleration_noise: Annotated[Acceleration, "Standard deviation of the acceleration, median [m/s^2]."]
+    position_noise: Annotated[Length, "Standard deviation of a measured coordinate: given, or found [m]."]
+    measured_noise: Annotated[Length, "Standard deviation as the residuals have it [m]."]
+    raw_noise: Annotated[Acceleration, "What raw second differences would have had [m/s^2]."]
+    freedom: Annotated[Ratio, "Equivalent number of parameters of the smoothed track [-]."]
+    resolution: Annotated[Time, "What happens in less time is smoothed away [s]."]
+    chosen_by: Annotated[str, "How the smoothing was chosen."]
+    points: Annotated[tuple[TrackPoint, ...], "The motion at the measured times."]
+    numerics: Numerics | None = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def table(
+    file: Annotated[InputFile, "CSV with t[s] and x[m], y[m], z[m], or lat[deg], lon[deg]."],
+    /,
+    *,
+    sigma: Annotated[
+        Length | None, "Standard deviation of a measured coordinate; estimated unless given, e.g. 3 cm."
+    ] = None,
+    smoothing: Annotated[Smoothing, "spline; or none, which is refused with the noise it would have."] = SPLINE,
+) -> TrackMotion:
+    """Speed, acceleration and curvature from measured positions, by a smoothing spline, with the noise of each.
+
+    Equation
+    --------
+    The quintic spline that minimises Σ(y − f)² + λ∫f‴²dt; λ by generalised cross-validation, or by the unbiased risk
+    for a known σ. Raw second differences at equal steps h would have the noise σ√6/h².
+
+    Returns
+    -------
+    TrackMotion
+        Extremes with their times, noise, the smoothing chosen and why, and a table at the measured times.
+
+    Raises
+    ------
+    InadmissibleError
+        When the file is damaged, times do not increase, there are fewer than 8 points, or no smoothing is asked for.
+
+    References
+    ----------
+    Craven & Wahba, Smoothing noisy data with spline functions, Numer. Math. 31 (1979); Wahba, J. R. Statist. Soc. B 45
+    (1983); Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 3.2.
+
+    Examples
+    --------
+    >>> table("track.csv", sigma=0.03).top_speed  # doctest: +SKIP
+    13.9
+    """
+    import numpy as np
+
+    from dynamics_cli.numerics.fitting.smoothing import Smooth
+
+    track = read_track(file)
+    require(
+        len(track.times) >= FEWEST,
+        "the track has {count} points: an acceleration with its noise needs at least {fewest}",
+        code="few-points",
+        count=len(track.times),
+        fewest=FEWEST,
+    )
+    require(sigma is None or sigma > 0.0, "the standard deviation is not above zero", code="sigma")
+    times, places = np.array(track.times), np.array(track.places)
+    step = float(np.median(np.diff(times)))
+    raw = third_differences(places) if sigma is None else sigma
+    require(
+        smoothing != "none",
+        "raw second differences of this track have a noise of {noise} (σ = {sigma}, one point every {step})",
+        code="raw",
+        hint="leave out --smoothing: a spline keeps the noise out, and states what is left",
+        noise=(raw * math.sqrt(6.0) / step**2, Acceleration),
+        sigma=(raw, Length),
+        step=(step, Time),
+    )
+    fit = Smooth(times, places, sigma)
+    motion = _Motion(fit, times)
+    return TrackMotion(
+        **motion.extremes(),
+        length=motion.length(),
+        speed_noise=float(np.median(motion.speed_noise)),
+        acceleration_noise=float(np.median(motion.rate_noise)),
+        position_noise=fit.sigma,
+        measured_noise=fit.measured_sigma,
+        raw_noise=fit.sigma * math.sqrt(6.0) / step**2,
+        freedom=fit.freedom,
+        resolution=fit.span / max(fit.freedom - 1.0, 1.0),
+        chosen_by="generalised cross-validation (no σ given)" if sigma is None else "the unbiased risk for the σ given",
+        points=motion.rows(),
+        numerics=Numerics("quintic smoothing spline; noise is the standard deviation of each number"),
+        checks=(motion.energy(),),
+        advice=_advice(fit, track, len(times)),
+    )
+
+
+class _Motion:
+    """Derivatives of the smoothed track at the measured times."""
+
+    def __init__(self, fit: "Smooth", times: "Any") -> None:
+        import numpy as np
+
+        self.fit, self.times = fit, times
+        self.place, _ = fit.at(times, 0)
+        self.velocity, self.speed_noise = fit.at(times, 1)
+        self.rate, self.rate_noise = fit.at(times, 2)
+        self.speed = np.sqrt((self.velocity**2).sum(axis=1))
+        # standing within its noise it has no direction
+        self.moves = self.speed > 3.0 * self.speed_noise
+        way = self.velocity / np.where(self.moves, self.speed, 1.0)[:, None]
+        self.tangential = np.where(self.moves, (way * self.rate).sum(axis=1), np.sqrt((self.rate**2).sum(axis=1)))
+        across = self.rate - self.tangential[:, None] * way
+        self.normal = np.where(self.moves, np.sqrt((across**2).sum(axis=1)), 0.0)
+
+    def extremes(self) -> "dict[str, Any]":
+        """The largest of each, and when; where it moves."""
+        import numpy as np
+
+        top = int(self.speed.argmax())
+        made: dict[str, Any] = {"top_speed": float(self.speed[top]), "top_speed_time": float(self.times[top])}
+        along = np.where(self.moves, self.tangential, 0.0)
+        low, high, side = int(along.argmin()), int(along.argmax()), int(self.normal.argmax())
+        braked = along[low] < 0.0
+        made["hardest_braking"] = -float(along[low]) if braked else None
+        made["hardest_braking_time"] = float(self.times[low]) if braked else None
+        made["strongest_acceleration"] = float(along[high]) if along[high] > 0.0 else None
+        planar = self.place.shape[1] > 1
+        made["strongest_lateral"] = float(self.normal[side]) if planar else None
+        made["strongest_lateral_time"] = float(self.times[side]) if planar else None
+        return made
+
+    def rows(self) -> tuple[TrackPoint, ...]:
+        """The table."""
+        out = []
+        width = self.place.shape[1]
+        for i, time in enumerate(self.times.tolist()):
+            x, y, z = (float(self.place[i, k]) if k < width else None for k in range(3))
+            speed, noise, rate_noise = (float(a[i]) for a in (self.speed, self.speed_noise, self.rate_noise))
+            curvature = spread = None
+            if self.moves[i] and width > 1:
+                curvature = float(self.normal[i]) / speed / speed
+                spread = math.hypot(rate_noise / speed / speed, 2.0 * curvature * noise / speed)
+            parts = float(self.tangential[i]), float(self.normal[i]), rate_noise
+            out.append(TrackPoint(time, x or 0.0, y, z, speed, noise, *parts, curvature, spread))
+        return tuple(out)
+
+    def _pieces(self) -> "tuple[Any, Any]":
+        import numpy as np
+
+        edges = np.unique(self.fit.knots) * self.fit.span + self.fit.start
+        nodes, weights = np.polynomial.legendre.leggauss(6)
+        half = 0.5 * np.diff(edges)
+        places = (0.5 * (edges[1:] + edges[:-1]))[:, None] + half[:, None] * nodes
+        return places.ravel(), (half[:, None] * weights).ravel()
+
+    def length(self) -> float:
+        """Length of the smoothed path."""
+        import numpy as np
+
+        times, weights = self._pieces()
+        velocity, _ = self.fit.at(times, 1)
+        return float((np.sqrt((velocity**2).sum(axis=1)) * weights).sum())
+
+    def energy(self) -> Check:
+        """v² − v₀² = 2∫a·v dt over the whole track."""
+        times, weights = self._pieces()
+        velocity, _ = self.fit.at(times, 1)
+        rate, _ = self.fit.at(times, 2)
+        work = 2.0 * float(((velocity * rate).sum(axis=1) * weights).sum())
+        gained = float(self.speed[-1] ** 2 - self.speed[0] ** 2)
+        size = float((self.speed**2).max()) or 1.0
+        apart = abs(work - gained) / size
+        return Check("v² − v₀² = 2∫a·v", apart <= ENERGY, apart, ENERGY)
+
+
+def _advice(fit: "Smooth", track: Track, count: int) -> tuple[Advice, ...]:
+    from dynamics_cli.errors import worded
+
+    made = []
+    if fit.sigma_given is not None and not 1.0 / TOO_FAR < fit.measured_sigma / fit.sigma_given < TOO_FAR:
+        apart = worded(
+            "the positions scatter by {found} about the smoothed track, not by the {given} stated",
+            found=(fit.measured_sigma, Length),
+            given=(fit.sigma_given, Length),
+        )
+        made.append(Advice("sigma", apart, remedy="leave out --sigma, or look for outliers in the track"))
+    if fit.freedom > BUSY * count or (fit.thinned and fit.freedom > BUSY * len(fit.knots)):
+        text = "the motion changes nearly as fast as it was measured: little noise can be told from it"
+        made.append(Advice("busy", text, remedy="measure more often, or give a part of the track"))
+    if track.globe and max(map(abs, (x for place in track.places for x in place[:2]))) > FLAT:
+        made.append(Advice("far", "the track is longer than a plane is good for", remedy="give a part of it"))
+    return tuple(made)

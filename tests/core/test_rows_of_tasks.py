@@ -1,0 +1,92 @@
+"""Rows of every task: by lanes of arrays as one by one, to the bit, bad rows among them."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from row_helpers import run
+
+from dynamics_cli.core.batch.rows.plan import Plan
+from dynamics_cli.numerics.lanes import Diverged, Lanes, bisected, each_lane, parts
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+from rows_of_tasks import CALLS, Call
+
+COUNT = 60
+# What takes exact numbers is answered one by one.
+SINGLY = {"coords"}
+
+
+def rows_of(call: Call, form: str, folder: Path) -> list[str]:
+    lines = call.write(COUNT, folder)[form].read_text().splitlines()
+    broken = lines[20].replace("1", "x", 1) if any(c == "1" for c in lines[20]) else lines[20] + ","
+    return [*lines[:20], broken, "", *lines[20:40], lines[30].replace(".", "e999", 1), *lines[40:]]
+
+
+@pytest.mark.parametrize("text", CALLS, ids=[" ".join(text.split()[:2]) for text in CALLS])
+def test_rows_equal_single_answers_to_the_bit(text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    call = Call(text)
+    together = []
+    honest = Plan.run
+
+    def noted(plan: Plan, columns: object) -> object:
+        answered = honest(plan, columns)
+        together.extend(row for one in answered for row in one.rows.tolist())
+        return answered
+
+    monkeypatch.setattr(Plan, "run", noted)
+    form = ("csv", "ndjson")[len(text) % 2]
+    data = "\n".join(rows_of(call, form, tmp_path)).encode()
+    fast = run(call.task, data)
+    assert fast == run(call.task, data, arrays=False)
+    if call.task.path not in SINGLY:
+        assert len(together) > 0.6 * COUNT
+
+
+def test_a_branch_parts_the_lanes_and_each_part_takes_the_steps_of_its_case() -> None:
+    def formula(x: float) -> float:
+        y = x
+        while y > 2.0:
+            y = y / 3.0
+        return y if round(x) % 2 else -y
+
+    numbers = np.linspace(0.1, 40.0, 500)
+    made = np.full(500, np.nan)
+    for part in parts(lambda given: formula(given["x"]), {"x": numbers}, np.arange(500), lambda error: None):
+        made[part.rows] = part.outcome
+    wanted = [formula(x) for x in numbers.tolist()]
+    known = ~np.isnan(made)
+    assert known.sum() > 300
+    assert made[known].tolist() == [y for y, kept in zip(wanted, known, strict=True) if kept]
+
+
+def test_lanes_that_agree_answer_and_others_part() -> None:
+    lanes = np.array([1.0, 2.0, 3.0]).view(Lanes)
+    assert bool(lanes > 0.0)
+    assert not bool(lanes > 5.0)
+    assert int(np.array([2.2, 2.8]).view(Lanes)) == 2
+    with pytest.raises(Diverged) as parting:
+        bool(lanes > 1.5)
+    assert parting.value.mask.tolist() == [False, True, True]
+
+
+def test_a_power_of_lanes_has_the_bits_of_python_s() -> None:
+    numbers = np.random.default_rng(5).uniform(0.1, 9.0, 300)
+    assert (numbers.view(Lanes) ** 3).tolist() == [x**3 for x in numbers.tolist()]
+
+
+def test_bisection_lane_by_lane_is_that_of_one_case() -> None:
+    from dynamics_cli.gear.single.limits import bisect
+
+    targets = np.random.default_rng(7).uniform(0.01, 9.0, 200)
+    made = bisected(lambda x: targets - x * x * x, 0.0, 5.0)
+    wanted = [bisect(lambda x, target=target: target - x * x * x, 0.0, 5.0) for target in targets.tolist()]
+    assert made.tolist() == wanted
+
+
+def test_each_lane_calls_a_function_of_doubles() -> None:
+    x, y = np.array([0.5, 1.5]).view(Lanes), 2.0
+    first, second = each_lane(lambda pair: (pair[0].as_integer_ratio()[1], pair[1] * pair[0]), (x, y))
+    assert first.tolist() == [2, 2]
+    assert second.tolist() == [1.0, 3.0]

@@ -1,0 +1,135 @@
+"""Lines that results share, and results on a straight line with others, against distributions in closed form."""
+
+import math
+
+import numpy as np
+import pytest
+
+from dynamics_cli.core.inputs.uncertain.distributions import Empirical, Normal, Uniform
+from dynamics_cli.core.uncertainty.methods.shared_lines import Found, SharedLines
+from dynamics_cli.core.uncertainty.propagation import propagate
+from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.core.uncertainty.straight import Straight
+from dynamics_cli.numerics.distributions import normal
+
+P = np.array([0.025, 0.5, 0.975])
+Z = [normal.quantile(p) for p in P.tolist()]
+# χ² of three degrees of freedom
+CHI = [0.2157952826238983, 2.3659738843753377, 9.348403604496148]
+LARGEST = [normal.quantile(math.sqrt(p)) for p in P.tolist()]
+
+
+def model(inputs: dict) -> tuple[dict, None]:
+    a, b, c = (np.asarray(inputs[name], dtype=float) for name in "abc")
+    return {
+        "distance": a * a + b * b + c * c,
+        "largest": np.maximum(a, b),
+        "more": 7.0 - 3.0 * np.maximum(a, b),
+        "sum": a - b + 2.0 * c,
+        "step": np.where(a + 0.3 * b > 0.0, 1.0, -1.0),
+        "other": np.abs(a) + 0.2 * c,
+    }, None
+
+
+def space(count: int = 3) -> Space:
+    made = Space(model, dict.fromkeys("abc"[:count], Normal(0.0, 1.0)), {})
+    made.evaluate(np.zeros((count, 1)))
+    return made
+
+
+@pytest.mark.parametrize("count", [26, 44])
+@pytest.mark.parametrize("direction", [(1.0, 0.0, 0.0), (0.6, 0.8, 0.0), (0.48, 0.6, 0.64)])
+def test_the_stated_error_of_lines_holds(count: int, direction: tuple[float, ...]) -> None:
+    lines = SharedLines(space(), np.array(direction), count, 1)
+    for row, exact in ((0, CHI), (1, LARGEST), (3, [math.sqrt(6.0) * z for z in Z])):
+        found = Found(lines.cells(row), P)
+        stated = found.scatter() + 0.5 * found.apart(lines.cells(row, 2))
+        assert np.abs(found.quantiles - exact).max() / found.std <= stated + 1e-5
+
+
+def test_along_its_own_direction_a_kink_is_known_to_many_digits() -> None:
+    found = Found(SharedLines(space(), np.full(3, math.sqrt(1.0 / 3.0)), 44, 1).cells(1), P)
+    assert np.abs(found.quantiles - LARGEST).max() / found.std < 2e-4
+    assert found.mean == pytest.approx(1.0 / math.sqrt(math.pi), abs=2e-4)
+
+
+def test_an_atom_is_the_quantile_and_has_no_error() -> None:
+    found = Found(SharedLines(space(), np.array([1.0, 0.0, 0.0]), 26, 1).cells(4), np.array([0.2, 0.8]))
+    assert found.quantiles.tolist() == pytest.approx([-1.0, 1.0], abs=1e-6)
+    assert found.std == pytest.approx(1.0, rel=0.05)
+
+
+def test_several_results_with_kinks_share_lines_within_what_is_stated() -> None:
+    made = propagate(model, dict.fromkeys("abc", Normal(0.0, 1.0)))
+    for name, exact in (("distance", CHI), ("largest", LARGEST)):
+        spread = made.spreads[name]
+        assert "share" in spread.method
+        off = np.abs(np.array([*spread.interval, spread.median]) - [exact[0], exact[2], exact[1]]).max() / spread.std
+        assert off <= spread.estimate <= 0.02
+
+
+def test_what_is_partly_inadmissible_is_given_the_rest() -> None:
+    def partly(inputs: dict) -> tuple[dict, np.ndarray]:
+        results, _ = model(inputs)
+        return results, np.broadcast_to(np.asarray(inputs["a"] > 0.0), np.shape(results["sum"]))
+
+    made = propagate(partly, dict.fromkeys("abc", Normal(0.0, 1.0)))
+    spread = made.spreads["distance"]
+    assert spread.admissible == pytest.approx(0.5, abs=0.01)
+    assert spread.median == pytest.approx(CHI[1], abs=2.0 * spread.estimate * spread.std)
+
+
+def test_a_limit_has_the_probability_of_the_shared_lines_or_better() -> None:
+    made = propagate(model, dict.fromkeys("abc", Normal(0.0, 1.0)), limits={"distance": [CHI[2]]})
+    assert made.spreads["distance"].beyond[0][1] == pytest.approx(0.025, abs=1e-3)
+
+
+def test_a_result_on_a_straight_line_with_another_has_its_distribution() -> None:
+    made = propagate(model, dict.fromkeys("abc", Normal(0.0, 1.0)))
+    one, other = made.spreads["largest"], made.spreads["more"]
+    assert other.median == pytest.approx(7.0 - 3.0 * one.median, rel=1e-12)
+    assert other.interval == pytest.approx((7.0 - 3.0 * one.interval[1], 7.0 - 3.0 * one.interval[0]), rel=1e-12)
+    assert other.std == pytest.approx(3.0 * one.std, rel=1e-12)
+
+
+def test_a_result_that_leaves_the_line_now_and_then_is_not_on_it() -> None:
+    def rarely(inputs: dict) -> tuple[dict, None]:
+        a, b = (np.asarray(inputs[name], dtype=float) for name in "ab")
+        more = {"d": a * a, "e": b * b}
+        return {"a": a + b, "b": 2.0 * (a + b) + np.where(a > 2.0, 1.0, 0.0), "c": 1.0 - (a + b), **more}, None
+
+    made = Space(rarely, dict.fromkeys("ab", Normal(0.0, 1.0)), {})
+    probe = made.evaluate(np.linspace(-1.0, 1.0, 10).reshape(2, 5))
+    straight = Straight(made, probe, 1)
+    assert straight.of(1)[0] == ""
+    assert straight.of(2) == ("a", pytest.approx(-1.0), pytest.approx(1.0))
+
+
+def test_one_bounded_input_through_many_results_that_turn() -> None:
+    def turning(inputs: dict) -> tuple[dict, None]:
+        a = np.asarray(inputs["a"], dtype=float)
+        return {f"r{k}": (a - 0.1 * k) ** 2 for k in range(6)}, None
+
+    made = propagate(turning, {"a": Uniform(-1.0, 1.0)})
+    # |a| is uniform from 0 to 1
+    assert made.spreads["r0"].interval == pytest.approx((0.025**2, 0.975**2), abs=1e-5)
+    assert made.spreads["r0"].estimate < 1e-4
+
+
+def test_listed_values_among_normal_inputs_are_a_mixture() -> None:
+    def total(inputs: dict) -> tuple[dict, None]:
+        return {"sum": inputs["a"] + inputs["b"] + inputs["c"]}, None
+
+    values = (0.0, 0.7, 3.0)
+    given = {"a": Normal(1.0, 0.3), "b": Empirical(values), "c": Normal(0.0, 0.4)}
+    spread = propagate(total, given).spreads["sum"]
+    assert "listed values" in spread.method
+
+    def below(v: float) -> float:
+        return sum(normal.upper((1.0 + value - v) / 0.5) for value in values) / 3.0
+
+    for found, p in ((spread.interval[0], 0.025), (spread.median, 0.5), (spread.interval[1], 0.975)):
+        assert below(found) == pytest.approx(p, abs=1e-5)
+    mean = sum(values) / 3.0
+    assert spread.mean == pytest.approx(1.0 + mean, rel=1e-9)
+    assert spread.std == pytest.approx(math.sqrt(0.25 + sum((x - mean) ** 2 for x in values) / 3.0), rel=1e-6)

@@ -1,0 +1,163 @@
+"""Formulas as typed: what they read as, their derivatives by jets, where they have poles, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+
+from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.exact.many_digits import ManyDigits, run
+from dynamics_cli.numerics.expressions import FUNCTIONS, begin, parse
+from dynamics_cli.numerics.expressions.domain import first_fault
+from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.tracked import Tracked
+
+# Taylor coefficients of order 4 of functions of order one lose a few last bits.
+SAME = 1e-13
+PAIRS = [
+    ("3*t^2 - 2*t + 1", lambda t: 3 * t**2 - 2 * t + 1),
+    ("-t^2", lambda t: -(t**2)),
+    ("2^-t", lambda t: mp.mpf(2) ** -t),
+    ("2^3^2 - t", lambda t: 512 - t),
+    ("8/4/2*t", lambda t: t),
+    ("t**2.5/(1+t)", lambda t: t ** mp.mpf("2.5") / (1 + t)),
+    ("t^-2", lambda t: t**-2),
+    ("t^t", lambda t: t**t),
+    ("1.5e-1*sin(3*t)*cos(t) − t·t÷2", lambda t: mp.mpf(0.15) * mp.sin(3 * t) * mp.cos(t) - t * t / 2),
+    (
+        "tan(t/2) + asin(t/3) - acos(t/3) + atan(2*t)",
+        lambda t: mp.tan(t / 2) + mp.asin(t / 3) - mp.acos(t / 3) + mp.atan(2 * t),
+    ),
+    ("sinh(t) - cosh(2*t)*tanh(t)", lambda t: mp.sinh(t) - mp.cosh(2 * t) * mp.tanh(t)),
+    (
+        "exp(-t)*log(1+t)/sqrt(2+t) + abs(t-5) + pi",
+        lambda t: mp.exp(-t) * mp.log(1 + t) / mp.sqrt(2 + t) + abs(t - 5) + mp.pi,
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "function"), PAIRS)
+def test_values_and_derivatives(text: str, function: object) -> None:
+    mp.dps = 40
+    formula = parse(text, ("t",))
+    jet = formula(t=Jet.variable(0.8, 4))
+    wanted = mp.taylor(function, mp.mpf(0.8), 4)
+    for part, exact in zip(jet.parts, wanted, strict=True):
+        assert part == pytest.approx(float(exact), rel=SAME, abs=SAME)
+    assert formula(t=0.8) == pytest.approx(float(wanted[0]), rel=SAME)
+
+
+@pytest.mark.parametrize(("text", "function"), PAIRS)
+def test_every_sort_of_number_goes_through(text: str, function: object) -> None:
+    formula = parse(text)
+    value = formula(t=0.8)
+    tracked = formula(t=Jet.variable(Tracked(0.8, 0.0, (1.0,)), 3))
+    assert tracked.parts[0].value == formula(t=Jet.variable(0.8, 3)).parts[0]
+    assert tracked.parts[0].slopes[0] == pytest.approx(plain(tracked.parts[1]), rel=1e-12)
+    exact = run(lambda: formula(t=Jet.variable(ManyDigits.inputs([0.8])[0], 3)))
+    for part, other in zip(tracked.parts, exact.parts, strict=True):
+        if isinstance(part, Tracked):
+            assert abs(part.value - getattr(other, "value", other)) <= part.error * 1.001
+    column = formula(t=np.array([0.8, 1.1]))
+    assert column[0] == pytest.approx(value, rel=1e-15)
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(-3.0, 3.0), st.floats(0.1, 3.0), st.sampled_from(("sin", "cos", "exp", "atan", "sinh", "tanh")))
+def test_derivatives_are_those_of_difference_quotients(at: float, rate: float, name: str) -> None:
+    formula = parse(f"{name}(a*t)*t + a")
+    jet = formula(t=Jet.variable(at, 2), a=rate)
+    step = 1e-5
+    quotient = (formula(t=at + step, a=rate) - formula(t=at - step, a=rate)) / (2.0 * step)
+    assert jet.derivative(1) == pytest.approx(quotient, rel=1e-5, abs=1e-5 * (1.0 + abs(jet.derivative(1))))
+
+
+def test_what_follows_a_formula_is_left_to_its_reader() -> None:
+    for text, rest in (
+        ("20*t - 2*t^2 m", "m"),
+        ("5 m/s^2", "m/s^2"),
+        ("(t) 1/m", "1/m"),
+        ("sin(t)m", "m"),
+        ("2e3m", "m"),
+    ):
+        assert text[begin(text).end :].strip() == rest
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "words"),
+    [
+        ("3*", 3, "ends where"),
+        ("sin t", 1, "brackets"),
+        ("2**", 4, "ends where"),
+        ("foo(t)", 1, "no function 'foo'"),
+        ("(t+1", 1, "not closed"),
+        ("t t", 3, "does not continue"),
+        ("t + speed", 5, "'speed' has no value"),
+        ("1e999", 1, "not a number"),
+        ("1.2.3", 1, "not a number"),
+        ("3$", 2, "does not continue"),
+        ("", 1, "ends where"),
+        ("*t", 1, "not wanted"),
+        ("(" * 80 + "t", 62, "too many brackets"),
+        ("__import__('os')", 1, "no function"),
+        ("t.real", 2, "does not continue"),
+        ("-" * 200 + "t", 63, "too many signs"),
+        ("٣", 1, "not a number"),
+    ],
+)
+def test_a_refusal_names_the_place(text: str, place: int, words: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        parse(text, ("t",))
+    assert words in caught.value.message
+    assert abs(int(caught.value.message.rpartition("at character ")[2].split(" ")[0]) - place) <= 1
+
+
+def test_long_formulas_are_refused() -> None:
+    with pytest.raises(UsageError, match="characters"):
+        parse("t+" * 1500 + "t")
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high", "fault"),
+    [
+        ("tan(t)", 0.0, 3.0, math.pi / 2),
+        ("tan(t)", 0.0, 1.57, None),
+        ("1/(t-1)", 0.0, 3.0, 1.0),
+        ("1/(t-1)", 1.001, 3.0, None),
+        ("sqrt(t-1)", 1.0, 3.0, 1.0),
+        ("sqrt(t-1)", 1.0001, 3.0, None),
+        ("sqrt(t-1)", 0.0, 3.0, 0.0),
+        ("abs(t-1)", 0.0, 3.0, 1.0),
+        ("1/(t^2-2*t+1.0001)", 0.0, 3.0, None),
+        ("log(2-t)", 0.0, 1.999, None),
+        ("log(2-t)", 0.0, 2.5, 2.0),
+        ("sin(t)/t", 0.1, 9.0, None),
+        ("asin(t)", -0.5, 0.9, None),
+        ("asin(t)", 0.0, 1.5, 1.0),
+        ("cosh(t)^0.5", -3.0, 3.0, None),
+        ("a/(t-b)", 0.0, 3.0, 2.0),
+        ("exp(-t^2)*atan(t)+tanh(t)", -3.0, 3.0, None),
+        ("2^t", 0.0, 3.0, None),
+    ],
+)
+def test_poles_corners_and_gaps_are_where_they_are(text: str, low: float, high: float, fault: float | None) -> None:
+    formula = parse(text)
+    others = {name: value for name, value in (("a", 3.0), ("b", 2.0)) if name in formula.names}
+    found = first_fault(formula, "t", low, high, **others)
+    assert (found is None) == (fault is None)
+    assert found is None or found == pytest.approx(fault, abs=1e-3)
+
+
+def test_every_function_is_known_on_cells() -> None:
+    for name in FUNCTIONS:
+        assert first_fault(parse(f"{name}(t)"), "t", 0.2, 0.7) is None
+
+
+@pytest.mark.parametrize("name", ["abs", "sqrt"])
+def test_a_corner_has_no_derivative(name: str) -> None:
+    with pytest.raises(ZeroDivisionError):
+        parse(f"{name}(t)")(t=Jet.variable(0.0, 2))
