@@ -51,10 +51,6 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         text = value.strip()
         items = split_list(text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else value)
         return share_unit(items) if form in ("scalar", "slope") else items
-    # a table of named tables: [surfaces.road] is an item with that name
-    listed = isinstance(value, dict) and value and "name" in getattr(node.item, "names", ())
-    if listed and all(isinstance(item, dict) and "name" not in item for item in value.values()):
-        return [{"name": name, **item} for name, item in value.items()]
     return [value]
 
 

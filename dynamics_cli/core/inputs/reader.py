@@ -288,6 +288,15 @@ def _keys(field: Field) -> "set[str]":
     return set(field.spread()) | _plain_names(field.node)
 
 
+def _named_tables(node: Many, value: "Any") -> "list[Any]":
+    """A table of named tables as a list: [surfaces.road] is an item with that name."""
+    if not isinstance(value, dict) or not isinstance(node.item, Record) or "name" not in node.item.names:
+        return []
+    if not all(isinstance(item, dict) and "name" not in item for item in value.values()):
+        return []
+    return [{"name": name, **item} for name, item in value.items()]
+
+
 def _plain_names(node: object) -> "set[str]":
     if not isinstance(node, Many) or not node.single:
         return set()

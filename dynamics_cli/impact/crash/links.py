@@ -34,7 +34,7 @@ def verdicts(
         if body.determined is not None:
             found = body.determined
             links.append(
-                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading, None, found.heading_tolerance)
+                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading or "", None, found.heading_tolerance)
             )
     for name, way in zip(names, ways, strict=True):
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
