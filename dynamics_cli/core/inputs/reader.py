@@ -246,7 +246,7 @@ class Reader(Context):
                 self._fail(own, f"{self.spell(own)} is missing", code="missing")
             return None
         try:
-            items = split_items(node, self._resolved(node, value, own))
+            items = _named_tables(node, value) or split_items(node, self._resolved(node, value, own))
         except DynamicsError as error:
             error.parameter = error.parameter or own
             self.errors.append(error)

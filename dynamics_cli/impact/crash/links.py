@@ -1,5 +1,7 @@
 """Verdicts of the links of a crash, and which of them is the weakest."""
 
+from math import inf
+
 from dynamics_cli.impact.crash.results import LinkVerdict
 from dynamics_cli.impact.crash.ways import After, Before, added
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
@@ -71,7 +73,8 @@ def weakest(links: "tuple[LinkVerdict, ...]") -> str:
         if one.heading_tolerance is not None:
             angle: float = plain(one.heading_tolerance)
             return angle / (GOOD if angle >= CAUTION else CAUTION)
-        assert one.friction_tolerance is not None
+        if one.friction_tolerance is None:
+            return inf  # no heading changes it
         return plain(one.friction_tolerance) / GOOD_FRICTION
 
     return str(min(links, key=margin).link)
