@@ -35,6 +35,12 @@ WORKED = (
         "crash/first_after.toml",
         "crash/second_after.toml",
     ),
+    Example(
+        "crash_scene",
+        "The same crash as one scene file: one road, one friction, one model.",
+        "dynamics impact crash crash_scene/crash.toml",
+        "crash_scene/crash.toml",
+    ),
     Example("crash_momentum", "The same in two steps, in a few lines.", "sh crash_momentum.sh", "crash_momentum.sh"),
     Example(
         "skid_chain",

@@ -101,14 +101,14 @@ def collision(
             end = centre[0] - (reach + 0.2) * way[0], centre[1] - (reach + 0.2) * way[1]
             tail = end[0] - scale * u[0], end[1] - scale * u[1]
             items.append(Arrow(*tail, scale * u[0], scale * u[1], "", role, dashed=True))
-            items.append(_beside(tail, (-way[0], -way[1]), f"{name} before\n{_about(speeds[role])}", role))
+            items.append(beside(tail, (-way[0], -way[1]), f"{name} before\n{about(speeds[role])}", role))
         if speeds[2 + role] > 0.0:
             items.append(Arrow(*centre, scale * v[0], scale * v[1], "", role))
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
             way = v[0] / speeds[2 + role], v[1] / speeds[2 + role]
-            items.append(_beside(tip, way, f"{name} after\n{_about(speeds[2 + role])}", role))
+            items.append(beside(tip, way, f"{name} after\n{about(speeds[2 + role])}", role))
     return Panel(
-        Axis("", Length), Axis("", Length), (*items, *_scales(items, scale, max(speeds), north)), equal=True, bare=True
+        Axis("", Length), Axis("", Length), (*items, *scales(items, scale, max(speeds), north)), equal=True, bare=True
     )
 
 
@@ -124,39 +124,41 @@ def velocities(
         for word, (x, y) in (("before", u), ("after", v)):
             if x or y:
                 items.append(Arrow(0.0, 0.0, x, y, "", role, dashed=word == "before"))
-                items.append(_beside((x, y), (x, y), f"{name} {word}", role))
+                items.append(beside((x, y), (x, y), f"{name} {word}", role))
     across, up = Axis("velocity along x", RoadSpeed), Axis("velocity along y", RoadSpeed)
     return Panel(across, up, tuple(items), title, equal=True)
 
 
-def _about(speed: float) -> str:
+def about(speed: float) -> str:
     """A speed to two digits: the picture shows sizes, the results stand beside it."""
     shown = speed / KM_H
     return f"{shown:.0f} km/h" if shown >= 10.0 else f"{shown:.2g} km/h"
 
 
-def _beside(at: "Pair", way: "Pair", text: str, role: int) -> Mark:
+def beside(at: "Pair", way: "Pair", text: str, role: int) -> Mark:
     """Words beyond the end of an arrow."""
     if abs(way[1]) > abs(way[0]):
         return Mark(*at, text, (0.0, math.copysign(4.0, way[1])), dot=False, role=role)
     return Mark(*at, text, (math.copysign(4.0, way[0]), 0.0), dot=False, role=role)
 
 
-def _scales(items: "Sequence[Any]", scale: float, fastest: float, north: "Pair | None") -> "list[Any]":
+def scales(
+    items: "Sequence[Any]", scale: float, fastest: float, north: "Pair | None", note: str = NEUTRAL
+) -> "list[Any]":
     """The length of an arrow of a round speed, what the outlines are, and where north (or x) is."""
     points = [(x, y) for item in items if isinstance(item, Curve) for x, y in zip(item.x, item.y, strict=True)]
     points += [(item.x, item.y) for item in items if isinstance(item, Arrow | Mark)]
     left, right = min(x for x, _ in points), max(x for x, _ in points)
     low, high = min(y for _, y in points), max(y for _, y in points)
     speed = next(s for s in (200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.0) if s * KM_H <= 0.9 * fastest or not s)
-    scales: list[Any] = []
+    bars: list[Any] = []
     if speed:
-        scales.append(Curve([left, left + scale * speed * KM_H], [low - 3.2, low - 3.2], "", "thick", 6))
-        scales.append(Mark(left, low - 3.2, f"velocity: {speed:g} km/h", (0.1, 4.0), dot=False))
-    scales.append(Mark(left, low - 3.2, NEUTRAL, (0.1, -4.0), dot=False))
+        bars.append(Curve([left, left + scale * speed * KM_H], [low - 3.2, low - 3.2], "", "thick", 6))
+        bars.append(Mark(left, low - 3.2, f"velocity: {speed:g} km/h", (0.1, 4.0), dot=False))
+    bars.append(Mark(left, low - 3.2, note, (0.1, -4.0), dot=False))
     if north is not None:
         # in the corner that is farthest from everything else
         corners = [(x, y) for x in (left, right) for y in (high - 1.0, low + 1.0)]
         x, y = max(corners, key=lambda corner: min(math.dist(corner, point) for point in points))
-        scales += [Arrow(x, y - 1.0, 0.0, 2.0, "", 6), Mark(x, y + 1.0, "N", (0.0, 3.0), dot=False)]
-    return scales
+        bars += [Arrow(x, y - 1.0, 0.0, 2.0, "", 6), Mark(x, y + 1.0, "N", (0.0, 3.0), dot=False)]
+    return bars

@@ -3,6 +3,8 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag
+from dynamics_cli.numerics.road.slide import require_kept
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Annotated,
@@ -17,8 +19,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, require_kept
-from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
+from dynamics_cli.skid.diagnostics import balance
 
 
 @record

@@ -1,8 +1,10 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, maximum, multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag, secant
+from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back, crossing_time
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -19,8 +21,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, require_kept, split_product
-from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag, secant
+from dynamics_cli.skid.diagnostics import balance, split_product
 
 # A mark as long as the computed stop may exceed it by rounding.
 ROUNDING_ROOM = 1.0 + 1e-15
@@ -39,17 +40,6 @@ class Segment:
 
 
 @record
-class SurfaceCrossed:
-    """What happened on one surface."""
-
-    entry_speed: Annotated[RoadSpeed, "Speed where the surface begins [m/s]."]
-    exit_speed: Annotated[RoadSpeed, "Speed where the surface ends [m/s]."]
-    drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
-    time: Annotated[Time, "Time spent on the surface [s]."]
-    distance: Annotated[Distance, "Length of the surface [m]."]
-
-
-@record
 class SkidSpeed:
     """Speed at the start of the marks, and what happened on the way."""
 
@@ -61,13 +51,6 @@ class SkidSpeed:
     surfaces: Annotated[tuple[SurfaceCrossed, ...], "The surfaces in the order they were crossed."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
-
-
-def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> float:
-    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither way nor speed."""
-    both = entry_speed + exit_speed
-    require_kept((both > 0.0) | (distance == 0.0), "the speed over the distance")
-    return 2.0 * distance / where(both > 0.0, both, 1.0)
 
 
 def speed(
@@ -114,32 +97,22 @@ def speed(
     stretches = segments if isinstance(segments, tuple) else (segments,)
     require(len(stretches) > 0, "no segment is given", code="no-segment")
     several = len(stretches) > 1
-    crossed: list[SurfaceCrossed] = []
+    names = [f"segments[{index}]: " if several else "" for index in range(len(stretches))]
+    crossed, work = crossed_back(stretches, end_speed, gravity, names)
     advice: tuple[Advice, ...] = ()
-    work: float = 0.0
     heat: float = 0.0
-    exit_speed = end_speed
-    for index in reversed(range(len(stretches))):
-        stretch = stretches[index]
-        name = f"segments[{index}]: " if several else ""
-        drag = require_drag(drag_along(stretch.friction, stretch.grade, stretch.braking), name)
-        work = work + drag * stretch.distance
-        entry_speed = hypot(end_speed, sqrt(2.0 * gravity * work))
-        time = crossing_time(stretch.distance, entry_speed, exit_speed)
-        crossed.append(SurfaceCrossed(entry_speed, exit_speed, drag, time, stretch.distance))
+    for stretch, name in zip(reversed(stretches), reversed(names), strict=True):
         if mass is not None:
             heat = heat + stretch.braking * stretch.friction * stretch.distance / secant(stretch.grade)
         advice = drag_advice(stretch.friction, stretch.grade, stretch.braking, name) + advice
-        exit_speed = entry_speed
-    crossed.reverse()
     return SkidSpeed(
-        speed=exit_speed,
+        speed=crossed[0].entry_speed,
         time=_total([surface.time for surface in crossed]),
         total_distance=_total([surface.distance for surface in crossed]),
         energy=None if mass is None else mass * (0.5 * end_speed * end_speed + gravity * work),
         friction_work=None if mass is None else mass * (gravity * heat),
-        surfaces=tuple(crossed),
-        checks=_energy_check(tuple(crossed), gravity),
+        surfaces=crossed,
+        checks=_energy_check(crossed, gravity),
         advice=advice,
     )
 

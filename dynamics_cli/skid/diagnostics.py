@@ -1,18 +1,14 @@
 """What every skid calculation says about its own answer: checks, numbers no road has, and what leaves the range."""
 
-from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.quantities import Friction, Slope
-from dynamics_cli.records import Advice, Check
+from dynamics_cli.records import Check
 
 # A residual check that fails is a fault of the program, so it leaves room for long sums of roundings.
 TOLERANCE = 1e-12
 # Between these, products and quotients of a few numbers keep all their digits.
 SMALLEST, LARGEST = 1e-70, 1e70
 DEGREES = 57.29577951308232
-STEEPEST_ROAD = 0.3
-HIGHEST_FRICTION = 1.5
 
 
 def balance(name: str, left: float, right: float, scale: float, *operands: float) -> tuple[Check, ...]:
@@ -35,35 +31,7 @@ def balance(name: str, left: float, right: float, scale: float, *operands: float
     return (Check(name=name, passed=residual <= tolerance, value=residual, tolerance=tolerance),)
 
 
-def require_kept(kept: object, what: str) -> None:
-    """Refuse where a number that is not zero became zero."""
-    require(
-        kept,
-        what + " is too small: the calculation leaves the range of a double",
-        code="range",
-        hint="check the size of the inputs",
-    )
-
-
 def split_product(x: float, y: float) -> tuple[float, float]:
     """The product as a constant and the rest it lacks, which alone carries derivatives: their sum is exact to u²."""
     head = plain(x * y)
     return head, multiply_add(x, y, -head)
-
-
-def friction_advice(friction: float, name: str = "friction", remedy: str = "write 0.7 or 70 %") -> tuple[Advice, ...]:
-    """Say so when a coefficient of friction is higher than any tyre's."""
-    if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
-        return ()
-    message = worded(
-        "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
-    )
-    return (Advice(code="high-friction", message=message, remedy=remedy),)
-
-
-def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
-    """Say so when a slope is steeper than any road's."""
-    if not single(grade) or not abs(plain(grade)) > STEEPEST_ROAD:
-        return ()
-    message = worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope))
-    return (Advice(code="steep-grade", message=message, remedy="write 3 % for three percent"),)

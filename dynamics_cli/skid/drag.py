@@ -1,8 +1,17 @@
 """Drag factor: deceleration over gravity, from a surface, from unequally braked axles or from a drag sled."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import absolute, cos, multiply_add, sin, sqrt
+from dynamics_cli.numerics.elementary import absolute, cos, multiply_add, sin
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import (
+    along_the_road,
+    drag_advice,
+    drag_along,
+    friction_advice,
+    grade_advice,
+    require_drag,
+    secant,
+)
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -18,76 +27,9 @@ from dynamics_cli.quantities import (
     Weight,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice, split_product
+from dynamics_cli.skid.diagnostics import balance, split_product
 
-# Steeper than this its square leaves the range of doubles.
-STEEPEST = 1e150
 RIGHT_ANGLE = 1.5707963267948966
-
-
-def level(grade: float) -> bool:
-    """Whether this is one grade, tracked or not, and exactly zero: then nothing is rounded."""
-    return single(grade) and plain(grade) == 0.0 and getattr(grade, "error", 0.0) == 0.0
-
-
-def secant(grade: float) -> float:
-    """1/cos θ = √(1 + G²) of a road whose grade is G = tan θ."""
-    if level(grade):
-        return 1.0
-    require(absolute(grade) <= STEEPEST, "a grade of {grade} is too steep", code="grade", grade=(grade, Slope))
-    return sqrt(1.0 + grade * grade)
-
-
-def along_the_road(resistance: float, grade: float) -> float:
-    """Drag factor (μ + G)/√(1 + G²) of a resistance μ per normal force on a grade G."""
-    return resistance + grade if level(grade) else (resistance + grade) / secant(grade)
-
-
-def drag_along(friction: float, grade: float, braking: float) -> float:
-    """Drag factor (ημ + G)/√(1 + G²), its numerator rounded once however nearly it cancels."""
-    if level(grade):
-        return braking * friction + grade
-    return multiply_add(braking, friction, grade) / secant(grade)
-
-
-def require_drag(drag: float, where_: str = "") -> float:
-    """`drag`, refused unless it slows the vehicle down."""
-    require(
-        drag > 0.0,
-        "{where}the drag factor of {drag} is not above zero: friction cannot hold the vehicle against this grade",
-        code="no-drag",
-        hint="uphill grades are positive; check the sign of grade, and friction and braking",
-        where=where_,
-        drag=(drag, DragFactor),
-    )
-    return drag
-
-
-def drag_advice(friction: float, grade: float, braking: float, name: str = "") -> tuple[Advice, ...]:
-    """Say so when friction or grade is none of a road, and when drag is their small difference."""
-    absurd = friction_advice(friction, name + "friction") + grade_advice(grade, name + "grade")
-    if not single(friction, grade, braking) or not plain(grade) < 0.0:
-        return absurd
-    grip = plain(braking) * plain(friction)
-    rest = plain(multiply_add(braking, friction, grade))
-    if not 0.0 < rest < 0.2 * grip:
-        return absurd
-    return (
-        *absurd,
-        Advice(
-            code="drag-by-difference",
-            message=worded(
-                "{name}friction of {grip} hardly exceeds the falling grade of {grade}: an error of 1 % in friction is "
-                "one of {percent} in the drag factor",
-                name=name,
-                grip=(grip, Friction),
-                grade=(-plain(grade), Slope),
-                percent=f"{grip / rest:.3g} %",
-            ),
-            severity="caution" if grip < 50.0 * rest else "serious",
-            remedy="measure friction and grade together, as a deceleration on the same road",
-        ),
-    )
 
 
 @record

@@ -16,6 +16,8 @@ from dynamics_cli.numerics.elementary import (
     where,
 )
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import friction_advice
+from dynamics_cli.numerics.road.slide import require_kept
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -28,7 +30,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, require_kept
+from dynamics_cli.skid.diagnostics import balance
 from dynamics_cli.skid.drag import RIGHT_ANGLE
 
 

@@ -3,6 +3,8 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag
+from dynamics_cli.numerics.road.slide import crossing_time
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -18,9 +20,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.braking import crossing_time
 from dynamics_cli.skid.diagnostics import DEGREES, balance
-from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 # π as the sum of two doubles, so that whole half-turns are taken off without loss.
 HALF_TURN = 3.141592653589793

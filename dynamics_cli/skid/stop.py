@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt
+from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -18,7 +19,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.skid.diagnostics import balance
-from dynamics_cli.skid.drag import drag_advice, drag_along, require_drag
 
 MOST_STEPS = 10000
 

@@ -3,6 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import friction_advice, grade_advice, secant
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -15,8 +16,7 @@ from dynamics_cli.quantities import (
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance, friction_advice, grade_advice
-from dynamics_cli.skid.drag import secant
+from dynamics_cli.skid.diagnostics import balance
 
 
 @record

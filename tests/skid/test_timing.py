@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.numerics.polynomials import roots_between, shifted, value
+from dynamics_cli.numerics.road.phases import Kind, Phase
 from dynamics_cli.skid.stop import stop
 from dynamics_cli.skid.timing.follow import follow
 from dynamics_cli.skid.timing.meet import Party, meet
-from dynamics_cli.skid.timing.phases import Kind, Phase
 from dynamics_cli.skid.timing.sight import sight
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, timeline
 

@@ -7,6 +7,7 @@ from dynamics_cli.core.inputs.specification import Leaf, Record
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.errors import DynamicsError, InadmissibleError, MissingError, UsageError
 from dynamics_cli.records import Quantity
+from dynamics_cli.sampling import Measured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -80,8 +81,11 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
         ) from None
 
 
-def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
-    """Answer one case, with derivatives and rounding bounds where the model can carry them."""
+def answer(task: Task, bound: Fields, asked: str = "", uncertain: "Mapping[str, Any] | None" = None) -> Answer:
+    """Answer one case, with derivatives and rounding bounds where the model can carry them.
+
+    `uncertain` has the distributions of measured inputs by address, for physics that judges a gap by them.
+    """
     model, why = choose(task, bound, asked)
     leaves = [(address, si) for address, _, si in bound.leaves()] if task.tracked else []
     if not leaves:
@@ -96,7 +100,9 @@ def answer(task: Task, bound: Fields, asked: str = "") -> Answer:
     doubles = [si for _, si in leaves]
     # every number carries its slope by every input, which takes the square of their count
     sloped = len(leaves) <= MOST_SLOPES
-    record = call(Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles])
+    measured = uncertain if uncertain and sloped else {}
+    with Measured(tuple(measured[name].std if name in measured else 0.0 for name, _ in leaves) if measured else ()):
+        record = call(Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles])
     tighten(record, doubles, call)
     return Answer(record, model, why, leaves if sloped else [])
 

@@ -120,7 +120,7 @@ def answered_case(
     display = Display(settings.units, settings.to)
     start = _clock() if settings.timing else 0.0
     try:
-        answered = answer(task, bound, settings.model)
+        answered = answer(task, bound, settings.model, reader.uncertain)
     except InadmissibleError as error:
         if error.judged and reader.uncertain:
             from dynamics_cli.core.uncertainty.undetermined import add_intervals

@@ -246,7 +246,7 @@ class Reader(Context):
                 self._fail(own, f"{self.spell(own)} is missing", code="missing")
             return None
         try:
-            items = split_items(node, self._resolved(node, value, own))
+            items = _named_tables(node, value) or split_items(node, self._resolved(node, value, own))
         except DynamicsError as error:
             error.parameter = error.parameter or own
             self.errors.append(error)
@@ -286,6 +286,15 @@ def _keys(field: Field) -> "set[str]":
     if isinstance(field.node, Record) and field.place:
         return set(field.node.names)
     return set(field.spread()) | _plain_names(field.node)
+
+
+def _named_tables(node: Many, value: "Any") -> "list[Any]":
+    """A table of named tables as a list: [surfaces.road] is an item with that name."""
+    if not isinstance(value, dict) or not isinstance(node.item, Record) or "name" not in node.item.names:
+        return []
+    if not all(isinstance(item, dict) and "name" not in item for item in value.values()):
+        return []
+    return [{"name": name, **item} for name, item in value.items()]
 
 
 def _plain_names(node: object) -> "set[str]":

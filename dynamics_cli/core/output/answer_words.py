@@ -91,8 +91,12 @@ def deviation(results: "Any", address: str) -> float:
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
-    """What a user calls the bodies: names by the words that labels begin with."""
-    given = {word: node.get("name") for word, node in inputs.items() if isinstance(node, dict)}
+    """What a user calls the bodies: names by the words that labels begin with, `surfaces[0]` among them."""
+    nodes = dict(inputs)
+    for word, node in inputs.items():
+        if isinstance(node, list):
+            nodes.update((f"{word}[{index}]", item) for index, item in enumerate(node))
+    given = {word: node.get("name") for word, node in nodes.items() if isinstance(node, dict)}
     return {word: name for word, name in given.items() if isinstance(name, str)}
 
 

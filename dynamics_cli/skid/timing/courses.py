@@ -6,14 +6,14 @@ from math import inf, isfinite
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.polynomials import derivative, roots_between, shifted, value
-from dynamics_cli.skid.diagnostics import require_kept
+from dynamics_cli.numerics.road.slide import require_kept
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.skid.timing.phases import Leg
+    from dynamics_cli.numerics.road.phases import Leg
 
 
 class Stretch:

@@ -82,7 +82,7 @@ def follow(
 
     Examples
     --------
-    >>> from dynamics_cli.skid.timing.phases import Kind, Phase
+    >>> from dynamics_cli.numerics.road.phases import Kind, Phase
     >>> from dynamics_cli.skid.timing.timeline import StartSpeed
     >>> leader = Party(Phase(Kind("braking"), speed=0.0, acceleration=7.0), StartSpeed(20.0))
     >>> late = (Phase(Kind("reaction"), duration=1.1), Phase(Kind("braking"), speed=0.0, acceleration=6.5))

@@ -3,6 +3,8 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import sqrt, total
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.road.drag import HIGHEST_FRICTION
+from dynamics_cli.numerics.road.phases import Leg, Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -15,9 +17,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, record
-from dynamics_cli.skid.diagnostics import HIGHEST_FRICTION
 from dynamics_cli.skid.timing.courses import Course
-from dynamics_cli.skid.timing.phases import Leg, Phase, legs
 from dynamics_cli.skid.timing.timeline import MOST_STEPS, EndSpeed, StartSpeed, summed
 
 
@@ -115,7 +115,7 @@ def meet(
 
     Examples
     --------
-    >>> from dynamics_cli.skid.timing.phases import Kind
+    >>> from dynamics_cli.numerics.road.phases import Kind
     >>> car = Party((Phase(Kind("reaction"), duration=1.2), Phase(Kind("braking"), 1.0, friction=0.7)), EndSpeed(8.0))
     >>> walker = Party(Phase(Kind("constant"), distance=4.6), EndSpeed(1.4))
     >>> round(meet(first=car, second=walker).hazard_time, 4)

@@ -3,10 +3,10 @@
 import math
 from itertools import pairwise
 
+from dynamics_cli.numerics.road.phases import Leg, legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
-from dynamics_cli.skid.timing.phases import Leg, legs
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
 
 TYPE_CHECKING = False

@@ -95,7 +95,7 @@ def sight(
 
     Examples
     --------
-    >>> from dynamics_cli.skid.timing.phases import Kind, Phase
+    >>> from dynamics_cli.numerics.road.phases import Kind, Phase
     >>> from dynamics_cli.skid.timing.timeline import EndSpeed
     >>> car = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(13.0))
     >>> walker = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(1.5))

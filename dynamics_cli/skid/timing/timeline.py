@@ -1,6 +1,7 @@
 """A motion in phases, forward from its first speed or back from its last: where it was, how fast, and when."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.road.phases import Leg, Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -12,7 +13,6 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import record
-from dynamics_cli.skid.timing.phases import Leg, Phase, legs
 
 MOST_STEPS = 10000
 
@@ -107,7 +107,7 @@ def timeline(
 
     Examples
     --------
-    >>> from dynamics_cli.skid.timing.phases import Kind
+    >>> from dynamics_cli.numerics.road.phases import Kind
     >>> round(timeline(phases=Phase(Kind("braking"), distance=14.0, friction=0.7), known=EndSpeed(8.0)).start_speed, 4)
     16.0066
     """

@@ -2,7 +2,8 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import drag_along, require_drag
 from dynamics_cli.quantities import (
     Acceleration,
     Annotated,
@@ -14,7 +15,6 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Choice, record
-from dynamics_cli.skid.drag import drag_along, require_drag
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -247,7 +247,10 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
             code="stops-early", hint="end the phase there and wait", name=name,
             rest=(0.5 * speed * speed / absolute(where(rate == 0.0, 1.0, rate)), Distance), way=(way, Distance),
         )  # fmt: skip
-        other = hypot(speed, sqrt(2.0 * rate * way)) if plain(rate) >= 0.0 else sqrt(square)
+        if single(rate):
+            other = hypot(speed, sqrt(2.0 * rate * way)) if plain(rate) >= 0.0 else sqrt(square)
+        else:
+            other = where(rate >= 0.0, hypot(speed, sqrt(2.0 * maximum(rate, 0.0) * way)), sqrt(square))
         return other, _crossing(way, speed, other, name), way, rate
     assert other is not None
     require(rate != 0.0, "{name}without acceleration the speed does not change", code="no-rate", name=name)

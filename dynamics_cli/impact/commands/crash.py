@@ -1,0 +1,52 @@
+"""The task of a whole crash."""
+
+from dynamics_cli.core.answering.task import Model, Task
+from dynamics_cli.impact.commands.rigid import SHORT
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 9.5 and 10.10"
+POINTS = "point masses slowed uniformly on every surface; slides are straight"
+ONE_ROAD = "one surface is one friction, for every vehicle and phase that refers to it"
+
+CRASH = Task(
+    "crash",
+    "A whole two-car crash from one scene: before, impact and after, as one model.",
+    Model(
+        "slides, then momentum and energy on one line, then the ways before",
+        "dynamics_cli.impact.crash.solve:crash_with_energy",
+        source=BOOK,
+        formula="after: u² = u_e² + 2·g·Σ f·d; impact: u² = w² + 2·E/m_r; before: v₀² = v² + 2·g·f·d",
+        assumptions=(POINTS, SHORT, ONE_ROAD),
+        suffices="dynamics_cli.impact.crash.solve:energy_suffices",
+    ),
+    Model(
+        "slides, then momentum, then the ways before",
+        "dynamics_cli.impact.crash.solve:crash",
+        source=BOOK,
+        formula="after: u² = u_e² + 2·g·Σ f·d; impact: m₁·v₁ + m₂·v₂ = m₁·u₁ + m₂·u₂; before: v₀² = v² + 2·g·f·d",
+        assumptions=(POINTS, SHORT, ONE_ROAD),
+    ),
+    examples=(
+        "dynamics impact crash examples/crash_scene/crash.toml",
+        "dynamics impact crash examples/crash_scene/crash.toml --method linear --plot crash.svg",
+    ),
+    table="courses links agreements",
+    plot="dynamics_cli.impact.crash.pictures:crash",
+    headline=(
+        "first.start.speed: first at its start v₀",
+        "first.start.braking_speed: first where it braked",
+        "first.approach_speed: first into the impact v",
+        "first.exit_speed: first after the impact u",
+        "first.delta_v.magnitude: first ΔV",
+        "first.delta_v.pdof: first PDOF",
+        "second.start.speed: second at its start v₀",
+        "second.start.braking_speed: second where it braked",
+        "second.approach_speed: second into the impact v",
+        "second.exit_speed: second after the impact u",
+        "second.delta_v.magnitude: second ΔV",
+        "second.delta_v.pdof: second PDOF",
+        "energy.impact: energy lost in the impact",
+        "weakest: weakest link",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (CRASH,)

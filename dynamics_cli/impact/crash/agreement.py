@@ -1,0 +1,119 @@
+"""What two links of a crash give alike: the gap between them, in standard deviations where inputs are uncertain."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.impact.crash.results import Agreement, CrashCourse
+from dynamics_cli.impact.crash.scene import CrashScene
+from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Length, Ratio, RoadSpeed
+from dynamics_cli.records import Advice
+from dynamics_cli.sampling import deviation
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# Beyond so many standard deviations of their gap, two links contradict each other.
+MOST_DEVIATIONS = 3.0
+
+
+class Gap:
+    """An agreement, and what its refusal says."""
+
+    def __init__(self, agreement: Agreement, kind: "Any", one: float, other: float) -> None:
+        self.agreement = agreement
+        self.kind = kind
+        self.one = one
+        self.other = other
+
+
+def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse]") -> "list[Gap]":
+    """Every quantity of the scene that was measured and also follows from another link."""
+    gaps: list[Gap] = []
+    for name, side, course in zip(names, ("first", "second"), courses, strict=True):
+        given = getattr(scene, side)
+        if given.rest is not None and course.rest_position is not None:
+            gaps.append(_place(name, course.rest_position, given.rest))
+        for what, link, found, recorded in (
+            ("speed into the impact", "momentum", course.approach_speed, given.recorded_speed),
+            ("ΔV", "momentum", course.delta_v.magnitude, given.recorded_delta_v),
+        ):
+            if recorded is not None:
+                gap = found - recorded
+                entry = Agreement(f"{what} of {name}", link, "record", gap, None, _normalised(gap))
+                gaps.append(Gap(entry, RoadSpeed, found, recorded))
+    return gaps
+
+
+def _place(name: str, slid: "tuple[float, float]", measured: "tuple[float, float]") -> Gap:
+    """The end of a slide beside the rest position, along the line between them."""
+    across = measured[0] - slid[0], measured[1] - slid[1]
+    apart = hypot(*across)
+    entry = Agreement(
+        f"rest position of {name}", "slide along the exit heading", "rest as measured", None, apart, _normalised(apart)
+    )
+    return Gap(entry, Length, apart, 0.0 * apart)
+
+
+def _normalised(gap: "Any") -> float | None:
+    """A gap over its standard deviation; None where that is not known or for arrays."""
+    if not single(gap):
+        return None
+    spread = deviation(gap)
+    return None if not spread else abs(plain(gap)) / spread
+
+
+def require_agreement(gaps: "list[Gap]") -> None:
+    """Refuse two links that contradict each other, by the worst gap."""
+    known = [gap for gap in gaps if gap.agreement.normalised is not None]
+    if not known:
+        return
+    worst = max(known, key=lambda gap: gap.agreement.normalised or 0.0)
+    entry = worst.agreement
+    numbers = "they are {one:3} apart" if worst.kind is Length else "{one:3} and {other:3}"
+    require(
+        (entry.normalised or 0.0) <= MOST_DEVIATIONS,
+        "{first} and {second} contradict each other on the {quantity}: " + numbers + ", {gap:2} standard deviations",
+        code="contradiction",
+        hint="look for the measurement that is wrong, or for a greater uncertainty, in {first} and in {second}",
+        first=entry.one,
+        second=entry.other,
+        quantity=entry.quantity,
+        one=(worst.one, worst.kind),
+        other=(worst.other, worst.kind),
+        gap=(entry.normalised, Ratio),
+    )
+
+
+def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
+    """What to think of gaps that nothing is known to judge by, and of those beyond two deviations."""
+    notes: list[Advice] = []
+    for gap in gaps:
+        entry = gap.agreement
+        apart = entry.normalised
+        if apart is None and not _judged_by_eye(gap):
+            continue
+        if apart is not None and apart <= 2.0:
+            continue
+        numbers = "they are {one:3} apart" if gap.kind is Length else "{one:3} and {other:3}"
+        notes.append(
+            Advice(
+                "links-differ",
+                worded(
+                    "{first} and {second} differ on the {quantity}: " + numbers,
+                    first=entry.one, second=entry.other, quantity=entry.quantity,
+                    one=(gap.one, gap.kind), other=(gap.other, gap.kind),
+                ),
+                remedy="give the uncertainty of what was measured: it decides whether they contradict each other",
+            )
+        )  # fmt: skip
+    return tuple(notes)
+
+
+def _judged_by_eye(gap: Gap) -> bool:
+    """Whether a gap between exact inputs is worth a word: a tenth of a speed, a metre of a position."""
+    if not single(gap.one, gap.other):
+        return False
+    if gap.kind is Length:
+        return plain(gap.one) > 1.0
+    return abs(plain(gap.one) - plain(gap.other)) > 0.1 * plain(gap.other)

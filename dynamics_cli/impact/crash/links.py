@@ -1,0 +1,80 @@
+"""Verdicts of the links of a crash, and which of them is the weakest."""
+
+from math import inf
+
+from dynamics_cli.impact.crash.results import LinkVerdict
+from dynamics_cli.impact.crash.ways import After, Before, added
+from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
+from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, GOOD, LEVELS
+from dynamics_cli.numerics.elementary import absolute, minimum, where
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import secant
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.numerics.road.phases import Leg, Phase
+
+# Friction is known to a tenth where it was measured on the road; to three hundredths nowhere.
+GOOD_FRICTION, CAUTION_FRICTION = 0.1, 0.03
+# No error of friction matters to a speed that this much of it does not change by a tenth.
+NO_MATTER = 1.0
+
+
+def verdicts(
+    names: "list[str]", slides: "list[After]", ways: "list[Before]", meeting: MomentumResult
+) -> "tuple[LinkVerdict, ...]":
+    """The verdict of every link, in the order of time from the last."""
+    links: list[LinkVerdict] = []
+    for name, slide in zip(names, slides, strict=True):
+        if slide.surfaces:
+            assert slide.speed is not None
+            grip = slide.gravity * added(
+                [one.braking * one.friction * one.distance / secant(one.grade) for one in slide.grounds]
+            )
+            links.append(_by_friction(f"slide of {name}", slide.speed, grip))
+    for name, body in zip(names, (meeting.first, meeting.second), strict=True):
+        if body.determined is not None:
+            found = body.determined
+            links.append(
+                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading or "", None, found.heading_tolerance)
+            )
+    for name, way in zip(names, ways, strict=True):
+        braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
+        if braked:
+            grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
+            links.append(_by_friction(f"way of {name} to the impact", way.start_speed, grip))
+    return tuple(links)
+
+
+def _grip(leg: "Leg", phase: "Phase", gravity: float) -> float:
+    """Half of what the square of the speed at the start grows by, for a friction that is so much larger."""
+    force = gravity * phase.braking * phase.friction / secant(phase.grade)  # type: ignore[operator]
+    if leg.kind == "build-up":
+        return 0.5 * force * leg.duration * leg.start
+    return force * (leg.distance if phase.duration is None else leg.duration * leg.start)
+
+
+def _by_friction(link: str, speed: float, grip: float) -> LinkVerdict:
+    """A link whose speed v follows from v² = … + 2 grip, the grip in proportion to friction."""
+    tenth = 0.1 * speed * speed
+    moved = absolute(grip) > 0.0
+    tolerance = where(moved, minimum(tenth / where(moved, absolute(grip), 1.0), NO_MATTER), NO_MATTER)
+    number = plain(tolerance)
+    level = where(number >= GOOD_FRICTION, LEVELS[2], where(number >= CAUTION_FRICTION, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
+    return LinkVerdict(link, level, "friction", tolerance, None)  # type: ignore[arg-type]
+
+
+def weakest(links: "tuple[LinkVerdict, ...]") -> str:
+    """The link whose tolerance is least beside what such an input is known to; empty for arrays."""
+    if not links or not all(single(one.friction_tolerance, one.heading_tolerance) for one in links):
+        return ""
+
+    def margin(one: LinkVerdict) -> float:
+        if one.heading_tolerance is not None:
+            angle: float = plain(one.heading_tolerance)
+            return angle / (GOOD if angle >= CAUTION else CAUTION)
+        if one.friction_tolerance is None:
+            return inf  # no heading changes it
+        return plain(one.friction_tolerance) / GOOD_FRICTION
+
+    return str(min(links, key=margin).link)
