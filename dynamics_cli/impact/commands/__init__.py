@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import particles, rigid
+from dynamics_cli.impact.commands import evidence, particles, rigid
 
 FAMILIES = {
     "impact": Family(
@@ -9,5 +9,6 @@ FAMILIES = {
         "Impacts, from two balls to a two-car crash with friction, with a certificate.",
         *particles.TASKS,
         *rigid.TASKS,
+        *evidence.TASKS,
     )
 }
