@@ -5,6 +5,7 @@ from dynamics_cli.core.answering.task import Model, Task
 BRACH = "R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011"
 SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
 POINT = "one resultant impulse acts at the contact"
+RECORDED = "the recorded ΔV is within its tolerance, and the pulse had ended"
 EXITS = "the motion after is that of the mass centres just after the impact"
 
 INVERSE = Task(
@@ -67,4 +68,53 @@ INVERSE = Task(
     "spins before the impact, which are zero where vehicles drove straight.",
 )
 
-TASKS: "tuple[Task, ...]" = (INVERSE,)
+RECORD = Task(
+    "record",
+    "A crash from the ΔV that one vehicle's recorder gives.",
+    Model(
+        "in line, with a range of restitution",
+        "dynamics_cli.impact.recorded.task:head_on",
+        source="CRASH3 (NHTSA), effective mass with a lever arm; 49 CFR 563.8",
+        formula="{closing_speed|u} = m₁·ΔV₁·(1/(γ₁·m₁) + 1/(γ₂·m₂))/(1 + {restitution|e})",
+        assumptions=(SHORT, "the vehicles met along the line of the force", RECORDED),
+        suffices="dynamics_cli.impact.recorded.task:in_line",
+    ),
+    Model(
+        "in the plane, with a range of restitution",
+        "dynamics_cli.impact.recorded.task:by_restitution",
+        source=BRACH + ": planar impact mechanics; 49 CFR 563.8",
+        formula="u_n = −n·K·p/(1 + {restitution|e}); {second.approach_speed|v₂} = (V₁·n − u_n)/(d₂·n)",
+        assumptions=(SHORT, POINT, RECORDED),
+        suffices="dynamics_cli.impact.recorded.task:restitution_decides",
+    ),
+    Model(
+        "in the plane, with headings before and after",
+        "dynamics_cli.impact.recorded.task:by_headings",
+        source="conservation of momentum; 49 CFR 563.8",
+        formula="{second.approach_speed|v₂} = −(ΔV₂ × d_β)/(d₂ × d_β)",
+        assumptions=(SHORT, RECORDED, "the heading after is that of the mass centre just after the impact"),
+    ),
+    plot="dynamics_cli.impact.recorded.pictures:record",
+    examples=(
+        'dynamics impact record --first-mass "1500 kg" --first-delta-v-longitudinal "-27 km/h" --second-mass '
+        '"1200 kg" --least-restitution 0 --greatest-restitution 0.2',
+        'dynamics impact record --first-mass "1500 kg" --first-inertia "2600 kg*m^2" --first-lever "1.9, 0.15 m" '
+        '--first-nose "12 deg" --first-approach-speed "13.2 m/s" --first-delta-v-longitudinal "-44.6 km/h" '
+        '--first-delta-v-lateral "7.2 km/h" --first-spin-change "1.9 rad/s" --first-module "-0.4, 0.1 m" '
+        '--second-mass "1200 kg" --second-inertia "1900 kg*m^2" --second-lever "-1.8, -0.3 m" '
+        '--second-approach-heading "140 deg" --normal "12 deg" --least-restitution 0 --greatest-restitution 0.2',
+    ),
+    headline=(
+        "first.delta_v.magnitude: first Δv₁ at the mass centre",
+        "second.delta_v.magnitude: second Δv₂",
+        "closing_speed: closing speed u",
+        "closing_speed_low: closing speed at least",
+        "closing_speed_high: closing speed at most",
+        "second.approach_speed: second speed before v₂",
+        "second.approach_speed_low: second speed at least",
+        "second.approach_speed_high: second speed at most",
+        "energy_lost: energy lost E",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (INVERSE, RECORD)
