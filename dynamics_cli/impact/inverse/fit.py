@@ -37,7 +37,8 @@ class Side:
         self.sense = sense
         self.mass = mass
         self.velocity = velocity
-        self.way, self.turn = heading or (None, None)
+        self.way: Pair | None = None if heading is None else heading[0]
+        self.turn: Pair | None = None if heading is None else heading[1]
         self.spins = spins
         self.velocity_sigma, self.spin_sigma, self.heading_sigma = sigmas
 

@@ -23,8 +23,11 @@ class Contact:
     """Restitution, ratio of impulses and energy lost that a fit implies."""
 
     def __init__(self, fit: Fit, sides: "tuple[Side, Side]", normal: Pair | None) -> None:
-        self.restitution = self.ratio = self.energy_lost = None
-        self.restitution_sigma = self.ratio_sigma = None
+        self.restitution: float | None = None
+        self.ratio: float | None = None
+        self.energy_lost: float | None = None
+        self.restitution_sigma: float | None = None
+        self.ratio_sigma: float | None = None
         if sides[0].spins is None or sides[1].spins is None:
             return
         before = [float(fit.state[axis] - fit.state[2 + axis]) for axis in (0, 1)]
@@ -38,11 +41,12 @@ class Contact:
                     gain[row][column] += a * b / inertia
         p = [float(one) for one in fit.state[4:]]
         after = [before[row] + gain[row][0] * p[0] + gain[row][1] * p[1] for row in (0, 1)]
-        self.energy_lost: float | None = -0.5 * sum(p[axis] * (before[axis] + after[axis]) for axis in (0, 1))
+        lost = -0.5 * sum(p[axis] * (before[axis] + after[axis]) for axis in (0, 1))
+        self.energy_lost = lost
         require(
-            self.energy_lost >= 0.0,  # type: ignore[operator]
+            lost >= 0.0,
             "no approach gives these exits: the impact would have given {energy:3} to the vehicles",
-            energy=(-self.energy_lost, Energy),  # type: ignore[operator]
+            energy=(-lost, Energy),
             code="energy-gained",
             hint="check the signs of spins and levers, and the headings",
         )
@@ -70,15 +74,15 @@ class Contact:
             code="pull",
             hint="the normal points from the first vehicle to the second",
         )
-        self.restitution: float | None = -parting / approach
-        self.ratio: float | None = drag / push
+        bounce, ratio = -parting / approach, drag / push
+        self.restitution, self.ratio = bounce, ratio
         along = [gain[0][k] * normal[0] + gain[1][k] * normal[1] for k in (0, 1)]
         closing = [normal[0], normal[1], -normal[0], -normal[1], 0.0, 0.0]
         leaving = [*closing[:4], *along]
-        slopes = [-(a + self.restitution * b) / approach for a, b in zip(leaving, closing, strict=True)]
-        self.restitution_sigma: float | None = fit.sigma(slopes)
-        turned = [(across[k] - self.ratio * normal[k]) / push for k in (0, 1)]
-        self.ratio_sigma: float | None = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
+        slopes = [-(a + bounce * b) / approach for a, b in zip(leaving, closing, strict=True)]
+        self.restitution_sigma = fit.sigma(slopes)
+        turned = [(across[k] - ratio * normal[k]) / push for k in (0, 1)]
+        self.ratio_sigma = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
 
     def advice(self) -> "tuple[Advice, ...]":
         """Cautions where vehicles do not behave so."""

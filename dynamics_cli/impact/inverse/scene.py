@@ -55,10 +55,7 @@ class Scene:
             one.velocity_sigma is not None and (one.spin_sigma is not None or not turning)
             for one, turning in zip(vehicles, used, strict=True)
         )
-        self.sides = tuple(  # type: ignore[assignment]
-            self._side(index, used[index], headings) for index in (0, 1)
-        )
-        self.sides: tuple[Side, Side]
+        self.sides = self._side(0, used[0], headings), self._side(1, used[1], headings)
         self.inward = None
         if normal is not None:
             x, y = direction_of(normal, axes)

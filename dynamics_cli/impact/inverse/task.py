@@ -58,7 +58,7 @@ def by_momentum(
         code="not-enough",
         hint="give them; or, for headings unknown, both exit spins and approach spins, inertias and levers",
     )
-    verdict = judge_crossing(scene.sides[0].way, scene.sides[1].way)  # type: ignore[arg-type]
+    verdict = judge_crossing(scene.sides[0].way, scene.sides[1].way)
     return scene.answer(solve(scene.sides), verdict, None, "momentum, QR of the scaled equations")
 
 

@@ -37,7 +37,10 @@ class Contact:
     """Slip before and after, ratio of impulses and energy lost."""
 
     def __init__(self, crash: Crash, found: Found) -> None:
-        self.before = self.after = self.ratio = self.lost = None
+        self.before: float | None = None
+        self.after: float | None = None
+        self.ratio: float | None = None
+        self.lost: float | None = None
         p, gained = crash.impulse, crash.gained()
         if found.inward is None:
             return
@@ -45,18 +48,19 @@ class Contact:
         if crash.before is None or found.velocity is None:
             # in line, the impulse has no part across
             closing, e = float_like(found.closing), float_like(found.restitution)
-            self.lost: float | None = 0.5 * crash.size * closing * (1.0 - e)
+            self.lost = 0.5 * crash.size * closing * (1.0 - e)
             return
         relative = plus(crash.contact(crash.one, crash.before), crash.contact(crash.two, found.velocity), -1.0)
         leaving = plus(relative, gained)
-        self.before: float | None = dot(relative, across)
-        self.after: float | None = dot(leaving, across)
-        self.ratio: float | None = dot(p, across) / dot(p, found.inward)
-        self.lost = -0.5 * (dot(p, relative) + dot(p, leaving))
+        self.before = dot(relative, across)
+        self.after = dot(leaving, across)
+        self.ratio = dot(p, across) / dot(p, found.inward)
+        lost = -0.5 * (dot(p, relative) + dot(p, leaving))
+        self.lost = lost
         require(
-            self.lost >= -1e-12 * (absolute(dot(p, relative)) + absolute(dot(p, leaving))),
+            lost >= -1e-12 * (absolute(dot(p, relative)) + absolute(dot(p, leaving))),
             "no crash gives this record: the impact would have given {energy:3} to the vehicles",
-            energy=(0.0 - self.lost, Energy),
+            energy=(0.0 - lost, Energy),
             code="energy-gained",
             hint="check signs of ΔV, the normal, the nose and the headings",
         )
@@ -92,7 +96,7 @@ def answer(
         slip_after=contact.after,
         energy_lost=contact.lost,
         heading_tolerance=found.bearing,
-        verdict=verdict,
+        verdict=verdict,  # type: ignore[arg-type]
         conventions=conventions(crash.axes, zero),
         checks=_energy(crash, found, contact),
         advice=_advice(crash, found, contact, first, final_change, stated),

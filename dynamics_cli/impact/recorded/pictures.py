@@ -2,7 +2,7 @@
 
 from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.scene_pictures import collision
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, Ranges
+from dynamics_cli.pictures import Arrow, Axis, Mark, Panel, Picture, Ranges
 from dynamics_cli.quantities import RoadSpeed
 
 TYPE_CHECKING = False
@@ -44,9 +44,9 @@ def _changes(result: "Any", names: "list[str]") -> Panel:
     for role, (name, (x, y)) in enumerate(zip(names, ways, strict=True)):
         items += [Arrow(0.0, 0.0, x, y, "", role), Mark(0.5 * x, 0.5 * y, f"{name} ΔV", (0.1, 6.0), False, role)]
     # room beside the arrows, which may lie on one line
-    items.append(Curve([-size, size], [0.0, 0.0], style="dotted", role=6))
-    x_axis = Axis("along x", RoadSpeed, ends=(-1.15 * size, 1.15 * size))
-    y_axis = Axis("along y", RoadSpeed, ends=(-1.15 * size, 1.15 * size))
+    reach = [1.1 * max(abs(way[axis]) for way in ways) + 0.2 * size for axis in (0, 1)]
+    x_axis = Axis("along x", RoadSpeed, ends=(-reach[0], reach[0]))
+    y_axis = Axis("along y", RoadSpeed, ends=(-reach[1], reach[1]))
     return Panel(x_axis, y_axis, tuple(items), "changes of velocity", equal=True)
 
 

@@ -5,7 +5,6 @@ from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass
 from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
 from dynamics_cli.impact.recorded.records import Partner, Recorder
 from dynamics_cli.numerics.elementary import hypot
-from dynamics_cli.quantities import Angle
 
 Pair = tuple[float, float]
 
@@ -91,7 +90,7 @@ def _turned(on_body: Pair, nose: Pair) -> Pair:
 
 def _solid(
     vehicle: Recorder | Partner,
-    nose: Angle | None,
+    nose: float | None,
     spin: float,
     contact_point: Pair | None,
     axes: Axes,

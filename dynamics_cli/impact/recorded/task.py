@@ -18,6 +18,10 @@ from dynamics_cli.quantities import (
     RoadSpeed,
 )
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 # Sine of 5 degrees: across the normal, restitution says nothing of a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
 DEGREE = 0.017453292519943295
@@ -319,9 +323,9 @@ def _range(low: float | None, high: float | None) -> "tuple[float, float, float]
     return 0.5 * (low + high), low, high  # type: ignore[operator,return-value]
 
 
-def _limits(at: "object", tolerance: float) -> "tuple[float, float]":
+def _limits(at: "Callable[[float, int], float]", tolerance: float) -> "tuple[float, float]":
     """Lowest and highest of a quantity that is linear in the scale of the record, at the ends of restitution."""
-    ends = [at(scale, k) for scale in (1.0 - tolerance, 1.0 + tolerance) for k in (0, 1)]  # type: ignore[operator]
+    ends = [at(scale, k) for scale in (1.0 - tolerance, 1.0 + tolerance) for k in (0, 1)]
     low, high = ends[0], ends[0]
     for one in ends[1:]:
         low, high = minimum(low, one), maximum(high, one)
