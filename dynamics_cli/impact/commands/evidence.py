@@ -33,7 +33,7 @@ INVERSE = Task(
     Model(
         "least squares, headings and spins together",
         "dynamics_cli.impact.inverse.task:least_squares",
-        source=BRACH + ": planar impact mechanics; Å. Björck, Numerical Methods for Least Squares Problems, SIAM 1996",
+        source=BRACH + ": planar impact mechanics",
         formula="Σ ((fitted − measured)/σ)² = {chi_squared|χ²} → minimum over v₁, v₂, p, α₁, α₂",
         assumptions=(SHORT, POINT, EXITS, "errors of the measurements are independent and normal"),
         method="Gauss–Newton by QR of the scaled matrix",

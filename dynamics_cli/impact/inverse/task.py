@@ -150,8 +150,7 @@ def least_squares(
 
     References
     ----------
-    R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011: planar impact mechanics;
-    Å. Björck, Numerical Methods for Least Squares Problems, SIAM 1996: Gauss–Newton by QR.
+    R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011: planar impact mechanics.
 
     Examples
     --------
