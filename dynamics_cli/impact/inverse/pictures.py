@@ -2,7 +2,7 @@
 
 from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.scene_pictures import collision
-from dynamics_cli.pictures import Axis, Panel, Picture, Ranges
+from dynamics_cli.pictures import Axis, Band, Bars, Panel, Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,14 +28,13 @@ def inverse(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Pictur
     if not result.residuals:
         return Picture((scene,), title, scene=True)
     at = [-one.residual for one in result.residuals]
-    ranges = Ranges(
+    # of bars the longest may be short, but one standard deviation is always in sight
+    bars = Bars(
         tuple(one.measurement.replace(" along ", ", ") for one in result.residuals),
-        [value - 1.0 for value in at],
-        [value + 1.0 for value in at],
-        at,
-        ((0.0, "fit"),),
+        [min(value, 0.0) for value in at],
+        [max(value, 0.0) for value in at],
     )
-    agreement = Panel(
-        Axis("measured − fitted, in standard deviations"), Axis(""), (ranges,), "measurements against the fit"
-    )
+    reach = 1.1 * max(1.0, *map(abs, at))
+    residuals = Axis("measured − fitted, in standard deviations", ends=(-reach, reach))
+    agreement = Panel(residuals, Axis(""), (bars, Band(0.0, 0.0)), "measurements against the fit")
     return Picture((scene, agreement), title, columns=2, scene=True)

@@ -50,7 +50,7 @@ class Struck:
         AngularSpeed | None, "Angular velocity just before: 0 rad/s where it drove straight; unknown when left out."
     ] = None
     velocity_sigma: Annotated[
-        RoadSpeed | None, "Standard deviation of each component of its exit velocity, e.g. 0.5 m/s."
+        RoadSpeed | None, "Standard deviation of each component of its exit velocity, in place of ±, e.g. 0.5 m/s."
     ] = None
     spin_sigma: Annotated[AngularSpeed | None, "Standard deviation of its exit spin, e.g. 0.4 rad/s."] = None
     heading_sigma: Annotated[

@@ -58,7 +58,10 @@ def by_momentum(
         code="not-enough",
         hint="give them; or, for headings unknown, both exit spins and approach spins, inertias and levers",
     )
-    verdict = judge_crossing(scene.sides[0].way, scene.sides[1].way)
+    one, two = scene.sides[0].way, scene.sides[1].way
+    assert one is not None
+    assert two is not None
+    verdict = judge_crossing(one, two)
     return scene.answer(solve(scene.sides), verdict, None, "momentum, QR of the scaled equations")
 
 

@@ -2,7 +2,7 @@
 
 from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.scene_pictures import collision
-from dynamics_cli.pictures import Arrow, Axis, Mark, Panel, Picture, Ranges
+from dynamics_cli.pictures import Arrow, Axis, Bars, Mark, Panel, Picture
 from dynamics_cli.quantities import RoadSpeed
 
 TYPE_CHECKING = False
@@ -44,7 +44,7 @@ def _changes(result: "Any", names: "list[str]") -> Panel:
     for role, (name, (x, y)) in enumerate(zip(names, ways, strict=True)):
         items += [Arrow(0.0, 0.0, x, y, "", role), Mark(0.5 * x, 0.5 * y, f"{name} ΔV", (0.1, 6.0), False, role)]
     # room beside the arrows, which may lie on one line
-    reach = [1.1 * max(abs(way[axis]) for way in ways) + 0.2 * size for axis in (0, 1)]
+    reach = [max(1.15 * max(abs(way[axis]) for way in ways), 0.6 * size) for axis in (0, 1)]
     x_axis = Axis("along x", RoadSpeed, ends=(-reach[0], reach[0]))
     y_axis = Axis("along y", RoadSpeed, ends=(-reach[1], reach[1]))
     return Panel(x_axis, y_axis, tuple(items), "changes of velocity", equal=True)
@@ -59,10 +59,7 @@ def _limits(result: "Any", names: "list[str]") -> Panel:
         (f"{names[1]} before", two.approach_speed_low, two.approach_speed, two.approach_speed_high),
     ]
     shown = [entry for entry in entries if entry[1] is not None]
-    ranges = Ranges(
-        tuple(entry[0] for entry in shown),
-        [entry[1] for entry in shown],
-        [entry[3] for entry in shown],
-        [entry[2] for entry in shown],
-    )
-    return Panel(Axis("speed", RoadSpeed), Axis(""), (ranges,), "limits of the record and of restitution")
+    bars = Bars(tuple(entry[0] for entry in shown), [entry[1] for entry in shown], [entry[3] for entry in shown])
+    middles = [Mark(entry[2], float(place), role=1) for place, entry in enumerate(shown)]
+    title = "limits of the record and of restitution"
+    return Panel(Axis("speed", RoadSpeed), Axis(""), (bars, *middles), title)

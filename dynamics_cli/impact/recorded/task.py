@@ -149,9 +149,9 @@ def by_restitution(
     facing = dot(course, inward)
     judge(
         absolute(facing) >= ALONG_THE_SURFACE,
-        "the second vehicle came along the surface of contact, by {sine:2} of its speed against it: restitution says "
+        "the second vehicle came along the surface of contact, only {sine:2} of its speed against it: restitution says "
         "nothing of its speed",
-        sine=(facing, Ratio),
+        sine=(absolute(facing), Ratio),
         hint="give its exit heading instead",
         results=("second.approach_speed",),
     )
