@@ -2,6 +2,8 @@
 
 import json
 import math
+import random
+import statistics
 from pathlib import Path
 from typing import Any
 
@@ -144,6 +146,32 @@ class TestInverse:
     def test_uncertain_headings_cost_certainty(self) -> None:
         exact, spread = least_squares(**both()), least_squares(**both(spread=2.0))
         assert spread.first.speed_sigma > exact.first.speed_sigma  # type: ignore[operator]
+
+    def test_speeds_scatter_as_stated(self) -> None:
+        chance_of = random.Random(20)
+        truth = least_squares(**both(spread=2.0))
+        gaps, squares = [], []
+        for _ in range(400):
+            vehicles = []
+            for key, one in both(spread=2.0).items():
+                fitted = getattr(truth, key)
+                velocity = tuple(chance_of.gauss(part, 0.5) for part in fitted.exit_velocity)
+                changes = {
+                    "motion": ExitVelocity(velocity),  # type: ignore[arg-type]
+                    "exit_spin": chance_of.gauss(fitted.exit_spin, one.spin_sigma),  # type: ignore[arg-type]
+                    "approach_heading": chance_of.gauss(fitted.approach_heading, 2.0 * DEGREE),
+                }
+                vehicles.append(Struck(**{**one.__dict__, **changes}))
+            try:
+                result = least_squares(first=vehicles[0], second=vehicles[1])
+            except InadmissibleError:  # one in a thousand contradicts itself
+                continue
+            gaps.append((result.first.approach_speed - truth.first.approach_speed) / truth.first.speed_sigma)  # type: ignore[operator]
+            squares.append(result.chi_squared)
+        assert len(gaps) >= 395
+        # standard errors of 400: 3.5 % of a deviation, 5 % of the mean of two degrees of freedom
+        assert statistics.pstdev(gaps) == pytest.approx(1.0, abs=0.1)
+        assert statistics.fmean(squares) == pytest.approx(2.0, abs=0.3)
 
     def test_contradiction_gives_no_answer(self) -> None:
         vehicles = both()
