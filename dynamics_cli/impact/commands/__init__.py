@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import crash, particles, rigid
+from dynamics_cli.impact.commands import crash, evidence, particles, rigid
 
 FAMILIES = {
     "impact": Family(
@@ -10,5 +10,6 @@ FAMILIES = {
         *particles.TASKS,
         *rigid.TASKS,
         *crash.TASKS,
+        *evidence.TASKS,
     )
 }

@@ -1,0 +1,120 @@
+"""Tasks of `dynamics impact`: approach from what vehicles did afterwards, or recorded."""
+
+from dynamics_cli.core.answering.task import Model, Task
+
+BRACH = "R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011"
+SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
+POINT = "one resultant impulse acts at the contact"
+RECORDED = "the recorded ΔV is within its tolerance, and the pulse had ended"
+EXITS = "the motion after is that of the mass centres just after the impact"
+
+INVERSE = Task(
+    "inverse",
+    "Approach speeds from the motion after the impact, spins among it.",
+    Model(
+        "momentum alone",
+        "dynamics_cli.impact.inverse.task:by_momentum",
+        source="Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.5",
+        formula="m₁·{first.approach_speed|v₁}·d₁ + m₂·{second.approach_speed|v₂}·d₂ = m₁·u₁ + m₂·u₂",
+        assumptions=(SHORT, EXITS),
+        method="QR of the scaled equations",
+        suffices="dynamics_cli.impact.inverse.task:momentum_suffices",
+    ),
+    Model(
+        "momentum and spins",
+        "dynamics_cli.impact.inverse.task:by_spins",
+        source=BRACH + ": planar impact mechanics",
+        formula="p = (J₁·Δω₁·r₂ + J₂·Δω₂·r₁)/(r₁ × r₂); {first.approach_speed|v₁} = |u₁ − p/m₁|, "
+        "{second.approach_speed|v₂} = |u₂ + p/m₂|",
+        assumptions=(SHORT, POINT, EXITS),
+        method="QR of the scaled equations",
+        suffices="dynamics_cli.impact.inverse.task:spins_suffice",
+    ),
+    Model(
+        "least squares, headings and spins together",
+        "dynamics_cli.impact.inverse.task:least_squares",
+        source=BRACH + ": planar impact mechanics",
+        formula="Σ ((fitted − measured)/σ)² = {chi_squared|χ²} → minimum over v₁, v₂, p, α₁, α₂",
+        assumptions=(SHORT, POINT, EXITS, "errors of the measurements are independent and normal"),
+        method="Gauss–Newton by QR of the scaled matrix",
+    ),
+    plot="dynamics_cli.impact.inverse.pictures:inverse",
+    examples=(
+        'dynamics impact inverse --first-mass "1500 kg" --first-exit-velocity "11.2, 0.2 m/s" '
+        '--first-approach-heading "0 deg" --second-mass "1200 kg" --second-exit-velocity "4.9, 9.9 m/s" '
+        '--second-approach-heading "90 deg"',
+        'dynamics impact inverse --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-lever "1.8, -0.3 m" '
+        '--first-exit-velocity "11.2, 0.2 m/s" --first-exit-spin "-0.5 rad/s" --first-approach-spin "0 rad/s" '
+        '--first-approach-heading "0 deg" --first-velocity-sigma "0.5 m/s" --first-spin-sigma "0.3 rad/s" '
+        '--first-heading-sigma "2 deg" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-lever '
+        '"-0.7, 0.9 m" --second-exit-velocity "4.9, 9.9 m/s" --second-exit-spin "-2.7 rad/s" --second-approach-spin '
+        '"0 rad/s" --second-approach-heading "90 deg" --second-velocity-sigma "0.5 m/s" --second-spin-sigma '
+        '"0.4 rad/s" --second-heading-sigma "2 deg" --normal "20 deg"',
+    ),
+    arrays=False,
+    tracked=False,
+    headline=(
+        "first.approach_speed: first speed before v₁",
+        "first.speed_sigma: its standard deviation σ₁",
+        "second.approach_speed: second speed before v₂",
+        "second.speed_sigma: its standard deviation σ₂",
+        "first.delta_v.magnitude: first Δv₁",
+        "second.delta_v.magnitude: second Δv₂",
+        "probability: agreement P(χ²)",
+        "restitution: implied restitution e",
+        "impulse_ratio: implied ratio p_t/p_n",
+    ),
+    notes="Restitution is small, so the motion after hardly contains the closing speed: give approach headings, or the "
+    "spins before the impact, which are zero where vehicles drove straight.",
+)
+
+RECORD = Task(
+    "record",
+    "A crash from the ΔV that one vehicle's recorder gives.",
+    Model(
+        "in line, with a range of restitution",
+        "dynamics_cli.impact.recorded.task:head_on",
+        source="CRASH3 (NHTSA), effective mass with a lever arm; 49 CFR 563.8",
+        formula="{closing_speed|u} = m₁·ΔV₁·(1/(γ₁·m₁) + 1/(γ₂·m₂))/(1 + {restitution|e})",
+        assumptions=(SHORT, "the vehicles met along the line of the force", RECORDED),
+        suffices="dynamics_cli.impact.recorded.task:in_line",
+    ),
+    Model(
+        "in the plane, with a range of restitution",
+        "dynamics_cli.impact.recorded.task:by_restitution",
+        source=BRACH + ": planar impact mechanics; 49 CFR 563.8",
+        formula="u_n = −n·K·p/(1 + {restitution|e}); {second.approach_speed|v₂} = (V₁·n − u_n)/(d₂·n)",
+        assumptions=(SHORT, POINT, RECORDED),
+        suffices="dynamics_cli.impact.recorded.task:restitution_decides",
+    ),
+    Model(
+        "in the plane, with headings before and after",
+        "dynamics_cli.impact.recorded.task:by_headings",
+        source="conservation of momentum; 49 CFR 563.8",
+        formula="{second.approach_speed|v₂} = −(ΔV₂ × d_β)/(d₂ × d_β)",
+        assumptions=(SHORT, RECORDED, "the heading after is that of the mass centre just after the impact"),
+    ),
+    plot="dynamics_cli.impact.recorded.pictures:record",
+    examples=(
+        'dynamics impact record --first-mass "1500 kg" --first-delta-v-longitudinal "-27 km/h" --second-mass '
+        '"1200 kg" --least-restitution 0 --greatest-restitution 0.2',
+        'dynamics impact record --first-mass "1500 kg" --first-inertia "2600 kg*m^2" --first-lever "1.9, 0.15 m" '
+        '--first-nose "12 deg" --first-approach-speed "13.2 m/s" --first-delta-v-longitudinal "-44.6 km/h" '
+        '--first-delta-v-lateral "7.2 km/h" --first-spin-change "1.9 rad/s" --first-module "-0.4, 0.1 m" '
+        '--second-mass "1200 kg" --second-inertia "1900 kg*m^2" --second-lever "-1.8, -0.3 m" '
+        '--second-approach-heading "140 deg" --normal "12 deg" --least-restitution 0 --greatest-restitution 0.2',
+    ),
+    headline=(
+        "first.delta_v.magnitude: first Δv₁ at the mass centre",
+        "second.delta_v.magnitude: second Δv₂",
+        "closing_speed: closing speed u",
+        "closing_speed_low: closing speed at least",
+        "closing_speed_high: closing speed at most",
+        "second.approach_speed: second speed before v₂",
+        "second.approach_speed_low: second speed at least",
+        "second.approach_speed_high: second speed at most",
+        "energy_lost: energy lost E",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (INVERSE, RECORD)

@@ -1,0 +1,1 @@
+"""Approach speeds from the motion after the impact, spins among it."""

@@ -1,0 +1,194 @@
+"""Least squares of approach velocities and impulse to the motion after the impact."""
+
+from dynamics_cli.errors import FaultError, require
+from dynamics_cli.quantities import Ratio
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+Pair = tuple[float, float]
+MOST_STEPS = 60
+# A change of all unknowns by this many standard deviations of the measurements is none.
+SETTLED = 1e-11
+# Directions of the unknowns, scaled, that the measurements see less than this are not determined.
+BLIND = 1e-9
+
+
+class Side:
+    """A vehicle as the fit sees it: what was measured, and what is known of its approach.
+
+    `way` and `turn` are the unit vector of the approach heading and its derivative; None where the heading is unknown.
+    `sense` is 1 for the vehicle on which the impulse acts, -1 for the other. Without levers or spins, `spins` is None.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        sense: float,
+        mass: float,
+        velocity: Pair,
+        heading: "tuple[Pair, Pair] | None",
+        spins: "tuple[float, Pair, float, float] | None",
+        sigmas: "tuple[float, float, float]",
+    ) -> None:
+        self.name = name
+        self.sense = sense
+        self.mass = mass
+        self.velocity = velocity
+        self.way: Pair | None = None if heading is None else heading[0]
+        self.turn: Pair | None = None if heading is None else heading[1]
+        self.spins = spins
+        self.velocity_sigma, self.spin_sigma, self.heading_sigma = sigmas
+
+    @property
+    def bends(self) -> bool:
+        """Whether the approach heading is a measurement beside the others."""
+        return self.way is not None and self.heading_sigma > 0.0
+
+
+class Fit:
+    """The fitted state V₁, V₂, p with its covariance, residuals in standard deviations, and the last step's size."""
+
+    def __init__(self, state: "Any", covariance: "Any", residuals: "list[tuple[str, float]]", unknowns: int) -> None:
+        self.state = state
+        self.covariance = covariance
+        self.residuals = residuals
+        self.freedom = len(residuals) - unknowns
+        self.chi_squared = float(sum(value * value for _, value in residuals))
+        self.steps = 0
+        self.gradient = 0.0
+
+    def speed(self, side: int) -> float:
+        """Size of an approach velocity."""
+        return float((self.state[2 * side] ** 2 + self.state[2 * side + 1] ** 2) ** 0.5)
+
+    def sigma(self, row: "Sequence[float]") -> float:
+        """Standard deviation of a linear combination of the state."""
+        import numpy as np
+
+        weights = np.array(row)
+        return float(max(weights @ self.covariance @ weights, 0.0) ** 0.5)
+
+
+def solve(sides: "tuple[Side, Side]") -> Fit:
+    """Gauss–Newton by QR of the scaled matrix, from the linear fit at the headings as given.
+
+    Unknown of each vehicle: its speed; its speed and the error of its heading; or, of an unknown heading, both
+    components of its velocity. Unknown too: the impulse. Refuses measurements that do not determine them.
+    """
+    import numpy as np
+
+    free = [column for side, start in zip(sides, _starts(sides)[:2], strict=True) for column in _free(side, start)]
+    size = _starts(sides)[2] + 2
+    linear = [column for column in range(size) if column not in free]
+    unknowns = np.zeros(size)
+    _, residuals, matrix, _ = _rows(sides, unknowns)
+    unknowns[linear] -= _step(matrix[:, linear], residuals)[0]
+    steps = 1
+    while True:
+        names, residuals, matrix, jacobian = _rows(sides, unknowns)
+        step, inverse, moved = _step(matrix, residuals)
+        if moved <= SETTLED * (1.0 + float(np.linalg.norm(residuals))) or steps == MOST_STEPS:
+            break
+        unknowns = unknowns - step
+        steps += 1
+    if moved > 1e-6 * (1.0 + float(np.linalg.norm(residuals))):
+        raise FaultError(f"the fit of approach speeds does not settle: its last step is {moved:.2g} deviations")
+    half = jacobian @ inverse
+    fit = Fit(_state(sides, unknowns), half @ half.T, list(zip(names, map(float, residuals), strict=True)), size)
+    fit.steps, fit.gradient = steps, moved
+    return fit
+
+
+def _starts(sides: "tuple[Side, Side]") -> "tuple[int, int, int]":
+    """The first column of each vehicle, and that of the impulse."""
+    widths = [1 if side.way is not None and not side.bends else 2 for side in sides]
+    return 0, widths[0], widths[0] + widths[1]
+
+
+def _free(side: Side, start: int) -> "list[int]":
+    return [start + 1] if side.bends else []
+
+
+def _velocity(side: Side, own: "Any") -> "tuple[Pair, list[Pair]]":
+    """Approach velocity of the unknowns of a vehicle, and its derivatives by them."""
+    if side.way is None or side.turn is None:
+        return (own[0], own[1]), [(1.0, 0.0), (0.0, 1.0)]
+    if not side.bends:
+        return (own[0] * side.way[0], own[0] * side.way[1]), [side.way]
+    import math
+
+    cosine, sine = math.cos(own[1]), math.sin(own[1])
+    way = cosine * side.way[0] + sine * side.turn[0], cosine * side.way[1] + sine * side.turn[1]
+    turn = cosine * side.turn[0] - sine * side.way[0], cosine * side.turn[1] - sine * side.way[1]
+    return (own[0] * way[0], own[0] * way[1]), [way, (own[0] * turn[0], own[0] * turn[1])]
+
+
+def _state(sides: "tuple[Side, Side]", unknowns: "Any") -> "Any":
+    import numpy as np
+
+    one, two, last = _starts(sides)
+    first, second = _velocity(sides[0], unknowns[one:two])[0], _velocity(sides[1], unknowns[two:last])[0]
+    return np.array([*first, *second, *unknowns[last:]])
+
+
+def _rows(sides: "tuple[Side, Side]", unknowns: "Any") -> "tuple[list[str], Any, Any, Any]":
+    """Names, residuals and rows of all measurements in standard deviations; derivatives of the state."""
+    import numpy as np
+
+    starts = _starts(sides)
+    impulse = unknowns[starts[2] :]
+    names: list[str] = []
+    residuals: list[float] = []
+    rows: list[Any] = []
+    jacobian = np.zeros((6, len(unknowns)))
+    jacobian[4, -2] = jacobian[5, -1] = 1.0
+
+    def measured(name: str, residual: float, row: "Any", sigma: float) -> None:
+        names.append(name)
+        residuals.append(residual / sigma)
+        rows.append(row / sigma)
+
+    for index, side in enumerate(sides):
+        own = unknowns[starts[index] : starts[index + 1]]
+        velocity, slopes = _velocity(side, own)
+        push = side.sense / side.mass
+        for axis, letter in enumerate("xy"):
+            jacobian[2 * index + axis, starts[index] : starts[index + 1]] = [slope[axis] for slope in slopes]
+            row = jacobian[2 * index + axis].copy()
+            row[axis - 2] = push
+            gap = velocity[axis] + push * impulse[axis] - side.velocity[axis]
+            measured(f"{side.name} exit velocity along {letter}", gap, row, side.velocity_sigma)
+        if side.spins is not None:
+            inertia, lever, before, after = side.spins
+            row = np.zeros(len(unknowns))
+            row[-2:] = -side.sense * lever[1] / inertia, side.sense * lever[0] / inertia
+            measured(f"{side.name} exit spin", before + float(row[-2:] @ impulse) - after, row, side.spin_sigma)
+        if side.bends:
+            row = np.zeros(len(unknowns))
+            row[starts[index] + 1] = 1.0
+            measured(f"{side.name} approach heading", float(own[1]), row, side.heading_sigma)
+    return names, np.array(residuals), np.array(rows), jacobian
+
+
+def _step(matrix: "Any", residuals: "Any") -> "tuple[Any, Any, float]":
+    """Solution of the linear problem, the inverse of R in units of the unknowns, the solution's size in deviations."""
+    import numpy as np
+
+    scales = np.linalg.norm(matrix, axis=0)
+    scales[scales == 0.0] = 1.0
+    q, r = np.linalg.qr(matrix / scales)
+    singular = np.linalg.svd(r, compute_uv=False)
+    require(
+        len(matrix) >= len(scales) and singular[-1] > BLIND * singular[0],
+        "these measurements do not determine the approach: one combination of speeds and impulse changes none of "
+        "them (singular value {seen:2} of the scaled problem)",
+        seen=(singular[-1], Ratio),
+        code="undetermined",
+        hint="give approach headings that cross, or exit spins with spins before, inertias and levers",
+    )
+    inverse = np.linalg.inv(r)
+    moved = q.T @ residuals
+    return (inverse @ moved) / scales, inverse / scales[:, None], float(np.linalg.norm(moved))

@@ -1,0 +1,196 @@
+"""What approach speeds from exit motion are worth: verdicts, implied contact, contradictions."""
+
+from dynamics_cli.errors import judge, require, worded
+from dynamics_cli.impact.inverse.fit import Fit, Side
+from dynamics_cli.numerics.distributions.normal import upper
+from dynamics_cli.numerics.elementary import exp, sqrt
+from dynamics_cli.quantities import Energy, Fraction, Ratio, RoadSpeed
+from dynamics_cli.records import Advice
+
+Pair = tuple[float, float]
+GOOD, CAUTION, UNDETERMINED = "good", "caution", "not determined"
+# Shares of a speed that its standard deviation may be.
+GOOD_SHARE, CAUTION_SHARE = 0.05, 0.15
+UNLIKELY, CONTRADICTION = 0.05, 0.001
+# Sine of the angle between the levers.
+GOOD_SINE, SMALLEST_SINE = 0.5, 0.1
+# Cotangent of half the angle between the approach paths, as for momentum.
+GOOD_ANGLE, LARGEST_ANGLE = 4.0, 12.0
+HIGHEST_RESTITUTION = 0.4
+
+
+class Contact:
+    """Restitution, ratio of impulses and energy lost that a fit implies."""
+
+    def __init__(self, fit: Fit, sides: "tuple[Side, Side]", normal: Pair | None) -> None:
+        self.restitution: float | None = None
+        self.ratio: float | None = None
+        self.energy_lost: float | None = None
+        self.restitution_sigma: float | None = None
+        self.ratio_sigma: float | None = None
+        if sides[0].spins is None or sides[1].spins is None:
+            return
+        before = [float(fit.state[axis] - fit.state[2 + axis]) for axis in (0, 1)]
+        gain = [[1.0 / sides[0].mass + 1.0 / sides[1].mass, 0.0], [0.0, 1.0 / sides[0].mass + 1.0 / sides[1].mass]]
+        for side in sides:
+            inertia, (x, y), spin, _ = side.spins  # type: ignore[misc]
+            before[0] -= side.sense * spin * y
+            before[1] += side.sense * spin * x
+            for row, a in enumerate((-y, x)):
+                for column, b in enumerate((-y, x)):
+                    gain[row][column] += a * b / inertia
+        p = [float(one) for one in fit.state[4:]]
+        after = [before[row] + gain[row][0] * p[0] + gain[row][1] * p[1] for row in (0, 1)]
+        lost = -0.5 * sum(p[axis] * (before[axis] + after[axis]) for axis in (0, 1))
+        self.energy_lost = lost
+        require(
+            lost >= 0.0,
+            "no approach gives these exits: the impact would have given {energy:3} to the vehicles",
+            energy=(-lost, Energy),
+            code="energy-gained",
+            hint="check the signs of spins and levers, and the headings",
+        )
+        if normal is not None:
+            self._along(fit, normal, before, after, gain, p)
+
+    def _along(
+        self,
+        fit: Fit,
+        normal: Pair,
+        before: "list[float]",
+        after: "list[float]",
+        gain: "list[list[float]]",
+        p: "list[float]",
+    ) -> None:
+        """Parts along the normal, from the second to the first, and across it."""
+        across = -normal[1], normal[0]
+        approach = before[0] * normal[0] + before[1] * normal[1]
+        parting = after[0] * normal[0] + after[1] * normal[1]
+        push, drag = p[0] * normal[0] + p[1] * normal[1], p[0] * across[0] + p[1] * across[1]
+        require(
+            push > 0.0 and approach < 0.0,
+            "the impulse would pull along this normal: its part from the second to the first is {share:3} of it",
+            share=(push / (push * push + drag * drag) ** 0.5 if push or drag else 0.0, Ratio),
+            code="pull",
+            hint="the normal points from the first vehicle to the second",
+        )
+        bounce, ratio = -parting / approach, drag / push
+        self.restitution, self.ratio = bounce, ratio
+        along = [gain[0][k] * normal[0] + gain[1][k] * normal[1] for k in (0, 1)]
+        closing = [normal[0], normal[1], -normal[0], -normal[1], 0.0, 0.0]
+        leaving = [*closing[:4], *along]
+        slopes = [-(a + bounce * b) / approach for a, b in zip(leaving, closing, strict=True)]
+        self.restitution_sigma = fit.sigma(slopes)
+        turned = [(across[k] - ratio * normal[k]) / push for k in (0, 1)]
+        self.ratio_sigma = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
+
+    def advice(self) -> "tuple[Advice, ...]":
+        """Cautions where vehicles do not behave so."""
+        cautions: list[Advice] = []
+        remedy = "check normal, contact point, spins and headings: another contact, or a wrong measurement"
+        if self.restitution is not None and not 0.0 <= self.restitution <= HIGHEST_RESTITUTION:
+            word = "below 0" if self.restitution < 0.0 else "above 0.4"
+            text = worded(
+                "not this contact: the implied restitution is {e:3}, {word}", e=(self.restitution, Ratio), word=word
+            )
+            cautions.append(Advice(code="odd-restitution", message=text, severity="serious", remedy=remedy))
+        if self.ratio is not None and abs(self.ratio) > 1.0:
+            text = worded(
+                "not this contact: the implied tangential impulse is {ratio:3} of the normal one",
+                ratio=(self.ratio, Ratio),
+            )
+            cautions.append(Advice(code="odd-friction", message=text, severity="serious", remedy=remedy))
+        return tuple(cautions)
+
+
+def chance(chi_squared: float, freedom: int) -> float | None:
+    """Probability of a sum of squares as large or larger; of one or two degrees of freedom, all that occur here."""
+    if freedom <= 0:
+        return None
+    return 2.0 * upper(sqrt(chi_squared)) if freedom == 1 else exp(-0.5 * chi_squared)
+
+
+def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
+    """A caution below 5 %, and no answer below 0.1 %, with the measurement that fits worst."""
+    if probability is None or probability >= UNLIKELY:
+        return ()
+    name, worst = residuals[0]
+    judge(
+        probability >= CONTRADICTION,
+        "the measurements contradict each other: correct ones would disagree as much with a probability of "
+        "{chance:2}; {name} is off by {worst:2} standard deviations",
+        chance=(probability, Fraction),
+        name=name,
+        worst=(abs(worst), Ratio),
+        code="contradiction",
+        hint="check that measurement first, or state larger standard deviations",
+        results=("first.approach_speed", "second.approach_speed"),
+    )
+    text = worded(
+        "the measurements contradict each other: correct ones would disagree as much with a probability of {chance:2}",
+        chance=(probability, Fraction),
+    )
+    return (Advice(code="contradiction", message=text, remedy=f"check the {name} first (see residuals)"),)
+
+
+def share_verdict(speed: float, sigma: float | None) -> str | None:
+    """The verdict of a speed by its standard deviation."""
+    if sigma is None:
+        return None
+    if sigma > CAUTION_SHARE * speed:
+        return UNDETERMINED
+    return GOOD if sigma <= GOOD_SHARE * speed else CAUTION
+
+
+def unreliable(sides: "tuple[tuple[str, str | None, float, float | None], ...]") -> "tuple[Advice, ...]":
+    """Advice for each speed that is not good."""
+    cautions: list[Advice] = []
+    for name, verdict, speed, sigma in sides:
+        if sigma is not None and verdict in (CAUTION, UNDETERMINED):
+            severe = verdict == UNDETERMINED
+            text = worded(
+                (
+                    "these measurements do not determine the speed of {name}"
+                    if severe
+                    else "the speed of {name} is rough"
+                )
+                + ": {speed:3} with a standard deviation of {sigma:2}",
+                name=name,
+                speed=(speed, RoadSpeed),
+                sigma=(sigma, RoadSpeed),
+            )
+            remedy = "a spin, a recorder or the energy of deformation of the other vehicle decides it better"
+            code = "undetermined-speed" if severe else "rough-speed"
+            cautions.append(Advice(code=code, message=text, severity="serious" if severe else "caution", remedy=remedy))
+    return tuple(cautions)
+
+
+def judge_crossing(one: Pair, two: Pair) -> str:
+    """The verdict of momentum alone by the angle between the approach paths; refused close to one line."""
+    sine, cosine = one[0] * two[1] - one[1] * two[0], one[0] * two[0] + one[1] * two[1]
+    require(sine != 0.0, "the approach paths are on one line: momentum alone gives no speeds", code="undetermined")
+    condition = (1.0 + abs(cosine)) / abs(sine)
+    judge(
+        condition <= LARGEST_ANGLE,
+        "the approach paths are too close to one line for momentum alone: angle condition {kappa:3}, above 12",
+        kappa=(condition, Ratio),
+        hint="give exit spins with spins before, inertias, levers and standard deviations: they decide with momentum",
+        results=("first.approach_speed", "second.approach_speed"),
+    )
+    return GOOD if condition <= GOOD_ANGLE else CAUTION
+
+
+def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":
+    """Sine between the levers and its verdict; refused where the contact is on the line of centres."""
+    size = sqrt((one[0] * one[0] + one[1] * one[1]) * (two[0] * two[0] + two[1] * two[1]))
+    require(size > 0.0, "a lever is zero: a spin says nothing of the impulse", code="no-lever")
+    sine = abs(one[0] * two[1] - one[1] * two[0]) / size
+    judge(
+        sine >= SMALLEST_SINE,
+        "the contact is almost on the line of the mass centres: the sine between the levers is {sine:3}, below 0.1, "
+        "and spins do not give the impulse along that line",
+        sine=(sine, Ratio),
+        hint="give the approach headings",
+        results=("first.approach_speed", "second.approach_speed"),
+    )
+    return sine, GOOD if sine >= GOOD_SINE else CAUTION

@@ -1,0 +1,111 @@
+"""Inputs and results of approach speeds from exit motion."""
+
+from dynamics_cli.impact.conventions import BodyName, ByMass, ByWeight, Conventions, DeltaV
+from dynamics_cli.impact.planar.bodies import ByGyration, ByInertia, Lever, OnBody, Placed
+from dynamics_cli.quantities import (
+    Angle,
+    AngularSpeed,
+    Annotated,
+    Count,
+    Energy,
+    Fraction,
+    Impulse,
+    PlanarImpulse,
+    PlanarVelocity,
+    Ratio,
+    RoadSpeed,
+    Text,
+)
+from dynamics_cli.records import Advice, Check, Numerics, record
+
+
+@record
+class ExitVelocity:
+    """The motion after by its components."""
+
+    exit_velocity: Annotated[
+        PlanarVelocity, "Velocity of the mass centre just after the impact, along x and y, e.g. 11.2, 0.2 m/s."
+    ]
+
+
+@record
+class ExitSpeed:
+    """The motion after by speed and heading."""
+
+    exit_speed: Annotated[RoadSpeed, "Speed of the mass centre just after the impact, e.g. 40 km/h."]
+    exit_heading: Annotated[Angle, "Direction of travel of the mass centre just after the impact, e.g. 40 deg."]
+
+
+@record
+class Struck:
+    """A vehicle after the impact, and what is known of it before."""
+
+    bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
+    motion: Annotated[ExitVelocity | ExitSpeed, "Its motion just after the impact."]
+    turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, for its spin to count."] = None
+    arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, for its spin to count."] = None
+    exit_spin: Annotated[AngularSpeed | None, "Angular velocity just after the impact, e.g. -2.7 rad/s."] = None
+    approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg."] = None
+    approach_spin: Annotated[
+        AngularSpeed | None, "Angular velocity just before: 0 rad/s where it drove straight; unknown when left out."
+    ] = None
+    velocity_sigma: Annotated[
+        RoadSpeed | None, "Standard deviation of each component of its exit velocity, in place of ±, e.g. 0.5 m/s."
+    ] = None
+    spin_sigma: Annotated[AngularSpeed | None, "Standard deviation of its exit spin, e.g. 0.4 rad/s."] = None
+    heading_sigma: Annotated[
+        Angle, "Standard deviation of its approach heading, e.g. 2 deg; 0 where it is certain."
+    ] = 0.0
+    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its approach heading when left out."] = None
+    name: BodyName = None
+
+
+@record
+class Approach:
+    """One vehicle as it came."""
+
+    approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
+    approach_heading: Annotated[Angle, "Direction of travel just before [rad]."]
+    speed_sigma: Annotated[RoadSpeed | None, "Standard deviation of that speed, from the standard deviations given."]
+    heading_sigma: Annotated[Angle | None, "Standard deviation of that heading [rad]."]
+    verdict: Annotated[Text | None, "How well its speed is determined."]
+    exit_velocity: Annotated[PlanarVelocity, "Velocity after that agrees with the fit [m/s]."]
+    exit_spin: Annotated[AngularSpeed | None, "Spin after that agrees with the fit [rad/s]."]
+    delta_v: Annotated[DeltaV, "Change of velocity, and where the force came from."]
+
+
+@record
+class Residual:
+    """One measurement against the fit."""
+
+    measurement: Annotated[Text, "What was measured."]
+    residual: Annotated[Ratio, "Fitted minus measured, in standard deviations [-]."]
+
+
+@record
+class InverseResult:
+    """Both vehicles as they came, and how well the measurements agree."""
+
+    first: Annotated[Approach, "The first vehicle."]
+    second: Annotated[Approach, "The second vehicle."]
+    correlation: Annotated[Ratio | None, "Correlation of the two speeds [-]."]
+    impulse: Annotated[PlanarImpulse, "Impulse on the first vehicle along x and y [N·s]."]
+    impulse_size: Annotated[Impulse, "Size of that impulse [N·s]."]
+    chi_squared: Annotated[Ratio | None, "Sum of the squared residuals, in standard deviations [-]."]
+    degrees_of_freedom: Annotated[Count, "Measurements minus unknowns: 0 leaves nothing to compare."]
+    probability: Annotated[
+        Fraction | None, "Probability that correct measurements disagree as much or more (chi-squared)."
+    ]
+    lever_sine: Annotated[
+        Ratio | None, "Sine of the angle between the levers to the contact, for headings from spins [-]."
+    ]
+    restitution: Annotated[Ratio | None, "Implied restitution at the contact [-]."]
+    restitution_sigma: Annotated[Ratio | None, "Standard deviation of the implied restitution [-]."]
+    impulse_ratio: Annotated[Ratio | None, "Implied tangential over normal impulse [-]."]
+    impulse_ratio_sigma: Annotated[Ratio | None, "Standard deviation of the implied ratio of impulses [-]."]
+    energy_lost: Annotated[Energy | None, "Kinetic energy lost in the contact, where the spins are known [J]."]
+    residuals: Annotated[tuple[Residual, ...], "Measurements against the fit, the worst first."]
+    conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
+    numerics: Numerics
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()

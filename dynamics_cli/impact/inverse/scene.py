@@ -1,0 +1,218 @@
+"""Both vehicles as the fit takes them, and the answer that a fit gives."""
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.impact.conventions import (
+    Axes,
+    ByVelocity,
+    PdofZero,
+    conventions,
+    delta_v,
+    direction_of,
+    heading_of,
+    mass_of,
+    velocity_of,
+)
+from dynamics_cli.impact.conventions import BySpeed as Course
+from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side
+from dynamics_cli.impact.inverse.judgement import Contact, agreement, chance, share_verdict, unreliable
+from dynamics_cli.impact.inverse.records import Approach, ExitVelocity, InverseResult, Residual, Struck
+from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
+from dynamics_cli.quantities import RoadSpeed
+from dynamics_cli.records import Advice, Check, Numerics
+
+Pair = tuple[float, float]
+Both = tuple[Struck, Struck]
+NAMES = "the first", "the second"
+
+
+def turns(vehicle: Struck) -> bool:
+    """Whether its change of spin and what that needs are given."""
+    needed = vehicle.turning, vehicle.arm, vehicle.exit_spin, vehicle.approach_spin
+    return all(one is not None for one in needed)
+
+
+class Scene:
+    """Both vehicles as the fit takes them, and the answer that a fit gives."""
+
+    def __init__(
+        self,
+        vehicles: Both,
+        contact_point: Pair | None,
+        normal: float | None,
+        axes: Axes,
+        zero: PdofZero,
+        gravity: float,
+        *,
+        spins: bool = True,
+        headings: bool = True,
+    ) -> None:
+        self.vehicles, self.axes, self.zero = vehicles, axes, zero
+        self.solids = [
+            _solid(one, contact_point, axes, gravity, name) for one, name in zip(vehicles, NAMES, strict=True)
+        ]
+        used = [spins and turns(one) for one in vehicles]
+        self.weighted = all(
+            one.velocity_sigma is not None and (one.spin_sigma is not None or not turning)
+            for one, turning in zip(vehicles, used, strict=True)
+        )
+        self.sides = self._side(0, used[0], headings), self._side(1, used[1], headings)
+        self.inward = None
+        if normal is not None:
+            x, y = direction_of(normal, axes)
+            self.inward = -x, -y
+
+    def _side(self, index: int, turning: bool, headed: bool) -> Side:
+        vehicle, body = self.vehicles[index], self.solids[index]
+        name = getattr(vehicle, "name", None) or NAMES[index].removeprefix("the ")
+        for sigma, word in ((vehicle.velocity_sigma, "velocity"), (vehicle.spin_sigma, "spin")):
+            require(
+                sigma is None or sigma > 0.0,
+                "the standard deviation of the exit {word} of {name} is not above zero",
+                word=word,
+                name=NAMES[index],
+                code="no-sigma",
+                hint="no measurement is without one: give a small number",
+            )
+        require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
+        heading = None
+        if headed and vehicle.approach_heading is not None:
+            x, y = direction_of(vehicle.approach_heading, self.axes)
+            heading = ((x, y), (y, -x)) if self.axes == "compass" else ((x, y), (-y, x))
+        spins = None
+        if turning:
+            spins = float(body.inertia), body.lever, vehicle.approach_spin, vehicle.exit_spin  # type: ignore[arg-type]
+        weights = (vehicle.velocity_sigma, vehicle.spin_sigma) if self.weighted else (1.0, 1.0)
+        sigmas = weights[0], weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
+        mass = float(body.mass)  # type: ignore[arg-type]
+        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)  # type: ignore[arg-type]
+
+    def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
+        """Everything that the fit says."""
+        self._require_forward(fit)
+        residuals = sorted(fit.residuals, key=lambda one: -abs(one[1])) if self.weighted else []
+        probability = chance(fit.chi_squared, fit.freedom) if self.weighted else None
+        advice = agreement(probability, residuals)
+        contact = Contact(fit, self.sides, self.inward)
+        approaches = [self._approach(index, fit, verdict) for index in (0, 1)]
+        shown = [(NAMES[i], one.verdict, one.approach_speed, one.speed_sigma) for i, one in enumerate(approaches)]
+        p = float(fit.state[4]), float(fit.state[5])
+        tolerance = 100.0 * SETTLED
+        gradient = fit.gradient / (1.0 + fit.chi_squared**0.5)
+        return InverseResult(
+            first=approaches[0],
+            second=approaches[1],
+            correlation=self._correlation(fit, approaches),
+            impulse=p,
+            impulse_size=(p[0] * p[0] + p[1] * p[1]) ** 0.5,
+            chi_squared=fit.chi_squared if self.weighted else None,
+            degrees_of_freedom=fit.freedom,
+            probability=probability,
+            lever_sine=sine,
+            restitution=contact.restitution,
+            restitution_sigma=contact.restitution_sigma if self.weighted else None,
+            impulse_ratio=contact.ratio,
+            impulse_ratio_sigma=contact.ratio_sigma if self.weighted else None,
+            energy_lost=contact.energy_lost,
+            residuals=tuple(Residual(name, value) for name, value in residuals),
+            conventions=conventions(self.axes, self.zero),
+            numerics=Numerics(method),
+            checks=(Check("the fit has settled", gradient <= tolerance, gradient, tolerance),),
+            advice=contact.advice() + advice + unreliable(tuple(shown)) + self._unused(),
+        )
+
+    def _require_forward(self, fit: Fit) -> None:
+        for index, side in enumerate(self.sides):
+            if side.way is None:
+                continue
+            along = float(fit.state[2 * index] * side.way[0] + fit.state[2 * index + 1] * side.way[1])
+            require(
+                along >= 0.0,
+                "no approach gives these exits: {name} vehicle would have driven backwards at {speed:3}",
+                name=NAMES[index],
+                speed=(-along, RoadSpeed),
+                code="backwards",
+                hint="check its approach heading, and that headings are directions of travel",
+            )
+
+    def _approach(self, index: int, fit: Fit, verdict: str | None) -> Approach:
+        vehicle, body, side = self.vehicles[index], self.solids[index], self.sides[index]
+        velocity = float(fit.state[2 * index]), float(fit.state[2 * index + 1])
+        speed = fit.speed(index)
+        way = self._way(index, fit)
+        p = float(fit.state[4]), float(fit.state[5])
+        push = side.sense / side.mass
+        heading = heading_of(*way, self.axes)
+        if side.way is not None and not side.bends:
+            heading = vehicle.approach_heading  # type: ignore[assignment]
+        sigma = heading_sigma = None
+        if self.weighted:
+            sigma = fit.sigma(self._row(index, way))
+            turned = 0.0 if side.way is not None and not side.bends else fit.sigma(self._row(index, (-way[1], way[0])))
+            heading_sigma = turned / speed if speed > 0.0 else None
+        spin = None
+        if side.spins is not None:
+            inertia, lever, before, _ = side.spins
+            spin = before + side.sense * (lever[0] * p[1] - lever[1] * p[0]) / inertia
+        nose = way if vehicle.nose is None else direction_of(vehicle.nose, self.axes)
+        push_on_it = side.sense * p[0], side.sense * p[1]
+        change = delta_v(push_on_it, float(body.mass), nose, axes=self.axes, pdof_zero=self.zero, travel=way)  # type: ignore[arg-type]
+        return Approach(
+            approach_speed=speed,
+            approach_heading=heading,
+            speed_sigma=sigma,
+            heading_sigma=heading_sigma,
+            verdict=share_verdict(speed, sigma) or verdict,
+            exit_velocity=(velocity[0] + push * p[0], velocity[1] + push * p[1]),
+            exit_spin=spin,
+            delta_v=change,
+        )
+
+    def _way(self, index: int, fit: Fit) -> Pair:
+        """Direction of an approach: of its velocity; of a vehicle at rest, its heading."""
+        speed = fit.speed(index)
+        if speed == 0.0:
+            return self.sides[index].way or direction_of(0.0, self.axes)
+        return float(fit.state[2 * index]) / speed, float(fit.state[2 * index + 1]) / speed
+
+    def _row(self, index: int, way: Pair) -> "list[float]":
+        return [*([0.0, 0.0] * index), *way, *([0.0, 0.0] * (2 - index))]
+
+    def _correlation(self, fit: Fit, approaches: "list[Approach]") -> float | None:
+        sigmas = [one.speed_sigma for one in approaches]
+        if None in sigmas or 0.0 in sigmas:
+            return None
+        rows = [self._row(index, self._way(index, fit)) for index in (0, 1)]
+        both = fit.sigma([a + b for a, b in zip(*rows, strict=True)])
+        return (both * both - sigmas[0] ** 2 - sigmas[1] ** 2) / (2.0 * sigmas[0] * sigmas[1])  # type: ignore[operator]
+
+    def _unused(self) -> "tuple[Advice, ...]":
+        notes = []
+        for vehicle, side, name in zip(self.vehicles, self.sides, NAMES, strict=True):
+            if vehicle.exit_spin is not None and side.spins is None:
+                text = worded("the exit spin of {name} is not used", name=name)
+                remedy = "give its approach spin, inertia and lever, and standard deviations"
+                notes.append(Advice(code="spin-unused", message=text, severity="note", remedy=remedy))
+        return tuple(notes)
+
+
+def _solid(vehicle: Struck, contact_point: Pair | None, axes: Axes, gravity: float, name: str) -> Solid:
+    motion = vehicle.motion
+    velocity = (
+        motion.exit_velocity
+        if isinstance(motion, ExitVelocity)
+        else velocity_of(Course(motion.exit_speed, motion.exit_heading), axes)
+    )
+    if vehicle.turning is None or vehicle.arm is None:
+        mass = mass_of(vehicle.bulk, gravity, name + " vehicle")
+        return Solid(mass, None, (0.0, 0.0), velocity, vehicle.exit_spin or 0.0, (1.0, 0.0))
+    require(
+        not isinstance(vehicle.arm, OnBody) or vehicle.nose is not None,
+        "the contact is measured on the body of {name} vehicle, whose nose is not given",
+        name=name,
+        code="no-nose",
+        hint="give the heading of its nose at the impact",
+    )
+    body = RigidBody(
+        vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity(velocity), vehicle.exit_spin or 0.0, vehicle.nose
+    )
+    return solid(body, contact_point, axes, gravity, name + " vehicle")

@@ -1,0 +1,193 @@
+"""Approach speeds from exit motion with rotation: by momentum, by spins, or by both in least squares."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero
+from dynamics_cli.impact.inverse.fit import solve
+from dynamics_cli.impact.inverse.judgement import judge_crossing, judge_levers
+from dynamics_cli.impact.inverse.records import InverseResult, Struck
+from dynamics_cli.impact.inverse.scene import NAMES, Scene, turns
+from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, PlanarPosition
+
+
+def by_momentum(
+    *,
+    first: Annotated[Struck, "The first vehicle."],
+    second: Annotated[Struck, "The second vehicle."],
+    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
+    normal: Annotated[
+        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
+    ] = None,
+    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
+    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> InverseResult:
+    """Approach speeds from exit velocities and approach headings: momentum alone, spins left aside.
+
+    Equation
+    --------
+    m₁v₁d₁ + m₂v₂d₂ = m₁u₁ + m₂u₂ with the unit vectors d of the approach headings.
+
+    Returns
+    -------
+    InverseResult
+        Speeds and headings before, with standard deviations where those of the measurements are given.
+
+    Raises
+    ------
+    InadmissibleError
+        When an approach heading is missing, the paths are close to one line, or a vehicle would drive backwards.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.5.
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.conventions import ByMass
+    >>> from dynamics_cli.impact.inverse.records import ExitVelocity
+    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), approach_heading=0.0)
+    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), approach_heading=1.5707963267948966)
+    >>> result = by_momentum(first=one, second=two)
+    >>> round(result.first.approach_speed, 9), round(result.second.approach_speed, 9)
+    (15.12, 10.15)
+    """
+    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity, spins=False)
+    require(
+        first.approach_heading is not None and second.approach_heading is not None,
+        "momentum alone needs both approach headings",
+        code="not-enough",
+        hint="give them; or, for headings unknown, both exit spins and approach spins, inertias and levers",
+    )
+    one, two = scene.sides[0].way, scene.sides[1].way
+    assert one is not None
+    assert two is not None
+    verdict = judge_crossing(one, two)
+    return scene.answer(solve(scene.sides), verdict, None, "momentum, QR of the scaled equations")
+
+
+def by_spins(
+    *,
+    first: Annotated[Struck, "The first vehicle."],
+    second: Annotated[Struck, "The second vehicle."],
+    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
+    normal: Annotated[
+        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
+    ] = None,
+    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
+    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> InverseResult:
+    """Approach speeds and headings from exit velocities and changes of spin.
+
+    Equation
+    --------
+    p = [J₁Δω₁·r₂ + J₂Δω₂·r₁]/(r₁ × r₂); V₁ = u₁ − p/m₁, V₂ = u₂ + p/m₂.
+
+    Returns
+    -------
+    InverseResult
+        Speeds and headings before, with standard deviations where those of the measurements are given.
+
+    Raises
+    ------
+    InadmissibleError
+        When a spin, inertia or lever is missing, or the contact is close to the line of the mass centres.
+
+    References
+    ----------
+    R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011: planar impact mechanics.
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.conventions import ByMass
+    >>> from dynamics_cli.impact.inverse.records import ExitVelocity
+    >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
+    >>> turn = {"approach_spin": 0.0}
+    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, **turn)
+    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7, **turn)
+    >>> [round(part, 3) for part in by_spins(first=one, second=two).impulse]
+    [-5583.688, 236.17]
+    """
+    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity, headings=False)
+    missing = [name for name, side in zip(NAMES, scene.sides, strict=True) if side.spins is None]
+    require(
+        not missing,
+        "without approach headings the spins decide, and {name} lacks one of inertia, lever, exit spin, approach spin",
+        name=" and ".join(missing) + " vehicle",
+        code="not-enough",
+        hint="give them, or both approach headings",
+    )
+    levers = scene.sides[0].spins[1], scene.sides[1].spins[1]  # type: ignore[index]
+    sine, verdict = judge_levers(*levers)
+    return scene.answer(solve(scene.sides), verdict, sine, "momentum and spins, QR of the scaled equations")
+
+
+def least_squares(
+    *,
+    first: Annotated[Struck, "The first vehicle."],
+    second: Annotated[Struck, "The second vehicle."],
+    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
+    normal: Annotated[
+        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
+    ] = None,
+    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
+    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> InverseResult:
+    """Approach speeds that agree best with exit velocities, spins and approach headings together.
+
+    Equation
+    --------
+    Σ (fitted − measured)²/σ² = minimum over v₁, v₂, p, α₁, α₂; u = V ± p/m, ω' = ω ± (r × p)/J; covariance (JᵀJ)⁻¹.
+
+    Returns
+    -------
+    InverseResult
+        Speeds and headings before with standard deviations, χ² with its probability, residuals, the implied contact.
+
+    Raises
+    ------
+    InadmissibleError
+        When standard deviations are missing, the measurements do not determine the approach or contradict each other
+        (probability of χ² below 0.1 %), a vehicle would have to drive backwards, or energy would be gained.
+
+    References
+    ----------
+    R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011: planar impact mechanics.
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.conventions import ByMass
+    >>> from dynamics_cli.impact.inverse.records import ExitVelocity
+    >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
+    >>> more = {"approach_spin": 0.0, "velocity_sigma": 0.5}
+    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, 0.0,
+    ...              spin_sigma=0.3, **more)
+    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7,
+    ...              1.5707963267948966, spin_sigma=0.4, **more)
+    >>> result = least_squares(first=one, second=two)
+    >>> round(result.first.approach_speed, 9), round(result.first.speed_sigma, 9)
+    (15.066562212, 0.602272637)
+    """
+    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity)
+    require(
+        scene.weighted,
+        "least squares weigh the measurements, and a standard deviation is missing",
+        code="no-sigma",
+        hint="give the velocity sigma and the spin sigma of each vehicle, e.g. 0.5 m/s and 0.3 rad/s",
+    )
+    fit = solve(scene.sides)
+    return scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
+
+
+def momentum_suffices(*, first: Struck, second: Struck, **_: object) -> str | None:
+    """Say why momentum alone answers."""
+    headings = first.approach_heading is not None and second.approach_heading is not None
+    spun = turns(first) or turns(second)
+    return "the headings are known, and no change of spin is" if headings and not spun else None
+
+
+def spins_suffice(*, first: Struck, second: Struck, **_: object) -> str | None:
+    """Say why spins answer."""
+    unknown = first.approach_heading is None and second.approach_heading is None
+    return "no approach heading is given: the changes of spin decide" if unknown else None

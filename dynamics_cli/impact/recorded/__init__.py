@@ -1,0 +1,1 @@
+"""A crash from the change of velocity that one vehicle recorded."""

@@ -1,0 +1,117 @@
+"""Both vehicles of a recorded crash: the exchanged impulse, and what it does at the contact."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass_of
+from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
+from dynamics_cli.impact.recorded.records import Partner, Recorder
+from dynamics_cli.numerics.elementary import hypot
+
+Pair = tuple[float, float]
+
+
+def cross(a: Pair, b: Pair) -> float:
+    """The part of a × b out of the plane."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def dot(a: Pair, b: Pair) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def spun(spin: float, lever: Pair) -> Pair:
+    """Velocity of a point by a spin."""
+    return 0.0 - spin * lever[1], spin * lever[0]
+
+
+def plus(a: Pair, b: Pair, times: float = 1.0) -> Pair:
+    """The sum a + times·b."""
+    return a[0] + times * b[0], a[1] + times * b[1]
+
+
+class Crash:
+    """Masses, levers and the recorded ΔV at the mass centre in the axes of the scene; `impulse` acts on the first."""
+
+    def __init__(
+        self, first: Recorder, second: Partner, contact_point: Pair | None, axes: Axes, gravity: float
+    ) -> None:
+        self.given, self.other, self.axes = first, second, axes
+        nose = direction_of(first.nose, axes)
+        require(
+            first.spin_change is not None or (first.module[0] == 0.0) & (first.module[1] == 0.0),
+            "the recorder is away from the mass centre: its ΔV holds a part of the turning",
+            code="no-spin-change",
+            hint="give the recorded spin change, or leave the place of the module out",
+        )
+        self.change = _turned((first.delta_v_longitudinal, first.delta_v_lateral), nose)
+        if first.spin_change is not None:
+            self.change = plus(self.change, spun(first.spin_change, _turned(first.module, nose)), -1.0)
+        heading = first.nose if first.approach_heading is None else first.approach_heading
+        self.travel = direction_of(heading, axes)
+        facing = second.approach_heading if second.nose is None else second.nose
+        self.one = _solid(first, first.nose, first.approach_spin, contact_point, axes, gravity, "the first vehicle")
+        self.two = _solid(second, facing, second.approach_spin, contact_point, axes, gravity, "the second vehicle")
+        mass, other = float_like(self.one.mass), float_like(self.two.mass)
+        self.impulse = mass * self.change[0], mass * self.change[1]
+        self.size = hypot(*self.impulse)
+        require(self.size > 0.0, "the recorded change of velocity is zero: no impact", code="no-impact")
+        self.second_change = 0.0 - self.impulse[0] / other, 0.0 - self.impulse[1] / other
+        self.before: Pair | None = None
+        if first.approach_speed is not None:
+            self.before = first.approach_speed * self.travel[0], first.approach_speed * self.travel[1]
+
+    def gained(self) -> Pair:
+        """Change of the relative velocity of the contact points: K·p."""
+        total: Pair = (0.0, 0.0)
+        for body in (self.one, self.two):
+            total = plus(total, self.impulse, 1.0 / float_like(body.mass))
+            if body.inertia is not None:
+                total = plus(total, spun(cross(body.lever, self.impulse) / body.inertia, body.lever))
+        return total
+
+    def spin_change(self, body: Solid, sense: float) -> float | None:
+        """Change of spin by the impulse."""
+        return None if body.inertia is None else sense * cross(body.lever, self.impulse) / body.inertia
+
+    def contact(self, body: Solid, velocity: Pair) -> Pair:
+        """Velocity of the contact point of a body before."""
+        return plus(velocity, spun(body.spin, body.lever))
+
+
+def float_like(number: float | None) -> float:
+    """A number that is known to be given."""
+    assert number is not None
+    return number
+
+
+def _turned(on_body: Pair, nose: Pair) -> Pair:
+    return on_body[0] * nose[0] - on_body[1] * nose[1], on_body[0] * nose[1] + on_body[1] * nose[0]
+
+
+def _solid(
+    vehicle: Recorder | Partner,
+    nose: float | None,
+    spin: float,
+    contact_point: Pair | None,
+    axes: Axes,
+    gravity: float,
+    name: str,
+) -> Solid:
+    require(
+        (vehicle.turning is None) == (vehicle.arm is None),
+        "of {name} only one of inertia and lever is given: its turning needs both",
+        name=name,
+        code="half-turning",
+        hint="give both, or neither to neglect that it turns",
+    )
+    if vehicle.turning is None or vehicle.arm is None:
+        return Solid(mass_of(vehicle.bulk, gravity, name), None, (0.0, 0.0), (0.0, 0.0), 0.0, (1.0, 0.0))
+    require(
+        not isinstance(vehicle.arm, OnBody) or nose is not None,
+        "the contact is measured on the body of {name}, whose nose is not given",
+        name=name,
+        code="no-nose",
+        hint="give the heading of its nose at the impact",
+    )
+    body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity((0.0, 0.0)), spin, nose)
+    return solid(body, contact_point, axes, gravity, name)
