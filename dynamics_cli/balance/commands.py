@@ -144,7 +144,7 @@ ENGINE = Task(
     "Inertia forces and couples of an engine by order; what balances them.",
     Model(
         "orders of the slider-crank",
-        "dynamics_cli.balance.engine:engine",
+        "dynamics_cli.balance.engines.engine:engine",
         source=BOOK + "sections 15.5 to 15.10",
         formula="forward ½·{reciprocating_mass|m}·{crank_radius|r}·{speed|ω}²·ΣA_n·e^{i(n(φ − β) + β)}, "
         "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {ratio|λ}",
@@ -175,7 +175,7 @@ LANCHESTER = Task(
     "Two balance shafts against the second-order force of an in-line engine.",
     Model(
         "two shafts turning against each other",
-        "dynamics_cli.balance.lanchester:lanchester",
+        "dynamics_cli.balance.engines.lanchester:lanchester",
         source=BOOK + "section 15.6",
         formula="{force|F} = {cylinders|z}·|A_n|·{reciprocating_mass|m}·{crank_radius|r}·{speed|ω}², "
         "{shaft_unbalance|U} = {force|F}/(2·n²·{speed|ω}²)",

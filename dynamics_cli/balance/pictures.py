@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 ROUND = 121
 SPOKES = 12
+INITIAL = "initial"
+# Sizes stand beside the rings, between two spokes.
+NEAR = (math.cos(math.radians(285.0)), math.sin(math.radians(285.0)))
 STEPS = 361
 GREY = 6
 
@@ -22,26 +25,36 @@ GREY = 6
 def _polar(arrows: "Sequence[tuple[Plane, Plane, str, int]]", kind: "Any", title: str) -> Panel:
     """Arrows on rings and spokes; zero degrees is to the right, angles run counter-clockwise."""
     ends = [(x + dx, y + dy) for (x, y), (dx, dy), _, _ in arrows]
-    reach = 1.05 * max(math.hypot(*end) for end in [*ends, *(start for start, _, _, _ in arrows)]) or 1.0
+    reach = 1.05 * max(math.hypot(*end) for end in ends) or 1.0
     items: list[Any] = []
+    turns = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
     for share in (0.5, 1.0):
-        turns = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
         x = [share * reach * math.cos(turn) for turn in turns]
-        y = [share * reach * math.sin(turn) for turn in turns]
-        items.append(Curve(x, y, "", "dots", role=GREY))
+        items.append(Curve(x, [share * reach * math.sin(turn) for turn in turns], "", "dots", role=GREY))
+        text = worded("{size:3}", size=(share * reach, kind))
+        items.append(Label(share * reach * NEAR[0], share * reach * NEAR[1], text))
     for spoke in range(SPOKES):
         turn = 2.0 * math.pi * spoke / SPOKES
         cosine, sine = math.cos(turn), math.sin(turn)
         items.append(Curve([0.0, reach * cosine], [0.0, reach * sine], "", "dots", role=GREY))
-        items.append(Label(1.13 * reach * cosine, 1.13 * reach * sine, worded("{at}", at=(turn, Angle))))
-    corner = 1.25 * reach
-    items.append(Curve([-corner, corner], [-corner, corner], "", "fill", GREY))
+        items.append(Label(1.12 * reach * cosine, 1.12 * reach * sine, f"{360 * spoke // SPOKES}°"))
     for (x0, y0), (dx, dy), label, role in arrows:
-        items.append(Arrow(x0, y0, dx, dy, "", role=role))
+        items.append(Arrow(x0, y0, dx, dy, "", role=role, dashed=(x0, y0) != (0.0, 0.0)))
         if label:
-            right = 5.0 if dx >= 0.0 else -5.0
-            items.append(Mark(x0 + 0.75 * dx, y0 + 0.75 * dy, label, (right, 5.0), dot=False, role=role))
-    return Panel(Axis("towards 0 deg", kind), Axis("towards 90 deg", kind), tuple(items), title, equal=True)
+            items.append(_named(dx, dy, label, role, [way for start, way, _, _ in arrows if start == (0.0, 0.0)]))
+    side = (-1.25 * reach, 1.25 * reach)
+    return Panel(Axis("", kind, ends=side), Axis("", kind, ends=side), tuple(items), title, equal=True, bare=True)
+
+
+def _named(dx: float, dy: float, label: str, role: int, others: "Sequence[Plane]") -> Mark:
+    """The name of an arrow from the centre beside its tip, on the side away from the other arrows."""
+    side = sum(dx * y - dy * x for x, y in others)
+    across = (dy, -dx) if side >= 0.0 else (-dy, dx)
+    length = math.hypot(dx, dy) or 1.0
+    away = (across[0] / length, across[1] / length)
+    # the initial reading lies among those of the trials, and has its name half way
+    share = 0.55 if role == 0 and label == INITIAL else 1.0
+    return Mark(share * dx, share * dy, label, (math.copysign(5.0, away[0]), 6.0 * away[1]), dot=False, role=role)
 
 
 def _at(size: "Any", angle: "Any") -> "Plane":
@@ -56,7 +69,7 @@ def trial(made: "Any", *, sensors: "Any", **_: "Any") -> Picture:
     panels = []
     for nth, row in enumerate(rows, 1):
         start = row.initial.value
-        arrows = [((0.0, 0.0), start, "initial", 0)]
+        arrows = [((0.0, 0.0), start, INITIAL, 0)]
         for name, reading, role in (("1st trial", row.first, 1), ("2nd trial", row.second, 2)):
             if reading is not None:
                 arrows.append(((0.0, 0.0), reading.value, name, role))
@@ -67,7 +80,7 @@ def trial(made: "Any", *, sensors: "Any", **_: "Any") -> Picture:
     if made.second_mass is not None:
         masses.append(((0.0, 0.0), _at(made.second_mass, made.second_angle), "2nd plane", 2))
     panels.append(_polar(masses, BalanceMass, "masses to add"))
-    return Picture(tuple(panels), "balance run", columns=min(len(panels), 3))
+    return Picture(tuple(panels), "balance run", columns=2)
 
 
 def planes(made: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
@@ -89,12 +102,12 @@ def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
     paths = [[_turned(row, angle) for angle in angles] for row in made.orders]
     whole = [(sum(path[i][0] for path in paths), sum(path[i][1] for path in paths)) for i in range(STEPS)]
     crank = Axis("crank angle", Angle, step=math.pi / 3.0)
-    over = [
+    over: list[Any] = [
         Curve(angles, [x for x, _ in whole], "at bank angle 0", role=0),
         Curve(angles, [y for _, y in whole], "across it", role=1),
         Band(0.0, 0.0, "", vertical=False),
     ]
-    ellipses = [
+    ellipses: list[Any] = [
         Curve([x for x, _ in path], [y for _, y in path], f"order {row.order}", role=nth)
         for nth, (row, path) in enumerate(zip(made.orders, paths, strict=True))
         if row.force > 1e-3 * max(one.force for one in made.orders)
@@ -103,11 +116,13 @@ def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
         Axis("at bank angle 0", Force), Axis("across it", Force), tuple(ellipses), "force by order", equal=True
     )
     names = tuple(f"order {row.order}" for row in made.orders)
-    panels = [Panel(crank, Axis("force", Force), tuple(over), "inertia force on the frame")] if ellipses else []
+    panels: list[Panel] = (
+        [Panel(crank, Axis("force", Force), tuple(over), "inertia force on the frame")] if ellipses else []
+    )
     if ellipses:
         panels.append(tips)
     if any(row.couple > 0.0 for row in made.orders):
-        couples = [
+        couples: list[Any] = [
             Curve(angles, [_couple(row, angle) for angle in angles], name, role=nth)
             for nth, (row, name) in enumerate(zip(made.orders, names, strict=True))
             if row.couple > 1e-3 * made.orders[0].couple or made.orders[0].couple == 0.0
@@ -143,5 +158,5 @@ def flywheel(made: "Any", *, points: "Any", **_: "Any") -> Picture:
         Mark(made.fastest, mean, "fastest"),
         Mark(made.slowest, mean, "slowest", (6.0, -12.0)),
     )
-    panel = Panel(Axis("angle", Angle), Axis("torque", Torque), items)
+    panel = Panel(Axis("angle", Angle, step=math.pi / 3.0), Axis("torque", Torque), items)
     return Picture((panel,), "torque and its mean")

@@ -1,7 +1,7 @@
 """Balancing from trial weights: influence coefficients from readings, and the corrections that still them best."""
 
 from dynamics_cli.balance.influence import condition, norm, solved
-from dynamics_cli.balance.phasors import Phasor, polar, total
+from dynamics_cli.balance.phasors import Phasor, polar, scale_of, total
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, BalanceMass, Fraction, FreeNumber, FreeVector, Kind, Ratio
@@ -71,9 +71,9 @@ class TrialBalance:
     """Corrections from trial weights."""
 
     first_mass: Annotated[BalanceMass, "Mass to add in the first plane, at the radius of the trial weight [kg]."]
-    first_angle: Annotated[Angle, "Where to add it [rad]."]
+    first_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
     second_mass: Annotated[BalanceMass | None, "Mass to add in the second plane; none without one [kg]."]
-    second_angle: Annotated[Angle | None, "Where to add it [rad]."]
+    second_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
     condition: Annotated[Ratio | None, "How well the planes are told apart: 1 is best, above 10 is poor [-]."]
     coefficients: Annotated[tuple[Coefficient, ...], "Influence coefficients."]
     predicted: Annotated[tuple[Predicted, ...], "Readings before and expected after."]
@@ -153,9 +153,9 @@ def trial(
     number = _number(kind)
     return TrialBalance(
         first_mass=masses[0].size,
-        first_angle=masses[0].angle,
+        first_angle=masses[0].angle_beside(scale_of(masses)),
         second_mass=masses[1].size if len(masses) > 1 else None,
-        second_angle=masses[1].angle if len(masses) > 1 else None,
+        second_angle=masses[1].angle_beside(scale_of(masses)) if len(masses) > 1 else None,
         condition=apart if len(masses) > 1 else None,
         coefficients=tuple(
             Coefficient(row, nth, Quantity(a.size * 1e-3, number), a.angle)

@@ -1,7 +1,7 @@
 """Inertia forces and couples of piston engines by order, and what counterweights and balance shafts take away."""
 
-from dynamics_cli.balance.crank import order_factor, require_rod
-from dynamics_cli.balance.layouts import Preset, layout
+from dynamics_cli.balance.engines.crank import order_factor, require_rod
+from dynamics_cli.balance.engines.layouts import Preset, layout
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain

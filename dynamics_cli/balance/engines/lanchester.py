@@ -1,6 +1,6 @@
 """Lanchester's balancer: two shafts turning at an order's speed against each other."""
 
-from dynamics_cli.balance.crank import order_factor, require_rod
+from dynamics_cli.balance.engines.crank import order_factor, require_rod
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.quantities import Annotated, BalanceMass, Count, Force, Mass, Ratio, ShaftSpeed, Size, Unbalance
