@@ -4,7 +4,17 @@ from dynamics_cli.balance.influence import condition, norm, solved
 from dynamics_cli.balance.phasors import Phasor, polar, scale_of, total
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, BalanceMass, Fraction, FreeNumber, FreeVector, Kind, Ratio
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    BalanceMass,
+    Fraction,
+    FreeNumber,
+    FreeVector,
+    Kind,
+    Positive,
+    Ratio,
+)
 from dynamics_cli.records import Advice, Check, Choice, Quantity, record
 
 TYPE_CHECKING = False
@@ -14,6 +24,8 @@ if TYPE_CHECKING:
 
 # Planes told apart worse than this: errors of readings grow as much in the masses.
 POOR = 10.0
+# Nothing but rounding tells such planes apart.
+BEYOND = 1e12
 # A trial weight should change the readings by this share of them at least.
 WEAK = 0.1
 
@@ -43,7 +55,7 @@ class Sensor:
     first: Annotated[FreeVector, "Reading with the weight in the first plane, e.g. 235 um @ 94 deg."]
     second: Annotated[FreeVector | None, "Reading with the weight in the second plane, e.g. 186 um @ 115 deg."] = None
     runout: Annotated[FreeVector | None, "Slow-roll reading, taken off all others, e.g. 4 um @ 20 deg."] = None
-    weight: Annotated[Ratio, "How much it counts beside the others."] = 1.0
+    weight: Annotated[Positive, "How much its residual counts beside the others."] = 1.0
 
 
 @record
@@ -136,13 +148,7 @@ def trial(
     scales = [one.weight for one in rows]
     scaled = [[a.times(s) for a, s in zip(column, scales, strict=True)] for column in columns]
     apart = condition(scaled)
-    require(
-        apart <= plain(largest_condition),
-        "the two planes act alike on every reading (condition {apart}): their masses would nearly cancel",
-        code="dependent-planes",
-        hint="balance in one plane, or add a sensor or a speed at which the planes act differently",
-        apart=(min(apart, 1e300), Ratio),
-    )
+    _require_apart(apart, plain(largest_condition))
     masses = solved(scaled, [-v.times(s) for v, s in zip(initial, scales, strict=True)])
     left = [
         total([v, *(column[row] * mass for column, mass in zip(columns, masses, strict=True))])
@@ -170,6 +176,22 @@ def trial(
         checks=(Check("the corrections cancel the readings", off <= 1e-11, off, 1e-11),) if exact else (),
         advice=tuple(_advice(apart, columns, weights, initial)),
     )  # fmt: skip
+
+
+def _require_apart(apart: float, largest: float) -> None:
+    """Refuse planes that the readings do not tell apart."""
+    hint = "balance in one plane, or add a sensor or a speed at which the planes act differently"
+    require(
+        apart < BEYOND, "the two planes act alike on every reading: no masses follow from them",
+        code="dependent-planes", hint=hint,
+    )  # fmt: skip
+    require(
+        apart <= largest,
+        "the two planes act almost alike on every reading (condition {apart}): their masses would nearly cancel",
+        code="dependent-planes",
+        hint=hint,
+        apart=(apart, Ratio),
+    )
 
 
 def _advice(
