@@ -33,6 +33,8 @@ class DynamicsError(Exception):
         self.code = code or type(self).code
         self.parameter = parameter
         self.hint = hint
+        # The parameter as the caller writes it, where that is known.
+        self.named = ""
 
     def all(self) -> "Sequence[DynamicsError]":
         """Every single failure this one stands for."""
@@ -48,6 +50,21 @@ class UsageError(DynamicsError):
 
     status = ExitStatus.USAGE
     code = "usage"
+
+
+class MissingError(UsageError):
+    """Something is missing that may be given in several ways, each of some parameters by their addresses."""
+
+    code = "missing"
+
+    def __init__(self, message: str, ways: "Sequence[tuple[str, ...]]", *, code: str | None = None) -> None:
+        super().__init__(message, code=code, parameter=ways[0][0])
+        self.ways = tuple(ways)
+        self.name(str)
+
+    def name(self, spell: "Callable[[str], str]") -> None:
+        """Say in the hint what may be given, parameters as the caller writes them."""
+        self.hint = "give " + ", or ".join(" and ".join(map(spell, way)) for way in self.ways)
 
 
 class ManyErrors(UsageError):
@@ -66,7 +83,7 @@ class InadmissibleError(DynamicsError):
     """Well-formed input that physics cannot answer.
 
     `refused` is the array of refused rows when the inputs were arrays, else None. `judged` names the results that a
-    judgement calls undetermined; their numbers exist.
+    judgement calls undetermined; their numbers exist, and `left` says what uncertain inputs leave of them.
     """
 
     status = ExitStatus.INADMISSIBLE
@@ -78,6 +95,7 @@ class InadmissibleError(DynamicsError):
         super().__init__(message, code=code, hint=hint)
         self.refused = refused
         self.judged: tuple[str, ...] = ()
+        self.left = ""
 
 
 class OutputError(DynamicsError):
@@ -151,6 +169,12 @@ def require(
         raise InadmissibleError(message.format(*plain) if values else message, code=code, hint=hint)
     if not condition.all():
         raise InadmissibleError("some rows are refused", code=code, hint=hint, refused=~condition)  # type: ignore[operator]
+
+
+def require_given(given: bool, message: str, *ways: "tuple[str, ...]", code: str | None = None, **typed: "Any") -> None:
+    """Refuse a call that lacks a parameter; `ways` are the addresses of what would do, each of which may be several."""
+    if not given:
+        raise MissingError(worded(message, **typed), ways, code=code)
 
 
 def judge(

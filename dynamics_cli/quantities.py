@@ -16,12 +16,14 @@ class Kind:
     exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
     "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
+    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
+
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "default", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "about", "above", "below", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
         "variable",
     )  # fmt: skip
 
@@ -43,6 +45,7 @@ class Kind:
         default: str = "",
         variable: str = "",
         needs: str = "",
+        exact: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -59,6 +62,7 @@ class Kind:
         self.default = default
         self.variable = variable
         self.needs = needs
+        self.exact = exact
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -130,6 +134,8 @@ if TYPE_CHECKING:
     Distance = float
     Size = float
     Coordinate = float
+    SectionSize = float
+    SectionCoordinate = float
     Area = float
     Volume = float
     Module = float
@@ -166,6 +172,7 @@ if TYPE_CHECKING:
     ShaftSpeed = float
     AngularRate = float
     AngularAcceleration = float
+    TurnRate = float
     # angles and pure numbers
     Angle = float
     Ratio = float
@@ -224,6 +231,9 @@ if TYPE_CHECKING:
     PlanarPosition = tuple[float, float]
     PlanarVelocity = tuple[float, float]
     PlanarImpulse = tuple[float, float]
+    PartPoint = tuple[float, float]
+    PartVelocity = tuple[float, float]
+    PartAcceleration = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     FreeVector = Quantity
     FreeNumber = Quantity
@@ -244,6 +254,12 @@ else:
     Distance = Kind("length", "m", si="m", us="ft", low=0.0, example="60 ft", about="a length that cannot be negative")
     Size = Kind("size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length")
     Coordinate = Kind("size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part")
+    SectionSize = Kind(
+        "size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length", exact=True
+    )
+    SectionCoordinate = Kind(
+        "size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part", exact=True
+    )
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
     Module = Kind("module", "m", si="mm", us="mm", above=0.0, example="2.5 mm", about="a gear module")
@@ -357,6 +373,9 @@ else:
         us="rad/s^2",
         example="3 rad/s^2",
         about="an angular acceleration",
+    )
+    TurnRate = Kind(
+        "angular velocity", "rad/s", si="rad/s", us="rad/s", example="10 rad/s", about="the angular velocity of a link"
     )
     # angles and pure numbers
     Angle = Kind("angle", "rad", si="deg", us="deg", example="30 deg", about="an angle")
@@ -628,6 +647,17 @@ else:
         example="3000, 400 N*s",
         about="an impulse in the plane",
     )
+    PartPoint = Kind(
+        "part point", "m", form="planar", size=2, si="mm", us="in", example="60, 40 mm", about="a point in the plane"
+    )
+    PartVelocity = Kind(
+        "velocity in the plane", "m/s", form="planar", size=2, si="m/s", us="ft/s", example="1, 2 m/s",
+        about="a velocity in the plane",
+    )  # fmt: skip
+    PartAcceleration = Kind(
+        "acceleration in the plane", "m/s^2", form="planar", size=2, si="m/s^2", us="ft/s^2", example="3, -4 m/s^2",
+        about="an acceleration in the plane",
+    )  # fmt: skip
     InertiaTensor = Kind(
         "inertia tensor",
         "kg*m^2",

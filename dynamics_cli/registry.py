@@ -80,6 +80,13 @@ FAMILIES: "dict[str, Entry]" = {
         references=("orient.json",),
         questions="dynamics_cli.accuracy.alternatives.orient",
     ),
+    "linkage": Entry(
+        "dynamics_cli.linkage.commands",
+        GROUPS[3],
+        "Four-bars, slider-cranks, coupler curves, linkages from scenes.",
+        references=("linkage.json",),
+        questions="dynamics_cli.accuracy.alternatives.linkage",
+    ),
     "cam": Entry(
         "dynamics_cli.cam.commands",
         GROUPS[4],

@@ -8,7 +8,9 @@ TABLE = (
 LISTS = "dynamics_cli.convert.unit_lists"
 
 
-def _list(name: str, summary: str, function: str, table: str, source: str, *examples: str, headline: str = "") -> Task:
+def _list(
+    name: str, summary: str, function: str, table: str, source: str, *examples: str, headline: str = "", shown: str = ""
+) -> Task:
     model = Model("exact unit table", f"{LISTS}:{function}", source=source, method="look-up")
     return Task(
         name,
@@ -19,7 +21,7 @@ def _list(name: str, summary: str, function: str, table: str, source: str, *exam
         arrays=False,
         tracked=False,
         digits=17,
-        headline=(*headline.split(), table),
+        headline=(*headline.split(), shown or table),
         listing=True,
     )
 
@@ -80,6 +82,7 @@ FAMILIES = {
             "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, table 1.7.1",
             "dynamics units table josephs-huston --table rows --format csv",
             headline="misprints inexact",
+            shown="rows: as printed, beside the exact factors | from_unit, to_unit, printed, factor",
         ),
     ),
     "coords": Family(

@@ -10,6 +10,7 @@ from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.core.units.unit import NUMBER, Unit, conformable
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import Advice, Choice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
@@ -90,7 +91,9 @@ def coords(
     lengths = _units(components)
     numbers = [_read(name, given, lengths) for name, given in components]
     tracked = Tracked.inputs(numbers)
-    converted = getattr(physics, f"{from_}_to_{into}")(*tracked)
+    # the double of 90 deg is no right angle; what was typed is
+    turn = {"turn": turned} if from_ != "cartesian" and into != "spherical" and _in_turns(components) else {}
+    converted = getattr(physics, f"{from_}_to_{into}")(*tracked, **turn)
     angle_unit = next((parse_unit(given.unit, RADIAN) for name, given in components if name in ANGLES), DEGREE)
     shown = {name: _show(name, getattr(converted, name), numbers, angle_unit, lengths) for name in NAMES[into]}
     empty = dict.fromkeys(("x", "y", "r", "rho", "phi", "theta", "z"))
@@ -115,6 +118,11 @@ def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
             f"{bare[0]} has no unit, the others have one", parameter=bare[0], hint="give all a length unit, or none"
         )
     return parse_unit(found[0][1].unit, METRE) if not bare else NUMBER
+
+
+def _in_turns(components: tuple[tuple[str, ExactQuantity], ...]) -> bool:
+    """Whether angles were given in parts of a turn, such as degrees."""
+    return all(parse_unit(given.unit, RADIAN).pi == 1 for name, given in components if name in ANGLES)
 
 
 def _read(name: str, given: ExactQuantity, lengths: Unit) -> float:

@@ -11,10 +11,22 @@ from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, maximu
 from dynamics_cli.quantities import Angle, Annotated
 from dynamics_cli.records import Advice, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
+    Turn: TypeAlias = Callable[[float], tuple[float, float]]
+
 PI = 3.141592653589793
 LARGEST = 1.7976931348623157e308
 # Powers of two that bring components whose squares or sums would leave the range of doubles back into it, exactly.
 _SMALL, _LARGE, _UP, _DOWN = 2.0**-500, 2.0**500, 2.0**520, 2.0**-520
+
+
+def cosine_and_sine(angle: float) -> tuple[float, float]:
+    """Cosine and sine of a double as it is."""
+    return cos(angle), sin(angle)
 
 
 @record
@@ -99,11 +111,12 @@ def cartesian_to_spherical(x: float, y: float, z: float) -> Spherical:
     return Spherical(rho, phi, atan2(y + 0.0, x + 0.0), _undetermined(absolute(off_axis), rho))
 
 
-def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
+def cylindrical_to_cartesian(r: float, theta: Angle, z: float, turn: "Turn" = cosine_and_sine) -> Cartesian:
     """Cartesian coordinates of a cylindrical point.
 
     `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
-    the Z-axis. Returns x, y and z. Raises InadmissibleError when r is negative.
+    the Z-axis; `turn`: cosine and sine of an angle, of its double or of what was typed. Returns x, y and z. Raises
+    InadmissibleError when r is negative.
 
     Equation
     --------
@@ -119,7 +132,8 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float) -> Cartesian:
     3.4641
     """
     _require_distance("r", r)
-    return Cartesian(r * cos(theta), r * sin(theta), z)
+    cosine, sine = turn(theta)
+    return Cartesian(r * cosine, r * sine, z)
 
 
 def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
@@ -147,7 +161,7 @@ def cylindrical_to_spherical(r: float, theta: Angle, z: float) -> Spherical:
     return Spherical(rho, atan2(r + 0.0, z + 0.0), _canonical(theta, r), _undetermined(r, rho))
 
 
-def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
+def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle, turn: "Turn" = cosine_and_sine) -> Cartesian:
     """Cartesian coordinates of a spherical point.
 
     `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
@@ -169,11 +183,13 @@ def spherical_to_cartesian(rho: float, phi: Angle, theta: Angle) -> Cartesian:
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    across = rho * sin(phi)
-    return Cartesian(across * cos(theta), across * sin(theta), rho * cos(phi))
+    along, sine = turn(phi)
+    across = rho * sine
+    ahead, aside = turn(theta)
+    return Cartesian(across * ahead, across * aside, rho * along)
 
 
-def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrical:
+def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle, turn: "Turn" = cosine_and_sine) -> Cylindrical:
     """Cylindrical coordinates of a spherical point.
 
     `rho`: distance ρ from the origin, not negative; `phi`: angle φ from the Z-axis, from 0 to π [rad]; `theta`: angle θ
@@ -195,10 +211,10 @@ def spherical_to_cylindrical(rho: float, phi: Angle, theta: Angle) -> Cylindrica
     """
     _require_distance("rho", rho)
     _require_polar(phi)
-    sine = sin(phi)
+    cosine, sine = turn(phi)
     # not by r, which may underflow off the axis
     off_axis = where(rho == 0.0, 0.0, sine)
-    return Cylindrical(rho * sine, _canonical(theta, off_axis), rho * cos(phi), _undetermined(off_axis, None))
+    return Cylindrical(rho * sine, _canonical(theta, off_axis), rho * cosine, _undetermined(off_axis, None))
 
 
 def _representable(distance: float) -> float:

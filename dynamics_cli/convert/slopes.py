@@ -47,8 +47,6 @@ def slope_of_angle(numerator: int, denominator: int, unit: Unit, over: int) -> f
     """
     if not numerator:
         return 0.0
-    if unit.pi == 1 and 4 * abs(numerator) * unit.numerator == denominator * unit.denominator:
-        return float(over if numerator > 0 else -over)
     digits = FIRST_DIGITS
     while True:
         scale: int = 10**digits

@@ -5,7 +5,7 @@ try:
 except ImportError:  # another Python than CPython
     from json.encoder import encode_basestring
 
-from math import isfinite
+from math import floor, isfinite, log10
 
 from dynamics_cli.errors import FaultError
 
@@ -146,6 +146,16 @@ def quantity(value: "Any", unit: str, digits: int) -> str:
     return f"{number(value, digits)} {unit}".rstrip()
 
 
+def decimals(value: float, deviation: float) -> str:
+    """A number to the place of the second significant digit of its standard deviation."""
+    # a deviation of 9.96 is 10
+    place = 1 - floor(log10(float(f"{abs(deviation):.1e}")))
+    if -9 <= place <= 12:
+        rounded = round(value, place)
+        return f"{rounded + 0.0:.{max(place, 0)}f}"
+    return f"{value:.6g}"
+
+
 def distribution_text(node: "dict[str, Any]") -> str:
     """An uncertain input as it would be written, without its unit."""
     name = node["distribution"]
@@ -160,7 +170,13 @@ def distribution_text(node: "dict[str, Any]") -> str:
     if name == "lognormal":
         return f"lognormal({number(node['mean'], 17)} ± {number(node['std'], 6)})"
     if name == "result":
-        return f"{number(node.get('value', node['median']), 6)} ({number(node['low'], 6)} to {number(node['high'], 6)})"
+        low, high = node["low"], node["high"]
+        middle = node.get("value", node["median"])
+        # four deviations of a normal distribution lie between the ends of its usual interval
+        middle, low, high = (
+            decimals(each, 0.25 * (high - low)) if high > low else number(each, 6) for each in (middle, low, high)
+        )
+        return f"{middle} ({low} to {high})"
     values = node.get("readings") or node.get("values") or []
     listed = ", ".join(number(value, 17) for value in values)
     return f"[{listed}]" if name == "readings" else f"empirical({listed})"

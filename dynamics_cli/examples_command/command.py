@@ -51,6 +51,14 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "pedestrian",
+        "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
+        "cd pedestrian && sh pedestrian.sh",
+        "pedestrian/pedestrian.sh",
+        "pedestrian/car.toml",
+        "pedestrian/parties.toml",
+    ),
+    Example(
         "gps_track",
         "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
         "cd gps_track && sh gps_track.sh",
@@ -68,6 +76,18 @@ WORKED = (
         "A block hits the floor with a corner: an impact in space.",
         "dynamics impact solve thrown_block.toml",
         "thrown_block.toml",
+    ),
+    Example(
+        "wiper",
+        "A windscreen wiper: a four-bar for its swing, the motor's torque.",
+        "cd wiper && sh wiper.sh",
+        "wiper/wiper.sh",
+    ),
+    Example(
+        "six_bar",
+        "A six-bar linkage: every pin's motion from a scene.",
+        "dynamics linkage solve six_bar.toml",
+        "six_bar.toml",
     ),
     Example(
         "flywheel",

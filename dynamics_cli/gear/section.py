@@ -154,7 +154,10 @@ def outline_points(outline: "Outline") -> "Line":
 
 
 def _arc_points(piece: Arc) -> "list[Any]":
+    if not piece.bulge:
+        return [piece.start, piece.end]
     (cx, cy), radius, turn = piece.centre, piece.radius, 4.0 * atan(piece.bulge)
     start = atan2(piece.start[1] - cy, piece.start[0] - cx)
-    inner = [start + turn * index / 12 for index in range(1, 12)]
+    count = 2 + 2 * min(5, int(20.0 * abs(turn)))
+    inner = [start + turn * index / count for index in range(1, count)]
     return [piece.start, *((cx + radius * cos(a), cy + radius * sin(a)) for a in inner), piece.end]

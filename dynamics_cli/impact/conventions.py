@@ -108,6 +108,11 @@ class Fixed:
     fixed: Annotated[bool, "Yes for a body that keeps its velocity whatever strikes it."]
 
 
+def side_of(name: str) -> str:
+    """The address of a body that messages call "the first body"."""
+    return "second" if "second" in name else "first"
+
+
 def mass_of(bulk: ByMass | ByWeight, gravity: float, name: str = "the body") -> float:
     """Mass as given or from the weight; refuses a mass of zero."""
     if isinstance(bulk, ByWeight):

@@ -1,4 +1,4 @@
-"""Cosine and sine of an angle as a user wrote it: exact at multiples of 30 degrees.
+"""Cosine, sine and tangent of an angle as a user wrote it: exact at multiples of 30 and 45 degrees.
 
 An angle reaches physics in radians. The double nearest to a multiple of π/6 is what such a multiple was read as: 90
 degrees have no cosine of 6e-17. The bounds of tracked numbers, which are of the double, allow for the difference, and
@@ -6,7 +6,7 @@ numbers of many digits, which check those bounds, keep to the double. Use this w
 formula calculated has no such meaning.
 """
 
-from dynamics_cli.numerics.elementary import cos, product_error, sin
+from dynamics_cli.numerics.elementary import cos, product_error, sin, tan
 from dynamics_cli.numerics.number import is_carrier
 
 TYPE_CHECKING = False
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 # π/6, and what the double leaves out of it.
 SIXTH, REST = 0.5235987755982989, -5.360408832255455e-17
+# π/4.
+EIGHTH = 0.7853981633974483
 # Multiples beyond these are too close to one another's doubles to mean anything.
 MOST = 1e6
 # What rounding may have made of an angle and of a sine, relatively.
@@ -35,6 +37,33 @@ def turned(angle: float) -> tuple[float, float]:
     if multiple is None or (is_carrier(angle) and not hasattr(angle, "error")):
         return cos(angle), sin(angle)
     return _exact(angle, value, multiple + 3), _exact(angle, value, multiple)
+
+
+def tangent(angle: float) -> float:
+    """Tangent of an angle in radians: 1 at 45 degrees."""
+    if getattr(angle, "ndim", 0):
+        return _tangents(angle)  # type: ignore[no-any-return]
+    value: float = getattr(angle, "value", angle)
+    count = round(value / EIGHTH) if abs(value) <= MOST * EIGHTH else 2
+    # half of them are right angles, which have no tangent
+    if count % 4 == 2 or count * EIGHTH != value or (is_carrier(angle) and not hasattr(angle, "error")):
+        return tan(angle)
+    size = (0.0, 1.0, 0.0, -1.0)[count % 4]
+    if type(angle) is float:
+        return size
+    slope = 1.0 + size * size
+    change = slope * (angle - value)
+    error = change.error + 2.0 * OFF * abs(value) * slope  # type: ignore[attr-defined]
+    return type(angle)(size, error, change.slopes)  # type: ignore[call-arg, attr-defined]
+
+
+def _tangents(angles: "Any") -> "Any":
+    """Of many angles."""
+    if is_carrier(angles):
+        return tan(angles)
+    import numpy as np
+
+    return np.vectorize(tangent, otypes=[float])(angles)
 
 
 def multiple_of(value: float) -> int | None:

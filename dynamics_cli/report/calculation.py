@@ -3,8 +3,8 @@
 import re
 
 from dynamics_cli.core.answering.explain import formulas_with_numbers
-from dynamics_cli.core.documents import flatten, is_quantity, is_table, number, quantity
-from dynamics_cli.core.output.answer_words import decimals, headline_labels, percent
+from dynamics_cli.core.documents import decimals, flatten, is_quantity, is_table, number, quantity
+from dynamics_cli.core.output.answer_words import headline_labels, percent
 from dynamics_cli.records import record
 from dynamics_cli.report.recalculation import read_files
 

@@ -9,6 +9,7 @@ from html import escape
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     # A node: what it is, and its text or its parts.
@@ -162,88 +163,108 @@ def parse(text: str) -> "list[Node]":
     return _Parser(text).row()
 
 
+class _Language:
+    """How the parts of a formula are written: a template for each kind of node, and how texts and signs are quoted."""
+
+    def __init__(
+        self, between: str, text: "Callable[[str], str]", sign: "Callable[[str], str]", **templates: str
+    ) -> None:
+        self.between = between
+        self.text = text
+        self.sign = sign
+        self.templates = templates
+
+    def row(self, nodes: "list[Node]") -> str:
+        """Nodes one after another."""
+        return self.between.join(map(self.node, nodes))
+
+    def node(self, node: "Node") -> str:
+        """One node with all that is in it."""
+        what, held = node
+        if what == "space":
+            return ""
+        if what == "operator":
+            return self._filled(what, self.sign(held))
+        if what == "quantity":
+            number, _, unit = held.partition("\u00a0")
+            return self._filled("measured" if unit else "number", self.text(number), self.text(unit))
+        if what in ("row", "root"):
+            return self._filled(what, self.row(held))
+        if what == "brackets":
+            return self._filled(what, self.sign(held[0]), self.row(held[1]), self.sign(held[2]))
+        if what == "fraction":
+            return self._filled(what, self.row(held[0]), self.row(held[1]))
+        if what == "low":
+            return self._filled(what, self.node(held[0]), self.text(held[1]))
+        if what == "high" and held[0][0] == "low":
+            base, low = held[0][1]
+            return self._filled("both", self.node(base), self.text(low), self.row(held[1]))
+        if what == "high":
+            return self._filled(what, self.node(held[0]), self.row(held[1]))
+        if what == "name" and len(held) == 1:
+            return self._filled("letter", held)
+        return self._filled(what, self.text(held))
+
+    def _filled(self, what: str, *parts: str) -> str:
+        return self.templates[what].format(*parts)
+
+
+def _quoted(text: str) -> str:
+    """Upright text of typst."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def _typst_sign(sign: str) -> str:
+    return f"\\{sign}" if sign in "#$&_^/\\\"'()[]{},;*~`@=<>|!:-" else sign
+
+
+_MATHML = _Language(
+    "",
+    escape,
+    escape,
+    number="<mn>{0}</mn>",
+    measured="<mn>{0}</mn><mtext>\u00a0{1}</mtext>",
+    row="<mrow>{0}</mrow>",
+    brackets='<mrow><mo stretchy="true">{0}</mo>{1}<mo stretchy="true">{2}</mo></mrow>',
+    root="<msqrt>{0}</msqrt>",
+    fraction="<mfrac><mrow>{0}</mrow><mrow>{1}</mrow></mfrac>",
+    low="<msub><mrow>{0}</mrow><mtext>{1}</mtext></msub>",
+    both="<msubsup>{0}<mtext>{1}</mtext><mrow>{2}</mrow></msubsup>",
+    high="<msup><mrow>{0}</mrow><mrow>{1}</mrow></msup>",
+    word="<mtext>\u00a0{0}\u00a0</mtext>",
+    letter="<mi>{0}</mi>",
+    name="<mi>{0}</mi>",
+    function="<mi>{0}</mi><mo>&#x2061;</mo><mspace width='0.15em'></mspace>",
+    operator="<mo>{0}</mo>",
+)
+_TYPST = _Language(
+    " ",
+    _quoted,
+    _typst_sign,
+    number="{0}",
+    measured="{0} thin {1}",
+    row="{0}",
+    brackets="lr({0} {1} {2})",
+    root="sqrt({0})",
+    fraction="frac({0}, {1})",
+    low="attach({0}, b: {1})",
+    both="attach({0}, b: {1}, t: {2})",
+    high="attach({0}, t: {1})",
+    word='" " {0} " "',
+    letter="{0}",
+    name="italic({0})",
+    function="op({0}) thin",
+    operator="{0}",
+)
+
+
 def mathml(formula: str) -> str:
     """The formula as a MathML element that stands by itself."""
     label = escape(plain(formula), quote=True)
-    return f'<math display="block" aria-label="{label}"><mrow>{_elements(parse(formula))}</mrow></math>'
-
-
-def _elements(nodes: "list[Node]") -> str:
-    return "".join(map(_element, nodes))
-
-
-def _element(node: "Node") -> str:
-    what, held = node
-    if what == "quantity":
-        number, _, unit = held.partition("\u00a0")
-        return f"<mn>{escape(number)}</mn>" + (f"<mtext>\u00a0{escape(unit)}</mtext>" if unit else "")
-    if what == "row":
-        return f"<mrow>{_elements(held)}</mrow>"
-    if what == "brackets":
-        return f'<mrow><mo stretchy="true">{held[0]}</mo>{_elements(held[1])}<mo stretchy="true">{held[2]}</mo></mrow>'
-    if what == "root":
-        return f"<msqrt>{_elements(held)}</msqrt>"
-    if what == "fraction":
-        return f"<mfrac><mrow>{_elements(held[0])}</mrow><mrow>{_elements(held[1])}</mrow></mfrac>"
-    if what == "low":
-        return f"<msub><mrow>{_element(held[0])}</mrow><mtext>{escape(held[1])}</mtext></msub>"
-    if what == "high" and held[0][0] == "low":
-        base, low = held[0][1]
-        return f"<msubsup>{_element(base)}<mtext>{escape(low)}</mtext><mrow>{_elements(held[1])}</mrow></msubsup>"
-    if what == "high":
-        return f"<msup><mrow>{_element(held[0])}</mrow><mrow>{_elements(held[1])}</mrow></msup>"
-    if what == "space":
-        return ""
-    if what == "word":
-        return f"<mtext>\u00a0{escape(held)}\u00a0</mtext>"
-    tag = {"number": "mn", "name": "mi", "function": "mi", "operator": "mo"}[what]
-    after = "<mo>&#x2061;</mo><mspace width='0.15em'></mspace>" if what == "function" else ""
-    return f"<{tag}>{escape(held)}</{tag}>{after}"
+    return f'<math display="block" aria-label="{label}"><mrow>{_MATHML.row(parse(formula))}</mrow></math>'
 
 
 def typst(formula: str) -> str:
     """The formula as typst's mathematics, without the dollar signs."""
-    return _written(parse(formula))
-
-
-def _written(nodes: "list[Node]") -> str:
-    return " ".join(map(_piece, nodes))
-
-
-def _piece(node: "Node") -> str:
-    what, held = node
-    if what == "quantity":
-        number, _, unit = held.partition("\u00a0")
-        return f"{_quoted(number)} thin {_quoted(unit)}" if unit else _quoted(number)
-    if what == "row":
-        return _written(held)
-    if what == "brackets":
-        return f"lr(\\{held[0]} {_written(held[1])} \\{held[2]})"
-    if what == "root":
-        return f"sqrt({_written(held)})"
-    if what == "fraction":
-        return f"frac({_written(held[0])}, {_written(held[1])})"
-    if what == "low":
-        return f"attach({_piece(held[0])}, b: {_quoted(held[1])})"
-    if what == "high" and held[0][0] == "low":
-        base, low = held[0][1]
-        return f"attach({_piece(base)}, b: {_quoted(low)}, t: {_written(held[1])})"
-    if what == "high":
-        return f"attach({_piece(held[0])}, t: {_written(held[1])})"
-    if what == "space":
-        return ""
-    if what == "function":
-        return f"op({_quoted(held)}) thin"
-    if what == "word":
-        return f'" " {_quoted(held)} " "'
-    if what == "number":
-        return _quoted(held)
-    if what == "name":
-        return held if len(held) == 1 else f"italic({_quoted(held)})"
-    return f"\\{held}" if held in "#$&_^/\\\"'()[]{},;*~`@=<>|!:-" else str(held)
-
-
-def _quoted(text: str) -> str:
-    """Upright text."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
+    return _TYPST.row(parse(formula))

@@ -106,7 +106,7 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
     if told:
         asked |= {"seed": str(told.get("seed", 1)), "coverage": repr(told.get("coverage"))}
     made, _ = sweep(task, gathered, Settings(asked, {}))
-    return made, of_sweep(made)
+    return made, of_sweep(made, task)
 
 
 def _part(node: "Any", *keys: str) -> "Document":

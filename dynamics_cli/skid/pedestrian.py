@@ -8,6 +8,7 @@ from dynamics_cli.numerics.elementary import (
     cos,
     hypot,
     maximum,
+    minimum,
     multiply_add,
     sin,
     sqrt,
@@ -71,7 +72,7 @@ def pedestrian(
     *,
     throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
     friction: Annotated[Friction, "Coefficient of friction between the body and the ground [-]."],
-    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal [rad]."] = None,
+    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal, e.g. 10 deg [rad]."] = None,
     launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
@@ -103,8 +104,9 @@ def pedestrian(
     launch the landing stops it above sin² α = k/(1 + μ²), which for H = 0 is 90° − atan μ. For H = 0 the greatest angle
     is 2 atan μ up to μ = tan 30°, and ½(180° − asin(1/(2μ))) above.
 
-    A body that slides came farther than μH: its throw is μH + (v_x + μ v_y)²/(2μg). Just above s = μH the least speed
-    is a bound that no launch reaches.
+    A body that slides came farther than μH: its throw is μH + (v_x + μ v_y)²/(2μg). The least speed √(2μg r/(1 + μ²)),
+    r = s − μH, is that of a launch at atan μ; where the landing stops that one, as just above s = μH, the least speed
+    is that of the shortest flight √(g (√(s² + H²) − H)), or of a throw that the landing just stops.
 
     References
     ----------
@@ -128,7 +130,7 @@ def pedestrian(
     fall = where(share < 0.0, sqrt(2.0 * launch_height / gravity), 1.0)
     greatest = where(share < 0.0, throw_distance / fall, sliding)
     shortest = throw_distance * sqrt(gravity / (hypot(throw_distance, launch_height) + launch_height))
-    least = where(lands, shortest, sliding / hypot(1.0, friction))
+    least = where(lands, shortest, _least_sliding(friction, reach, throw_distance, launch_height, gravity, shortest))
     greatest_angle = _greatest_angle(friction, share, reach / throw_distance, throw_distance, launch_height)
     advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle, lands)
     if launch_angle is None:
@@ -166,6 +168,24 @@ def pedestrian(
         ),
         advice=advice + _angle_advice(launch_angle, greatest_angle),
     )
+
+
+def _least_sliding(
+    friction: float, reach: float, distance: float, height: float, gravity: float, shortest: float
+) -> float:
+    """The least speed beyond μH: of throws that slide, that end where they land, or are just between the two."""
+    across = hypot(1.0, friction)
+    level = (height == 0.0) & (friction <= 1.0)
+    # at atan μ a slide is reached at the least speed, if the landing leaves any
+    drop = friction * (friction * friction) + height * (across * across) * (across * across) / reach
+    slides = level | (friction * drop <= 1.0)
+    # the shortest throw lands across its launch, and ends there where that is steep enough
+    stops = distance <= friction * (hypot(distance, height) + height)
+    flight = sqrt(2.0 * reach / (friction * gravity))
+    forward = distance / flight
+    between = hypot(forward, gravity * flight - forward / friction)
+    least = where(slides, sqrt(2.0 * gravity * (friction * reach)) / across, between)
+    return where(stops, minimum(shortest, least), least)
 
 
 # Speed, time in the air, distance in the air, time and distance of the slide.

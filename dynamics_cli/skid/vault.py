@@ -45,7 +45,7 @@ def vault_least_speed(
     distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
     rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
     take_off: Annotated[
-        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed [rad]."
+        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed, e.g. 6 deg [rad]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
@@ -112,7 +112,7 @@ def vault_known_angle(
     *,
     distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
     rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
-    take_off: Annotated[Angle | None, "Angle of the take-off above the horizontal [rad]."] = None,
+    take_off: Annotated[Angle | None, "Angle of the take-off above the horizontal, e.g. 6 deg [rad]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
     """Take-off speed of a vehicle that left the ground at a known angle and landed at a known place.

@@ -23,15 +23,15 @@ from dynamics_cli.skid.drag import secant
 class Radius:
     """A mark of known radius."""
 
-    radius: Annotated[Distance, "Radius of the mark [m]."]
+    radius: Annotated[Distance, "Radius of the mark, e.g. 80 m [m]."]
 
 
 @record
 class Chord:
     """A mark measured by a chord and its middle ordinate."""
 
-    chord: Annotated[Distance, "Straight distance between two points of the mark [m]."]
-    middle_ordinate: Annotated[Distance, "Distance from the middle of the chord to the mark, across the chord [m]."]
+    chord: Annotated[Distance, "Straight distance between two points of the mark, e.g. 20 m [m]."]
+    middle_ordinate: Annotated[Distance, "From the middle of the chord to the mark, across the chord, e.g. 0.6 m [m]."]
 
     @property
     def radius(self) -> float:
@@ -62,7 +62,7 @@ def yaw(
     ] = 0.0,
     track_width: Annotated[
         Distance | None,
-        "Track width, when the mark is that of the outer tyres and the path of the mass centre is wanted [m].",
+        "Track width, where the outer tyres left the mark and the path of the mass centre is wanted, e.g. 1.5 m [m].",
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> CriticalSpeed:

@@ -98,7 +98,7 @@ WRONG = [
     (f"{OK}|--sweep|friction=1:2", 2, "sweep"),
     (f"{OK}|--sweep|colour=1:2:3", 2, "colour"),
     (f"{OK}|--rows|/nowhere.csv", 2, "/nowhere.csv"),
-    (f"{SKID}|--segment|distance=60 ft", 2, "segments[0].friction is missing"),
+    (f"{SKID}|--segment|distance=60 ft", 2, "--segment: friction is missing"),
     (f"{SKID}|--segment|distance 60 ft", 2, "wanted name=value"),
     (f"{SKID}|--segment|distance=1 ft, distance=5 ft", 2, "is given twice"),
     (f"{SKID}|--segment|distance=60 ft, friction=0.7, color=red", 2, "there is no parameter 'color'"),

@@ -97,11 +97,31 @@ class TestUnits:
 class TestOutput:
     def test_formats(self) -> None:
         assert run(*OK).out.startswith("speed           57.044 km/h\n")
-        assert run(*OK, "--format", "csv").out.splitlines()[0].startswith("speed[km/h],")
+        assert run(*OK, "--format", "csv").out.splitlines()[0].startswith("distance[ft],friction,")
         assert run(*OK, "--format", "markdown").out.startswith("## skid speed\n")
         assert json.loads(run(*OK, "--format", "ndjson").out) == answer(*OK)
         assert run(*OK, "--format", "ndjson").out.count("\n") == 1
         assert run(*OK, env={"DYNAMICS_FORMAT": "csv"}).out == run(*OK, "--format", "csv").out
+
+    def test_csv_of_one_case_is_the_row_that_rows_would_write(self) -> None:
+        one = run(*OK, "--mass", "1500 kg", "--gravity", "9.81 m/s^2", "--format", "csv").out
+        rows = run("skid", "speed", "--rows", "-", stdin=one)
+        single, many = (
+            dict(zip(*(line.split(",") for line in out.splitlines()), strict=True)) for out in (one, rows.out)
+        )
+        assert single["friction"] == "0.7"
+        assert single["speed[km/h]"] == many["results.speed[km/h]"]
+        assert list(single)[-1] == "error"
+
+    def test_an_uncertain_case_has_its_spread_beside_each_result(self) -> None:
+        head, cells = run(
+            "skid", "speed", "--distance", "60 ft", "--friction", "0.7 ± 0.03", "--format", "csv"
+        ).out.splitlines()
+        columns = head.split(",")
+        at = columns.index("speed[km/h]")
+        names = ("mean", "median", "std", "low", "high")
+        assert columns[at + 1 : at + 6] == [f"speed.{name}[km/h]" for name in names]
+        assert cells.split(",")[columns.index("friction")] == "0.7 ± 0.03"
 
     def test_digits_are_of_tables_json_carries_all(self) -> None:
         assert "57.0440 " not in run(*OK).out

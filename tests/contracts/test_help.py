@@ -7,6 +7,8 @@ from harness import run
 
 from dynamics_cli import cli
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.help import describe_options
+from dynamics_cli.core.command.task_help import option_text
 
 TASKS = [task for name in cli.FAMILIES for task in cli.family(name).tasks.values()]
 
@@ -55,3 +57,33 @@ def test_a_formula_that_differs_only_in_what_fills_it_is_said_once() -> None:
 def test_no_formula_says_that_a_thing_is_itself() -> None:
     helps = {name: " ".join(run("reference", name).out.split()) for name in cli.FAMILIES}
     assert [path for path, text in helps.items() if re.search(r"[ ,;](\w+) = \1[ ,;]", text)] == []
+
+
+MOST_LINES = 60
+
+
+@pytest.mark.parametrize("task", TASKS, ids=lambda task: task.path)
+def test_help_is_no_longer_than_its_limit(task: Task, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    assert len(run(*task.path.split(), "--help").out.splitlines()) <= MOST_LINES
+
+
+@pytest.mark.parametrize("task", TASKS, ids=lambda task: task.path)
+def test_every_example_value_is_accepted_by_its_option(task: Task) -> None:
+    """All bad parameters are refused at once, so what else is missing does not hide a bad example."""
+    refused = {}
+    texts = describe_options(task)
+    for name, option in task.options.items():
+        if option.leaf is None or option.flag or option.leaf.kind.form in ("text", "file"):
+            continue
+        text = option_text(option, texts)
+        _, said, example = text.partition("e.g. ")
+        if not said:
+            continue
+        example = example.partition(" (default")[0].partition(";")[0].strip()
+        ran = run(*task.path.split(), f"--{name}", example, "--json")
+        errors = ran.error.get("errors", [ran.error]) if ran.status else []
+        mine = [error["message"] for error in errors if error["parameter"] == ".".join(option.path)]
+        if any("missing" not in message for message in mine):
+            refused[f"{name} {example}"] = mine
+    assert refused == {}

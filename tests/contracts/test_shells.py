@@ -77,3 +77,21 @@ class TestShells:
 def test_zsh_reads_its_script(tmp_path: Path) -> None:
     done = subprocess.run(["zsh", "-n", str(printed("zsh", tmp_path))], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(("line", "expected"), CASES, ids=[line for line, _ in CASES])
+def test_powershell_is_given_words_with_tips(line: str, expected: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What its script runs; the shell itself is on no machine that these tests run on."""
+    monkeypatch.setenv("_DYNAMICS_COMPLETE", "complete_powershell")
+    monkeypatch.setenv("_TYPER_COMPLETE_ARGS", line)
+    monkeypatch.setenv("_TYPER_COMPLETE_WORD_TO_COMPLETE", line.rpartition(" ")[2])
+    done = subprocess.run([sys.executable, "-m", "dynamics_cli"], capture_output=True, text=True, check=False)
+    assert expected in [word.partition(":::")[0] for word in done.stdout.splitlines() if ":::" in word], done.stderr
+
+
+def test_powershell_s_script_sets_what_the_program_reads() -> None:
+    script = run("--show-completion", "powershell").out
+    assert "-CommandName dynamics" in script
+    for name in ("_DYNAMICS_COMPLETE", "_TYPER_COMPLETE_ARGS", "_TYPER_COMPLETE_WORD_TO_COMPLETE"):
+        assert script.count(f"$env:{name} = ") == 2
+    assert script.count("{") == script.count("}")

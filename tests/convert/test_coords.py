@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from harness import answer
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from references.comparison import cases, disagreements, measure
@@ -132,9 +133,9 @@ def test_off_the_axis_by_less_than_a_double_tells_theta_stays() -> None:
 
 
 def test_at_the_origin_both_angles_are_zero_and_said_to_be() -> None:
-    for answer in (coords.cartesian_to_spherical(0.0, 0.0, 0.0), coords.cylindrical_to_spherical(0.0, 1.0, 0.0)):
-        assert (answer.rho, answer.phi, answer.theta) == (0.0, 0.0, 0.0)
-        assert [one.code for one in answer.advice] == ["angles-undetermined"]
+    for made in (coords.cartesian_to_spherical(0.0, 0.0, 0.0), coords.cylindrical_to_spherical(0.0, 1.0, 0.0)):
+        assert (made.rho, made.phi, made.theta) == (0.0, 0.0, 0.0)
+        assert [one.code for one in made.advice] == ["angles-undetermined"]
 
 
 def test_minus_half_a_turn_is_half_a_turn() -> None:
@@ -160,3 +161,28 @@ def test_minus_half_a_turn_is_half_a_turn() -> None:
 def test_refusals_give_the_deciding_number(call: Callable[[], object], message: str) -> None:
     with pytest.raises(InadmissibleError, match=message):
         call()
+
+
+@pytest.mark.parametrize(
+    ("words", "into", "wanted"),
+    [
+        (["1 m", "90 deg", "0 m"], "cartesian", {"x": 0.0, "y": 1.0}),
+        (["1", "100 gon", "0"], "cartesian", {"x": 0.0, "y": 1.0}),
+        (["2", "0.5 turn", "1"], "cartesian", {"x": -2.0, "y": 0.0}),
+        (["2", "30 deg", "1"], "cartesian", {"y": 1.0}),
+    ],
+)
+def test_quarter_turns_and_sixths_are_exact_as_typed(words: list[str], into: str, wanted: dict[str, float]) -> None:
+    results = answer("coords", *words, "--from", "cylindrical", "--into", into)["results"]
+    for name, value in wanted.items():
+        assert results[name]["value"] == value
+
+
+def test_right_angles_of_spheres_as_typed() -> None:
+    results = answer("coords", "2", "90 deg", "30 deg", "--from", "spherical", "--into", "cartesian")["results"]
+    assert (results["y"]["value"], results["z"]["value"]) == (1.0, 0.0)
+    results = answer("coords", "2", "180 deg", "30 deg", "--from", "spherical", "--into", "cylindrical")["results"]
+    assert (results["r"]["value"], results["z"]["value"]) == (0.0, -2.0)
+    # radians are taken at their word
+    results = answer("coords", "1", "1.5707963267948966 rad", "0", "--from", "cylindrical", "--into", "cartesian")
+    assert results["results"]["x"]["value"] == math.cos(1.5707963267948966) != 0.0

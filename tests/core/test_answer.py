@@ -92,7 +92,7 @@ class TestFiles:
     @pytest.mark.parametrize(
         ("ending", "start"),
         [
-            (".json", "{\n"), (".ndjson", '{"schema"'), (".csv", "speed[km/h],"), (".md", "## skid speed"),
+            (".json", "{\n"), (".ndjson", '{"schema"'), (".csv", "distance[ft],friction,"), (".md", "## skid speed"),
             (".txt", "speed  "), ("", "speed  "),
         ],
     )  # fmt: skip
@@ -122,3 +122,31 @@ def test_help_by_word_and_by_letter() -> None:
 
 def test_a_number_that_looks_like_letters_is_kept() -> None:
     assert run("convert", "-40degC", "degF", "-q").out == "-40 degF\n"
+
+
+UNCERTAIN = ("skid", "speed", "--distance", "38.5 ± 0.6 m", "--friction", "0.72 ± 0.04", "--grade", "-3 ± 0.5 %")
+
+
+def test_a_bare_uncertain_result_has_the_digits_that_its_deviation_leaves() -> None:
+    assert run(*UNCERTAIN, "--only", "speed").out == "82.2 km/h\n"
+    assert run(*UNCERTAIN, "--only", "speed", "--digits", "9").out.startswith("82.15")
+    assert run(*UNCERTAIN, "--digits", "9", "-q").out.splitlines()[0].split()[1].startswith("82.15")
+
+
+def test_inputs_are_said_as_they_were_typed() -> None:
+    assert "grade -3 ± 0.5 %" in run(*UNCERTAIN).out
+    rise = run("cam", "rise", "--law", "cycloidal", "--lift", "20 mm", "--span", "90 deg", "--at", "30 deg").out
+    assert "at 30 deg" in rise
+    vehicle = ("--first-mass", "1500 kg", "--first-stiffness-a", "600 N/cm", "--first-stiffness-b", "45 N/cm^2")
+    places = ("--first-stations", "10,25 ± 2,30,12 cm", "--first-width", "150 cm")
+    other = ("--second-mass", "1200 kg", "--second-energy", "20 kJ")
+    assert "first stations [10, 25 ± 2, 30, 12] cm" in run("impact", "crush", *vehicle, *places, *other).out
+
+
+def test_a_model_named_after_its_source_is_said_once() -> None:
+    text = run("gear", "train", "--stages", "20:60, 18:54").out
+    assert "by    Willis, Principles of Mechanism" in text
+
+
+def test_a_quoted_temperature_with_its_target() -> None:
+    assert run("convert", "98.6 F C").out.startswith("37 C\n")

@@ -124,3 +124,30 @@ def test_correlations_that_contradict_one_another_are_refused() -> None:
     entry = {"results": list("abc"), "correlation": [[1, -1, -1], [-1, 1, -1], [-1, -1, 1]]}
     with pytest.raises(UsageError, match="contradict"):
         carried({name: ("file", name, entry) for name in "abc"}, list("abc"))
+
+
+def test_what_is_carried_is_the_nominal_value(skid: str, tmp_path: Path) -> None:
+    """One number for one thing: what one document finds is what the next one starts from, whatever its mean is."""
+    source = json.loads(Path(skid).read_text())["results"]["speed"]
+    assert source["value"] != source["mean"]
+    argv = ("skid", "distance", "--speed", f"@{skid}:speed", "--friction", "0.7 ± 0.05")
+    document = answer(*argv)
+    assert document["inputs"]["speed"]["value"] == source["value"]
+    certain = answer("skid", "distance", "--speed", f"{source['value']} {source['unit']}", "--friction", "0.7")
+    assert document["results"]["distance"]["value"] == certain["results"]["distance"]["value"]
+    again = tmp_path / "again.json"
+    again.write_text(json.dumps({"speed": document["inputs"]["speed"]}))
+    repeated = answer("skid", "distance", "--input", str(again), "--friction", "0.7 ± 0.05")
+    assert repeated["inputs"]["speed"] == document["inputs"]["speed"]
+    assert repeated["results"]["distance"]["value"] == document["results"]["distance"]["value"]
+
+
+def test_a_vector_is_carried_by_its_nominal_components(tmp_path: Path) -> None:
+    file = tmp_path / "hit.json"
+    argv = ("impact", "oblique", "--first-mass", "2 kg", "--first-velocity", "3 ± 0.3, 1 m/s", "--second-mass", "3 kg",
+            "--second-velocity", "-1, 0 m/s", "--normal", "10 ± 4 deg", "--restitution", "0.5 ± 0.1")  # fmt: skip
+    assert run(*argv, "--json", "--output", str(file)).status == 0
+    source = json.loads(file.read_text())["results"]["first"]["velocity"]
+    document = answer("impact", "oblique", "--first-mass", "2 kg", "--first-velocity", f"@{file}:first.velocity",
+                      "--second-fixed", "--normal", "180 deg", "--restitution", "0.5")  # fmt: skip
+    assert document["inputs"]["first"]["velocity"]["value"] == source["value"]

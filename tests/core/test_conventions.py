@@ -85,7 +85,7 @@ class TestAlternatives:
 
     def test_none_of_them_is_an_error_that_names_all(self) -> None:
         outcome = run("toy", "arc", "--upto", "1 rad", "--json")
-        assert outcome.error["message"] == "one of these is missing: radius, or chord and ordinate"
+        assert outcome.error["message"] == "one of these is missing: --radius, or --chord and --ordinate"
 
     def test_half_of_one_says_what_is_missing(self) -> None:
         outcome = run("toy", "arc", "--chord", "8 m", "--upto", "1 rad", "--json")

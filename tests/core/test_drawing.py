@@ -137,6 +137,24 @@ class TestDxf:
         assert bore.get_xdata("DYNAMICS")[1].value < 1e-12
         assert document.header["$EXTMIN"][0] <= 0.0
 
+    def test_cubics_alone_are_one_closed_spline(self, tmp_path: Path) -> None:
+        a, b, c = (0.0, 0.0), (0.02, 0.0), (0.0, 0.02)
+        ring = (
+            Cubic(a, (0.005, -0.01), (0.015, -0.01), b),
+            Cubic(b, (0.025, 0.01), (0.01, 0.03), c),
+            Cubic(c, (-0.01, 0.01), (-0.005, 0.01), a),
+        )
+        file = tmp_path / "ring.dxf"
+        write_drawing(Drawing((Outline(ring, True, 0.0, "ring"),)), str(file))
+        document = ezdxf.readfile(file)
+        (spline,) = document.modelspace()
+        assert spline.closed
+        assert not document.audit().errors
+        found = list(spline.construction_tool().bezier_decomposition())
+        for piece, points in zip(ring, found, strict=True):
+            for wanted, point in zip((piece.start, piece.control1, piece.control2, piece.end), points, strict=True):
+                assert tuple(point)[:2] == pytest.approx([1e3 * x for x in wanted], abs=1e-12)
+
     def test_inches(self, tmp_path: Path) -> None:
         data, document = drawn(tmp_path, "dxf", "--units", "us")
         comments, header, entities = dxf_entities(data)

@@ -409,6 +409,7 @@ QUANTITY_CHARACTERS = "0123456789.,+-−eE±/^*·×() \t%°′″'\";:@=[]{}ftin
 
 
 # Without a deadline: a strange name may be the first to load pint.
+@example("0N\ts", q.Distance)
 @settings(max_examples=400, deadline=None)
 @given(st.one_of(st.text(alphabet=QUANTITY_CHARACTERS, max_size=30), st.text(max_size=30)), st.sampled_from(KINDS))
 def test_any_text_is_a_value_or_refused(text: str, kind: Kind) -> None:

@@ -116,3 +116,47 @@ def test_values_fill_a_template_and_a_message_without_them_stands_as_it_is() -> 
         require(False, "no {0} here")
     with pytest.raises(InadmissibleError, match=re.escape("no {x} of 1.5 here")):
         require(False, "no {0} of {1:.3g} here", "{x}", 1.5)
+
+
+class TestMissingMembers:
+    """Messages name a parameter as the call gives it: options as typed, members of a file by their address."""
+
+    @pytest.mark.parametrize(
+        ("argv", "stdin", "said"),
+        [
+            (("impact", "crush"), "", "dynamics: one of these is missing: --first-mass, or --first-weight\n"),
+            (("impact", "crush", "--input", "-"), "{}", "one of these is missing: first.mass, or first.weight\n"),
+            (("impact", "crush", "--first-mass", "1 kg", "--first-stiffness-a", "9 N/m"), "",
+             "--first-stiffness-b is missing"),
+            (("impact", "crush", "--first-mass", "1 kg", "--first-width", "1 m"), "",
+             "one of these is missing: --first-stations, or --first-mean-crush"),
+            (("impact", "central", "--first-mass", "1 kg", "--first-weight", "3 lbf"), "",
+             "--first-mass and --first-weight cannot be given together"),
+            (("skid", "speed", "--segment", "distance=3 m"), "", "--segment: friction is missing"),
+            (("skid", "speed", "--segment", "distance=3 m", "--segment", "friction=0.7"), "",
+             "--segment no. 2: distance is missing"),
+            (("skid", "speed", "--input", "-"), '{"segments": [{"distance": "3 m"}]}',
+             "segments[0].friction is missing"),
+            (("skid", "speed", "--segment", "distance=3 m, friction=x"), "", "--segment: friction: 'x' is not"),
+            (("gear", "train", "--mesh", "first=a, second=b"), "", "--mesh: first_teeth is missing"),
+            (("inertia", "section", "--polygon", "0, 0, 1, 1 m, x mm, 2 mm"), "", "--polygon no. 5"),
+        ],
+    )  # fmt: skip
+    def test_named_as_given(self, argv: tuple[str, ...], stdin: str, said: str) -> None:
+        outcome = run(*argv, stdin=stdin)
+        assert outcome.status == 2
+        assert said in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (("--friction", "0.02", "--grade", "-5 %"), "the drag factor of -0.02996 is"),
+        (("--friction", "2 %", "--grade", "-3 deg"), "the drag factor of -0.03236 is"),
+        (("--friction", "0.05", "--grade", "-4.9 %"), "friction of 0.05 hardly exceeds the falling grade of 4.9 %"),
+        (("--friction", "5 %", "--grade", "-0.049"), "friction of 5 % hardly exceeds the falling grade of 0.049"),
+    ],
+)
+def test_pure_numbers_are_written_as_those_of_their_kind(argv: tuple[str, ...], said: str) -> None:
+    outcome = run("skid", "speed", "--distance", "20 m", *argv)
+    assert said in " ".join((outcome.out + outcome.err).split())

@@ -24,6 +24,11 @@ from tests.harness import run
         ("cam|size|--max-pressure-angle|30 deg", "did you mean --rise-limit or --return-limit?"),
         ("impact|central|--m1|3 kg", "did you mean --first-mass?"),
         ("inertia|shape|hollow-cylinder|--inner-radius|3 mm", "did you mean --thickness or --ring-radius?"),
+        ("impact|momentum|--first-exit-angle|3 deg", "did you mean --first-exit-heading?"),
+        ("cam|profile|--base-circle|3 mm", "did you mean --base-radius?"),
+        ("skid|speed|--speed-limit|50 km/h", "did you mean --limit?"),
+        ("gear|spur|--shift|0.3", "did you mean --profile-shift or --shift-sign?"),
+        ("skid|speed|60 ft|0.7", 'for example: dynamics skid speed --distance "60 ft" --friction 0.7'),
         ("skid|speed|--segment|distance=20 ft, mu=0.3", "did you mean friction?"),
     ],
 )
@@ -33,6 +38,12 @@ def test_unknown_names(call: str, hint: str) -> None:
     assert hint in outcome.err
 
 
+@pytest.mark.parametrize("call", ["gear|pair|--z1|17|--z2|43", "cam|profile|--z1|17|--z2|43"])
+def test_all_unknown_options_are_told_at_once(call: str) -> None:
+    errors = run(*call.split("|"), "--json").error["errors"]
+    assert [error["parameter"] for error in errors] == ["z1", "z2"]
+
+
 def test_what_was_typed_is_named() -> None:
     outcome = run("skid", "stop", "--speed", "50 km/h", "--friction", "0.75", "--reaction-time", "1 m")
     assert outcome.err.startswith("dynamics: --reaction-time: '1 m'")
@@ -40,7 +51,9 @@ def test_what_was_typed_is_named() -> None:
 
 def test_every_synonym_leads_to_an_option() -> None:
     options = {name for name in FAMILIES for task in family(name).tasks.values() for name in task.options}
-    options |= {"input", "output", "rows", "format", "units", "to", "digits", "all", "explain"}
+    # a body's parameter is meant with the body before it
+    options |= {name.removeprefix("first-") for name in options}
+    options |= {"limit", "input", "output", "rows", "format", "units", "to", "digits", "all", "explain"}
     for word, names in SYNONYMS.items():
         assert options.issuperset(names.split()), word
         assert word not in names.split()

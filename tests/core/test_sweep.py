@@ -236,3 +236,14 @@ def test_whole_program() -> None:
         outcome = run("skid", "speed", "--distance", "60 ft", "--sweep", "friction=-0.3:0.9:5", "--format", form)
         assert outcome.status == 4
         assert outcome.out
+
+
+def test_some_columns_of_a_sweep_with_their_spread() -> None:
+    call = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7 ± 0.1", "--sweep", "distance=20:60ft:2")
+    outcome = run(*call, "--only", "speed", "--format", "csv")
+    header = outcome.out.splitlines()[0].split(",")
+    assert header[:2] == ["distance[ft]", "speed[km/h]"]
+    assert [name for name in header[2:] if not name.startswith("speed.")] == []
+    assert len(outcome.out.splitlines()) == 3
+    refused = run(*call, "--only", "sped")
+    assert (refused.status, "results are speed," in refused.err) == (2, True)

@@ -4,24 +4,26 @@ import math
 
 import pytest
 
-from dynamics_cli.gear.crossing import pictures
+from dynamics_cli.gear.crossing import pictures, skew_pictures
 from dynamics_cli.gear.crossing.bevel import bevel
 from dynamics_cli.gear.crossing.crossed import Screw, crossed
 from dynamics_cli.gear.crossing.hypoid import hypoid
 from dynamics_cli.gear.crossing.worm import AxialModule, WormDiameter, worm
+from dynamics_cli.gear.measure import pictures as measure_pictures
 from dynamics_cli.gear.measure.measurement import measure
 from dynamics_cli.gear.pair.rack import rack
 from dynamics_cli.gear.pitch import NormalModule
 from dynamics_cli.gear.single import pictures as single_pictures
 from dynamics_cli.gear.single.cylindrical import helical, spur
+from dynamics_cli.gear.trains import wheel_pictures
 from dynamics_cli.gear.trains.wheels import Drive, wheels
 from dynamics_cli.pictures import Arrow, Curve, Mark, Panel, Picture
 
 M3 = NormalModule(0.003)
 
 
-def curves(picture: Picture, label: str) -> list[Curve]:
-    return [item for panel in picture.panels for item in panel.items if isinstance(item, Curve) and item.label == label]
+def styled(picture: Picture, style: str) -> list[Curve]:
+    return [item for panel in picture.panels for item in panel.items if isinstance(item, Curve) and item.style == style]
 
 
 def radii(curve: Curve) -> list[float]:
@@ -55,8 +57,8 @@ def test_a_fillet_that_does_not_fit_leaves_the_circles() -> None:
 
 def test_the_span_line_is_as_long_as_the_span_and_touches_the_base_circle() -> None:
     made = measure(teeth=24, pitch=M3, profile_shift=0.4)
-    picture = single_pictures.measure_picture(made, teeth=24, pitch=M3, profile_shift=0.4)
-    (line,) = curves(picture, "span over 4 teeth")
+    picture = measure_pictures.measure_picture(made, teeth=24, pitch=M3, profile_shift=0.4)
+    (line,) = styled(picture, "dashed")
     (x0, x1), (y0, y1) = line.x, line.y
     assert math.hypot(x1 - x0, y1 - y0) == pytest.approx(made.span.span, rel=1e-12)
     assert math.hypot(x0 + x1, y0 + y1) == pytest.approx(2 * 0.5 * 24 * 0.003 * math.cos(math.radians(20)), rel=1e-9)
@@ -65,7 +67,7 @@ def test_the_span_line_is_as_long_as_the_span_and_touches_the_base_circle() -> N
 def test_a_gear_s_tooth_fills_the_space_of_its_rack() -> None:
     made = rack(teeth=20, pitch=M3)
     picture = single_pictures.rack_picture(made, teeth=20, pitch=M3)
-    (teeth,), (bar,) = curves(picture, "rack"), curves(picture, "gear")
+    bar, teeth = styled(picture, "filled")
     assert max(teeth.y) == pytest.approx(-made.datum_distance + made.addendum, rel=1e-12)
     assert min(bar.y) == pytest.approx(-0.5 * made.tip_diameter, rel=1e-9)
 
@@ -101,14 +103,14 @@ def sliding(panel: Panel) -> tuple[Arrow, Arrow, Arrow]:
 def test_screws_slide_along_their_teeth_alone(hands: tuple[float, float]) -> None:
     first, second = Screw(15, hands[0]), Screw(24, hands[1])
     made = crossed(first=first, second=second, module=0.003)
-    _, _, slip = sliding(pictures.crossed(made, first=first, second=second).panels[1])
+    _, _, slip = sliding(skew_pictures.crossed(made, first=first, second=second, module=0.003).panels[1])
     along = math.cos(hands[0]), math.sin(hands[0])
     assert slip.dx * along[1] - slip.dy * along[0] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_a_hypoid_pair_slides_as_it_says() -> None:
     made = hypoid(first_teeth=10, second_teeth=41, offset=0.035, wheel_radius=0.085)
-    picture = pictures.hypoid(made, offset=0.035, wheel_radius=0.085)
+    picture = skew_pictures.hypoid(made, offset=0.035, wheel_radius=0.085)
     _, second, slip = sliding(picture.panels[1])
     ratio = math.hypot(slip.dx, slip.dy) / math.hypot(second.dx, second.dy)
     assert ratio == pytest.approx(made.sliding_ratio, rel=1e-9)
@@ -117,9 +119,33 @@ def test_a_hypoid_pair_slides_as_it_says() -> None:
 @pytest.mark.parametrize("drive", ["open-belt", "crossed-belt"])
 def test_a_belt_touches_both_wheels(drive: str) -> None:
     given = {"first_diameter": 0.1, "second_diameter": 0.3, "centre_distance": 0.5, "drive": Drive(drive)}
-    (belt,) = curves(pictures.wheels(wheels(**given), **given), "belt")
-    (x0, x1), (y0, y1) = belt.x, belt.y
+    (belt,) = styled(wheel_pictures.wheels(wheels(**given), **given), "thick")
+    (x0, x1), (y0, y1) = belt.x[:2], belt.y[:2]
     length = math.hypot(x1 - x0, y1 - y0)
     assert length == pytest.approx(wheels(**given).span, rel=1e-12)
     for x, radius in ((0.0, 0.05), (0.5, 0.15)):
         assert abs((x1 - x0) * (0.0 - y0) - (x - x0) * (y1 - y0)) / length == pytest.approx(radius, rel=1e-12)
+
+
+@pytest.mark.parametrize("drive", ["open-belt", "crossed-belt"])
+def test_a_belt_is_as_long_as_the_answer_says(drive: str) -> None:
+    given = {"first_diameter": 0.1, "second_diameter": 0.3, "centre_distance": 0.5, "drive": Drive(drive)}
+    made = wheels(**given)
+    (belt,) = styled(wheel_pictures.wheels(made, **given), "thick")
+    steps = zip(belt.x, belt.y, belt.x[1:], belt.y[1:], strict=False)
+    assert sum(math.hypot(c - a, d - b) for a, b, c, d in steps) == pytest.approx(made.belt_length, rel=1e-4)
+
+
+def test_crossed_gears_show_their_teeth_in_one_direction_where_they_touch() -> None:
+    first, second = Screw(15, 0.35), Screw(24, 0.52)
+    made = crossed(first=first, second=second, module=0.003)
+    scene = skew_pictures.crossed(made, first=first, second=second, module=0.003).panels[0]
+    traces = [item for item in scene.items if isinstance(item, Curve) and item.style == "thin"]
+    through = [trace for trace in traces if min(map(math.hypot, trace.x, trace.y)) < 1e-12]
+    slopes = []
+    for trace in through:
+        middle = min(range(len(trace.x)), key=lambda k: math.hypot(trace.x[k], trace.y[k]))
+        before, after = middle - 1, middle + 1
+        slopes.append(math.atan2(trace.y[after] - trace.y[before], trace.x[after] - trace.x[before]))
+    assert len(slopes) == 2
+    assert slopes == pytest.approx([made.first_working_helix] * 2, abs=0.01)

@@ -13,9 +13,9 @@ from dynamics_cli.core.uncertainty.model import Sampled
 from dynamics_cli.core.uncertainty.propagation import propagate
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact.conventions import ByMass
-from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, crush
+from dynamics_cli.impact.reconstruction.crush import Damaged, GivenEnergy, MeanCrush, Opponent, Stations, crush
 from dynamics_cli.impact.reconstruction.crush_stiffness import Coefficients
-from dynamics_cli.impact.reconstruction.momentum import Branch, Vehicle, momentum
+from dynamics_cli.impact.reconstruction.momentum import Branch, CrushEnergies, Vehicle, momentum, momentum_and_energy
 from dynamics_cli.sampling import Drawing
 
 # masses; speed and heading after of both; headings before: speeds before, tolerances in degrees (40-digit references)
@@ -263,3 +263,67 @@ def test_a_steep_force_stays_in_the_distribution_of_its_energy() -> None:
     beyond = run(*call, "--first-force-angle", "46 ± 1 deg", "--json")
     assert (beyond.status, beyond.error["code"]) == (3, "force-angle")
     assert "energy is from" in beyond.error["hint"]
+
+
+def on_one_line(**change: float) -> Any:
+    """Cars that met on one line, by energy; headings straight on."""
+    given = {"energy": 40e3, "first_exit": 5.0, "second_exit": 6.5, **change}
+    first = Vehicle(ByMass(1000.0), None, 0.0, given["first_exit"], 0.0)
+    second = Vehicle(ByMass(1400.0), None, 0.0, given["second_exit"], 0.0)
+    return momentum_and_energy(
+        first=first, second=second, damage=CrushEnergies(0.6 * given["energy"], 0.4 * given["energy"])
+    )
+
+
+@pytest.mark.parametrize("side", ["first", "second"])
+def test_the_energy_route_is_judged_by_differences(side: str) -> None:
+    found = on_one_line()
+    own = getattr(found, side)
+    effects = {}
+    for name, size in (("energy", 40e3), ("first_exit", 5.0), ("second_exit", 6.5)):
+        ends = [getattr(on_one_line(**{name: size * (1.0 + step)}), side).approach_speed for step in (1e-6, -1e-6)]
+        effects[name] = abs(ends[0] - ends[1]) / 2e-6
+    worst = max(effects, key=lambda name: effects[name])
+    wanted = {"energy": "energy of deformation", "first_exit": "first.exit_speed", "second_exit": "second.exit_speed"}
+    assert own.determined.worst_quantity == wanted[worst]
+    scale = max(own.approach_speed, 0.25 * found.closing_speed)
+    assert own.determined.tolerance == pytest.approx(0.1 * scale / effects[worst], rel=1e-6)
+    assert (
+        found.verdict == min((found.first, found.second), key=lambda one: one.determined.tolerance).determined.verdict
+    )
+
+
+def test_a_speed_that_energy_leaves_open_is_warned_of() -> None:
+    slow = momentum_and_energy(
+        first=Vehicle(ByMass(1000.0), None, 0.0, 3.0, 0.0), second=Vehicle(ByMass(1000.0), None, 0.0, 3.2, 0.0),
+        damage=CrushEnergies(9e3, 0.0),
+    )  # fmt: skip
+    assert [slow.first.determined.verdict, slow.second.determined.verdict] == ["good", "caution"]
+    assert [(note.code, note.severity) for note in slow.advice] == [("sensitive-speed", "caution")]
+
+
+def test_damage_is_judged_by_differences() -> None:
+    def speed(depth: float = 0.0, angle: float = 0.0) -> float:
+        profile = Stations(tuple(0.01 * part + depth for part in (5, 20, 35, 10)), 1.5)
+        car = Damaged(ByMass(1500.0), Coefficients(60e3, 500e3), profile, force_angle=0.5 + angle)
+        return crush(first=car).first.equivalent_barrier_speed
+
+    profile = Stations((0.05, 0.2, 0.35, 0.1), 1.5)
+    car = Damaged(ByMass(1500.0), Coefficients(60e3, 500e3), profile, force_angle=0.5)
+    one = crush(first=car).first
+    for name, stated in (("depth", one.determined.depth_tolerance), ("angle", one.determined.angle_tolerance)):
+        slope = abs(speed(**{name: 1e-6}) - speed(**{name: -1e-6})) / 2e-6
+        assert stated == pytest.approx(0.1 * one.equivalent_barrier_speed / slope, rel=1e-6)
+    assert one.determined.verdict == "good"
+
+
+def test_shallow_crush_and_high_restitution_are_warned_of() -> None:
+    car = Damaged(ByMass(1500.0), Coefficients(10e3, 900e3), MeanCrush(0.05, 1.5))
+    found = crush(first=car, second=Opponent(ByMass(1200.0)), restitution=0.8)
+    assert found.first.determined.verdict == "undetermined"
+    assert [note.code for note in found.advice] == ["undetermined-damage", "sensitive-restitution"]
+    more = crush(first=car, second=Opponent(ByMass(1200.0)), restitution=0.8 + 1e-6).first.delta_v
+    less = crush(first=car, second=Opponent(ByMass(1200.0)), restitution=0.8 - 1e-6).first.delta_v
+    assert found.restitution_tolerance == pytest.approx(0.1 * found.first.delta_v / ((more - less) / 2e-6), rel=1e-6)
+    given = crush(first=Damaged(ByMass(1500.0), damage=GivenEnergy(5e4)))
+    assert given.first.determined is None

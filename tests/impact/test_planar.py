@@ -344,12 +344,12 @@ class TestRefusals:
 
     def test_no_inertia_of_a_struck_body(self) -> None:
         outcome = run(*without("--second-fixed"), "--second-mass", "1 kg", "--json")
-        assert outcome.status == 3
+        assert outcome.status == 2
         assert outcome.error["code"] == "no-inertia"
 
     def test_a_centre_needs_the_contact_point(self) -> None:
         outcome = run(*without("--first-lever"), "--first-centre", "0, 1 m", "--json")
-        assert outcome.status == 3
+        assert outcome.status == 2
         assert outcome.error["code"] == "no-contact-point"
         answer(*without("--first-lever"), "--first-centre", "0, 1 m", "--contact-point", "0, 0 m")
 

@@ -5,10 +5,11 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
+from harness import run
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import InadmissibleError, MissingError
 from dynamics_cli.impact.conventions import Axes, ByMass, Fixed
 from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, Opponent, Stations, crush
 from dynamics_cli.impact.reconstruction.crush_records import GivenEnergy, GivenSpeed
@@ -318,12 +319,9 @@ def test_a_turned_force_through_the_mass_centre_has_no_lever() -> None:
         ({"profile": Stations((0.0, 0.0), 1.0)}, "no-crush"),
         ({"profile": MeanCrush(0.1, 0.0)}, "no-width"),
         ({"force_angle": 0.7853981633974484}, "force-angle"),
-        ({"lever_arm": 0.5}, "no-inertia"),
         ({"lever_arm": 0.5, "offset": 0.4, "yaw_inertia": 2000.0}, "two-levers"),
         ({"damage": GivenEnergy(5e4)}, "two-damages"),
         ({"stiffness": None, "profile": None, "damage": GivenEnergy(0.0)}, "no-damage"),
-        ({"profile": None}, "half-damage"),
-        ({"stiffness": None, "profile": None}, "half-damage"),
         ({"stiffness": BarrierTest(2.0, 0.3, 2.0, 1500.0, 1.6)}, "no-test"),
     ],
 )
@@ -333,6 +331,34 @@ def test_crush_refuses(change: dict[str, Any], code: str) -> None:
         crush(first=Damaged(**{**base, **change}))
     assert refused.value.code == code
     assert crush(first=Damaged(**{**base, "force_angle": 0.7853981633974483})).energy > 0.0
+
+
+@pytest.mark.parametrize(
+    ("change", "wanted"),
+    [
+        ({"lever_arm": 0.5}, "give first.yaw_inertia"),
+        ({"profile": None}, "give first.mean_crush and first.width, or first.stations and first.width"),
+        ({"stiffness": None}, "give first.stiffness_a and first.stiffness_b, or "),
+        ({"stiffness": None, "profile": None}, "give first.energy, or first.ees, or first.stiffness_a and "),
+    ],
+)
+def test_crush_names_what_is_missing(change: dict[str, Any], wanted: str) -> None:
+    base: dict[str, Any] = {"bulk": ByMass(1500.0), "stiffness": STIFF, "profile": MeanCrush(0.3, 1.5)}
+    with pytest.raises(MissingError) as refused:
+        crush(first=Damaged(**{**base, **change}))
+    assert str(refused.value.hint).startswith(wanted)
+    assert refused.value.status == 2
+
+
+def test_what_is_missing_is_named_as_it_is_given() -> None:
+    words = run("impact", "crush", "--first-mass", "1500 kg")
+    assert words.status == 2
+    assert "--first-energy, or --first-ees, or --first-stiffness-a and" in words.err
+    scene = run("impact", "crush", "--input", "-", stdin='{"first": {"mass": "1500 kg"}}')
+    assert scene.status == 2
+    assert "first.energy, or first.ees, or first.stiffness_a and" in scene.err
+    both = run("impact", "crush", "--input", "-", "--first-stations", "1, 2 cm", stdin='{"first": {"mass": "1500 kg"}}')
+    assert "first.width is missing" in both.err
 
 
 # ΔV and closing speed by the relations m₁ΔV₁ = m₂ΔV₂ = √(2 m_r E (1 + e)/(1 − e)), in twenty digits.

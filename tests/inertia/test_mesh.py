@@ -191,7 +191,8 @@ class TestSurfaces:
         error = refused(stl(tmp_path, BOX[:-1]))
         assert error.code == "open"
         assert "3 open edges" in error.message
-        large = ball(4)
+        # slivers round an axis, all near one another
+        large = prism([(math.cos(k * math.tau / 900), math.sin(k * math.tau / 900)) for k in range(900)], 1.0)
         error = refused(stl(tmp_path, large[:-1]))
         assert "--diagnose" in str(error.hint)
         assert "3 open edges" in refused(stl(tmp_path, large[:-1]), diagnose=True).message

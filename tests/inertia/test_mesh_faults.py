@@ -1,5 +1,6 @@
 """Surfaces that are closed and yet bound no solid, or bound it twice; files that are nearly what they should be."""
 
+import math
 import sys
 import zipfile
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 from harness import answer, run
 from references.inertia_solids import ball, prism, write_stl
 
+from dynamics_cli.inertia.mesh.faults.crossing import Windings
 from dynamics_cli.inertia.mesh.opening import MOST_UNPACKED
 
 CUBE = prism([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], 2.0)
@@ -78,14 +80,49 @@ class TestOverlaps:
         assert [faults[name]["value"] for name in ("crossing", "within", "against", "repeated")] == [0] * 4
 
     def test_it_says_which_was_done(self, tmp_path: Path) -> None:
-        made = ball(3)
-        twice = made + moved(made, (0.51, 0.07, 0.03))
-        silent = called(tmp_path, twice)
+        """Slivers round an axis are all near one another; twice as many even triangles are not."""
+        rim = [(math.cos(t), math.sin(t)) for t in np.linspace(0.0, 2.0 * np.pi, 801)[:-1].tolist()]
+        silent = called(tmp_path, prism(rim, 1.0))
         assert "closure alone" in silent["results"]["surface"]["examined"]
         assert "faults" not in silent["results"]["surface"]
-        asked = called(tmp_path, twice, "--diagnose")
-        assert "were looked for" in asked["results"]["surface"]["examined"]
+        made = ball(4)
+        looked = called(tmp_path, made + moved(made, (0.51, 0.07, 0.03)))
+        assert "were looked for" in looked["results"]["surface"]["examined"]
+        assert looked["results"]["surface"]["faults"]["pairs"]["value"] > len(made)
+        assert {"crossing", "overlap"} <= set(codes(looked))
+        short = prism(rim[::8], 1.0)
+        asked = called(tmp_path, short + moved(short, (0.3, 0.4, 0.2)), "--diagnose")
         assert {"crossing", "overlap"} <= set(codes(asked))
+
+    @pytest.mark.parametrize("seed", range(12))
+    def test_windings_are_solid_angles_over_a_sphere(self, seed: int) -> None:
+        """Rays and signs against another formula: the angles under which triangles are seen add up to 4π."""
+        random = np.random.default_rng(seed)
+        made = CUBE + moved(ball(1), tuple(random.uniform(-0.5, 2.5, 3)), 0.7)
+        if seed % 2:
+            # places where rays meet edges and corners
+            made = CUBE + moved(CUBE, tuple(random.integers(-3, 4, 3) / 2.0), 0.5)
+        if seed % 3 == 0:
+            turned, _ = np.linalg.qr(random.normal(size=(3, 3)))
+            made = (np.array(made) @ turned).tolist()
+        corners = np.array(made, dtype=float)
+        at = np.concatenate((random.uniform(-1.0, 3.0, (40, 3)), random.integers(-2, 5, (40, 3)) / 2.0 + 0.25))
+        nowhere, label = np.full(len(at), -1), np.arange(len(corners))
+        a, b, c = (corners[None, :, k] - at[:, None] for k in range(3))
+        x, y, z = (np.linalg.norm(part, axis=2) for part in (a, b, c))
+        down = x * y * z + (a * b).sum(2) * z + (b * c).sum(2) * x + (c * a).sum(2) * y
+        seen = (np.arctan2((a * np.cross(b, c)).sum(2), down)).sum(1) / (2.0 * np.pi)
+        for axis in range(3):
+            found = Windings(corners, at, np.full(len(at), axis), nowhere, label).numbers()
+            touched = np.isnan(found)
+            assert touched.mean() < 0.5
+            assert found[~touched] == pytest.approx(seen[~touched], abs=1e-9)
+
+    def test_pieces_that_share_edges_are_judged_as_one(self, tmp_path: Path) -> None:
+        """Two stacked blocks that face inwards, outside the body: every triangle of theirs takes away."""
+        block = flipped(moved(CUBE, (22.0, 22.0, 22.0)))
+        document = called(tmp_path, moved(CUBE, (0.0, 0.0, 0.0), 10.0) + block + moved(block, (0.0, 0.0, 2.0)))
+        assert document["results"]["surface"]["faults"]["against"]["value"] == 24
 
 
 def words(made: list[Any]) -> bytes:

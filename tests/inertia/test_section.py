@@ -224,7 +224,7 @@ def test_bounds_hold_in_the_units_shown(units: str) -> None:
     with mp.workdps(40):
         for size in range(11, 60):
             found = answer("inertia", "section", "--piece", f"diameter={size} mm", "--units", units)
-            diameter = mpf(size / 1000)
+            diameter = mpf(size) / 1000
             for name, true in (
                 ("area", mp.pi * diameter**2 / 4 * ratio**2),
                 ("perimeter", mp.pi * diameter * ratio),
@@ -248,20 +248,52 @@ class TestReading:
         return {"area": a, "centroidal.ix": ix, "centroidal.iy": iy, "centroidal.polar": ix + iy}
 
     @pytest.mark.parametrize(("x", "y"), [(0, 0), (1, 2), (450, 560), (4500000, 5600000), (-33333.3, 77777.7)])
-    def test_an_angle_anywhere_keeps_within_what_is_stated_of_its_reading(self, x: float, y: float) -> None:
+    @pytest.mark.parametrize("unit", ["mm", "in", "ft"])
+    def test_an_angle_anywhere_is_what_its_decimals_say(self, x: float, y: float, unit: str) -> None:
         outline = [(0, 0), (90, 0), (90, 9), (9, 9), (9, 60), (0, 60)]
         typed = [(Fraction(str(x)) + dx, Fraction(str(y)) + dy) for dx, dy in outline]
         text = ", ".join(str(float(part)) for corner in typed for part in corner)
-        document = answer("inertia", "section", "--polygon", text + " mm", "--units", "base")
-        true = self.exact([(px / 1000, py / 1000) for px, py in typed])
+        document = answer("inertia", "section", "--polygon", f"{text} {unit}", "--units", "base")
+        metres = {"mm": Fraction(1, 1000), "in": Fraction(254, 10000), "ft": Fraction(3048, 10000)}[unit]
+        true = self.exact([(px * metres, py * metres) for px, py in typed])
         stated = document["numerics"]
         for name, value in true.items():
             shown = document["results"]
             for part in name.split("."):
                 shown = shown[part]
             error = abs(Fraction(shown["value"]) / value - 1)
-            bound = stated["error_bound"][name]["relative"] + stated["input_rounding"][name]["relative"]
-            assert error <= bound, name
-            assert bound <= max(1e-14, 200 * float(error)), name
-        far = abs(x) > 100
-        assert ("coordinates-rounded" in [w["code"] for w in document["warnings"]]) is far
+            assert error <= stated["error_bound"][name]["relative"] <= 5e-16, name
+        assert "input_rounding" not in stated
+        assert "as typed" in stated["method"]
+        assert [warning["code"] for warning in document["warnings"]] == ["not-torsion"]
+
+    def test_doubles_say_what_their_rounding_may_have_done(self) -> None:
+        outline = [(0, 0), (90, 0), (90, 9), (9, 9), (9, 60), (0, 60)]
+        far = section(
+            polygon=tuple((o + p) / 1000 for corner in outline for o, p in zip((4500000, 5600000), corner, strict=True))
+        )
+        assert far.numerics is not None
+        stated = {condition.result: condition.value * U for condition in far.numerics.conditions}
+        true = self.exact([(Fraction(4500000 + x, 1000), Fraction(5600000 + y, 1000)) for x, y in outline])
+        assert abs(Fraction(far.area) / true["area"] - 1) > 1e-12
+        assert abs(Fraction(far.area) / true["area"] - 1) <= stated["area"]
+        assert abs(Fraction(far.centroidal.ix) / true["centroidal.ix"] - 1) <= stated["centroidal.ix"]
+        assert "coordinates-rounded" in [note.code for note in far.advice]
+
+    def test_pieces_and_holes_of_decimals_far_away(self) -> None:
+        document = answer(
+            "inertia", "section", "--piece", "width=0.3 mm, height=0.1 mm, x=7000000.1 mm, y=-0.7 mm",
+            "--hole", "diameter=0.1 mm, x=7000000.2 mm, y=-0.7 mm", "--units", "base",
+        )  # fmt: skip
+        with mp.workdps(40):
+            circle = mp.pi * mpf("0.0001") ** 2 / 4
+            area = mpf("3e-8") - circle
+            x = (mpf("7000.0001") * mpf("3e-8") - mpf("7000.0002") * circle) / area
+            shown = document["results"]
+            assert abs(shown["area"]["value"] / area - 1) <= document["numerics"]["error_bound"]["area"]["relative"]
+            assert abs(shown["x"]["value"] / x - 1) <= document["numerics"]["error_bound"]["x"]["relative"]
+
+    def test_json_and_scene_keep_the_decimals(self) -> None:
+        scene = '{"polygon": {"value": [4500000.1, 0, 4500000.2, 0, 4500000.2, 0.1], "unit": "mm"}}'
+        document = answer("inertia", "section", "--input", "-", "--units", "base", stdin=scene)
+        assert document["results"]["area"]["value"] == pytest.approx(5e-9, rel=3e-16)

@@ -189,12 +189,14 @@ def test_files_for_simulators_hold_the_tensor_about_the_mass_centre(axes: str) -
         "ixx": plain.moments.xx, "iyy": plain.moments.yy, "izz": plain.moments.zz,
         "ixy": plain.products.xy, "ixz": plain.products.zx, "iyz": plain.products.yz,
     }  # fmt: skip
-    link = ET.fromstring(urdf(found))
+    robot = ET.fromstring(urdf(found))
+    assert robot.tag == "robot"
+    (link,) = robot.findall("link/inertial")
     assert {k: float(v) for k, v in link.find("inertia").attrib.items()} == pytest.approx(want, abs=1e-17)  # type: ignore[union-attr]
     assert numbers(link.find("origin").attrib["xyz"]) == list(plain.centroid)  # type: ignore[union-attr]
-    pose = ET.fromstring(sdf(found))
+    (pose,) = ET.fromstring(sdf(found)).findall("model/link/inertial")
     assert {e.tag: float(e.text or "") for e in pose.find("inertia")} == pytest.approx(want, abs=1e-17)  # type: ignore[union-attr]
-    mujoco = ET.fromstring(mjcf(found)).attrib
+    mujoco = ET.fromstring(mjcf(found)).find("worldbody/body/inertial").attrib  # type: ignore[union-attr]
     order = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
     assert numbers(mujoco["fullinertia"]) == pytest.approx([want[k] for k in order], abs=1e-17)
     assert float(mujoco["mass"]) == 2.0
@@ -218,8 +220,8 @@ def test_the_command_writes_them(tmp_path: Path, ending: str) -> None:
 
 
 def test_a_lamina_keeps_its_plane_in_every_file() -> None:
-    link = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
-    inertia = {k: float(v) for k, v in link.find("inertia").attrib.items()}  # type: ignore[union-attr]
+    robot = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
+    inertia = {k: float(v) for k, v in robot.find("link/inertial/inertia").attrib.items()}  # type: ignore[union-attr]
     assert inertia["izz"] == inertia["ixx"] + inertia["iyy"]
 
 

@@ -10,7 +10,7 @@ from mpmath import mp
 from dynamics_cli.impact.spatial.arithmetic import cosine_and_sine
 from dynamics_cli.numerics.exact.many_digits import ManyDigits
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.numerics.turns import multiple_of, turned
+from dynamics_cli.numerics.turns import multiple_of, tangent, turned
 
 
 def nearest(degrees: int) -> float:
@@ -59,3 +59,21 @@ def test_a_direction_of_ninety_degrees_has_no_part_along_x() -> None:
     first = answer(*call, "--normal", "90 deg", "--restitution", "0.5", "--units", "base")["results"]["first"]
     assert first["velocity"]["value"] == [0.0, -5.0]
     assert first["tangential_velocity"]["value"] == 0.0
+
+
+@pytest.mark.parametrize("count", [0, 1, 3, 4, 5, 7, -1, 9])
+def test_tangents_of_eighths_are_whole(count: int) -> None:
+    angle = nearest(45 * count)
+    wanted = (0.0, 1.0, math.nan, -1.0)[count % 4]
+    assert tangent(angle) == wanted
+    assert tangent(np.array([angle, 0.3])).tolist() == [wanted, math.tan(0.3)]
+    tracked = tangent(Tracked.inputs([angle])[0])
+    assert tracked.value == wanted
+    assert tracked.slopes[0] == 1.0 + wanted * wanted
+    with mp.workdps(40):
+        assert abs(wanted - mp.tan(mp.mpf(angle))) <= tracked.error
+
+
+def test_other_tangents_are_as_they_are() -> None:
+    for angle in (0.3, math.radians(90), math.nextafter(math.pi / 4, 1.0), -1.2, 1e9):
+        assert tangent(angle) == math.tan(angle)

@@ -900,6 +900,23 @@ def solved(x: dict[str, Any]) -> dict[str, Any]:
 
 
 def momentum_and_energy(x: dict[str, Any]) -> dict[str, Any]:
+    found = by_energy(x, mpf(1))
+    step = mpf(10) ** -40
+    for side in ("first", "second"):
+        effects = []
+        for other in ("first", "second"):
+            speed = x[other]["exit_speed"]
+            moved = [{**x, other: {**x[other], "exit_speed": speed * part}} for part in (1 + step, 1 - step)]
+            effects.append([by_energy(one, mpf(1))[f"{side}.approach_speed"] for one in moved])
+        effects.append([by_energy(x, part)[f"{side}.approach_speed"] for part in (1 + step, 1 - step)])
+        steepest = max(abs(one - two) for one, two in effects) / (2 * step)
+        scale = max(abs(found[f"{side}.approach_speed"]), found["closing_along_impulse"] / 4)
+        found[f"{side}.determined.tolerance"] = min(scale / steepest / 10, mpf(1))
+    return found
+
+
+def by_energy(x: dict[str, Any], share: Any) -> dict[str, Any]:
+    """The solution for a share of the energy of deformation."""
     speeds, headings, masses = given(x)
     line = headings[0]
     damage = x["damage"]
@@ -907,6 +924,7 @@ def momentum_and_energy(x: dict[str, Any]) -> dict[str, Any]:
         energy = damage["first_crush_energy"] + damage["second_crush_energy"]
     else:
         energy = (masses[0] * damage["first_ees"] ** 2 + masses[1] * damage["second_ees"] ** 2) / 2
+    energy *= share
     u = [speeds[i] * cos(headings[i] - line) for i in (2, 3)]
     total = masses[0] * u[0] + masses[1] * u[1]
     kinetic = energy + (masses[0] * u[0] ** 2 + masses[1] * u[1] ** 2) / 2
@@ -1004,6 +1022,10 @@ def collinear(generator: random.Random) -> Iterator[Case]:
         yield "hard", why, own
 
 
+# The double that stands for half a turn.
+HALF_TURN = mpf(3.141592653589793)
+
+
 def crush(x: dict[str, Any]) -> dict[str, Any]:
     gravity, e = x["gravity"], x["restitution"]
     out, found = {}, []
@@ -1032,6 +1054,13 @@ def crush(x: dict[str, Any]) -> dict[str, Any]:
             normal += wide * sum(term / (k + 1) for k, term in enumerate(terms)) / (2 * b)
             mean += (left + rise / 2) / pieces
             lever += wide * ((i * left + (i * rise + left) / 2 + rise / 3) * wide)
+        # the work is a quadratic of a change of all depths: two differences give its slope
+        works = [
+            sum((a + b * (part + shift)) ** 2 + (b * rise) * (a + b * (part + shift)) + (b * rise) ** 2 / 3
+                for part, rise in ((depths[i], depths[i + 1] - depths[i]) for i in range(pieces)))
+            * width / pieces / (2 * b)
+            for shift in (mpf(1), mpf(-1))
+        ]  # fmt: skip
         angle = one["force_angle"]
         energy = normal * (1 + mp.tan(angle) ** 2)
         arm = one.get("lever_arm")
@@ -1045,6 +1074,9 @@ def crush(x: dict[str, Any]) -> dict[str, Any]:
             "force": width * (a + b * mean), "stiffness_a": a, "stiffness_b": b, "stiffness_g": a * a / (2 * b),
             "mean_crush": mean, "mass": m, "effective_mass": effective, "effective_share": effective / m,
         }  # fmt: skip
+        own["determined.depth_tolerance"] = normal / (works[0] - works[1]) * 2 / 5
+        leaning = abs(mp.diff(lambda turn: -mp.log(cos(turn)), angle)) if angle else mpf(0)
+        own["determined.angle_tolerance"] = min(1 / leaning / 10, HALF_TURN) if leaning else HALF_TURN
         if "stations" in profile:
             own["crush_centre"] = lever / (mean * width)
         out |= {f"{name}.{key}": value for key, value in own.items()}
@@ -1056,6 +1088,7 @@ def crush(x: dict[str, Any]) -> dict[str, Any]:
         closing = sqrt(2 * total / (reduced * (1 - e * e)))
         impulse = (1 + e) * reduced * closing
         out |= {"impulse": impulse, "closing_speed": closing, "first.delta_v": impulse / found[0][0]}
+        out["restitution_tolerance"] = (1 - e * e) / 10
         if found[1][3] is not None:
             out["second.delta_v"] = impulse / found[1][0]
         elif found[1][0] is not None:

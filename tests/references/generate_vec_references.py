@@ -79,14 +79,14 @@ def resultant(vectors: list[Any], between: float | None = None) -> dict[str, Any
     if between is not None:
         a, b, turn = exact(vectors[0]), exact(vectors[1]), mpf(between)
         size = sqrt(real(a * a + b * b) + 2 * real(a * b) * cos(turn))
-        return {"magnitude": size, "cancellation": real(a + b) / size}
+        return {"magnitude": size, "nearly parallel directions, between which the parts cancel": real(a + b) / size}
     planar = all(len(v) == 2 for v in vectors)
     those = [vector(v) for v in vectors]
     whole = [sum(v[i] for v in those) for i in range(3)]
     size = length(whole)
     out = {**indexed("resultant", whole, 2 if planar else 3), "magnitude": size}
     if size:
-        out["cancellation"] = sum(length(v) for v in those) / size
+        out["nearly parallel directions, between which the parts cancel"] = sum(length(v) for v in those) / size
         if not planar:
             out |= {f"angle_{axis}": acos(real(whole[i]) / size) for i, axis in enumerate("xyz")}
     return out
@@ -230,25 +230,25 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "angle",
         "nearly parallel, 1e-9",
-        "an arc cosine gives zero",
+        "the arc cosine of their cosine gives zero in doubles",
         {"first": [1.0, 0.0, 0.0], "second": [1.0, 1e-9, 0.0]},
     )
     yield (
         "angle",
         "nearly parallel by 2⁻⁴⁰",
-        "doubles of 17 digits",
+        "doubles of 17 digits, which are not what a person typed",
         {"first": [1.0, 1.0, 1.0], "second": [1.0, 1.0, near]},
     )
     yield (
         "angle",
         "nearly opposite by 2⁻³⁰",
-        "π less an angle",
+        "π less a small angle, which the cosine does not show",
         {"first": [1.0, 2.0, 3.0], "second": [-1.0, -2.0, -3.0 - 2.0**-30]},
     )
     yield (
         "angle",
         "nearly square",
-        "a cosine that cancels",
+        "the cosine is a difference of products that cancels",
         {"first": [0.1, 0.2, 0.3], "second": [0.3, 0.3, -0.3000000001]},
     )
     for size in (1e-300, 1e-61, 1e-59, 1e59, 1e61, 1e200, 3e307):
@@ -258,48 +258,58 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield "angle", "signed about an axis", "the angle of the parts across the axis", {
         "first": [1.0, 0.2, 3.0], "second": [1.0, 0.1, -2.0], "axis": [0.0, 0.0, 2.0]}  # fmt: skip
     yield "direction", "the book's data", "", {"vector": [8.0, 12.0, 7.0]}
-    yield "direction", "almost along x", "a small direction angle", {"vector": [1.0, 1e-12, -3e-13]}
-    yield "direction", "between far points", "a difference of long vectors", {
+    yield (
+        "direction",
+        "almost along x",
+        "a small direction angle, whose cosine rounds to one",
+        {"vector": [1.0, 1e-12, -3e-13]},
+    )
+    yield "direction", "between far points", "the direction is a small difference of long vectors", {
         "vector": [1e8, 2.5, 0.1], "point": [100000000.1, 2.4, 0.3]}  # fmt: skip
     yield "resultant", "two magnitudes at 60 degrees", "", {"vectors": [15.0, 12.0], "between": 1.0471975511965976}
-    yield "resultant", "two magnitudes almost opposite", "the law of cosines cancels", {
+    yield "resultant", "two magnitudes almost opposite", "the law of cosines cancels to the small difference of both", {
         "vectors": [10.0, 10.0], "between": 3.141592}  # fmt: skip
-    yield "resultant", "almost in equilibrium", "the sum cancels", {
+    yield "resultant", "almost in equilibrium", "the sum cancels to some last digits of its parts", {
         "vectors": [[0.1, 0.2, 0.3], [0.2, 0.1, -0.6], [-0.3, -0.3, 0.3000000001]]}  # fmt: skip
     yield "resultant", "sixteen digits that cancel", "not a decimal of 15 digits, so a double", {
         "vectors": [[0.1234567890123456, 1.0], [-0.1234567890123, -1.0]]}  # fmt: skip
-    yield "product", "coplanar decimals", "zero as typed, not in doubles", {
+    yield "product", "coplanar decimals", "the triple product is zero as typed, and not in doubles", {
         "first": [0.1, 0.2, 0.3], "second": [0.4, 0.5, 0.6], "third": [0.7, 0.8, 0.9]}  # fmt: skip
-    yield "product", "nearly coplanar", "the determinant cancels", {
+    yield "product", "nearly coplanar", "the determinant cancels to some last digits of its terms", {
         "first": [1.0, 2.0, 3.0], "second": [4.0, 5.0, 6.0], "third": [7.0, 8.0, 9.0000000001]}  # fmt: skip
     yield "product", "a long thin triangle", "products of 1e8 that differ by one", {
         "first": [1e8, 1.0], "second": [2e8, 2.00000001]}  # fmt: skip
     oblique = basis("Basis", [1.0, 0.0, 0.0], [1.0, 1e-6, 0.0], [1.0, 1.0, 1e-3])
-    yield "resolve", "an oblique basis of condition 1e9", "cancellation", {"vector": [2.0, 3.0, 4.0], "onto": oblique}
-    yield "resolve", "almost across", "a component that cancels", {
+    yield (
+        "resolve",
+        "an oblique basis of condition 1e9",
+        "nearly parallel directions, between which the parts cancel",
+        {"vector": [2.0, 3.0, 4.0], "onto": oblique},
+    )
+    yield "resolve", "almost across", "a component that cancels to a small part of the vector", {
         "vector": [1.0, 2.0, 3.0], "onto": {"record": "Along", "along": [3.0, 3.0, -2.99999999999]}}  # fmt: skip
-    yield "resolve", "almost in the plane", "a component that cancels", {
+    yield "resolve", "almost in the plane", "a component that cancels to a small part of the vector", {
         "vector": [0.1, 0.2, 0.3], "onto": {"record": "Plane", "normal": [0.3, 0.3, -0.30000000001]}}  # fmt: skip
     yield "polygon", "two directions", "", {"sum_": [6.0, 2.0], "magnitudes": [5.0, 4.0], "directions": []}
-    yield "polygon", "stretched but for 1e-9", "a root that cancels", {
+    yield "polygon", "stretched but for 1e-9", "the height is a root whose terms cancel nearly to zero", {
         "sum_": [3.0, 4.0], "magnitudes": [2.0, 3.000000001], "directions": []}  # fmt: skip
     yield (
         "polygon",
         "stretched exactly",
-        "a double root",
+        "the two polygons are one: a double root at the limit",
         {"sum_": [0.3, 0.4], "magnitudes": [0.1, 0.4], "directions": []},
     )
-    yield "polygon", "two magnitudes nearly parallel", "a small sine", {
+    yield "polygon", "two magnitudes nearly parallel", "the sine between the two known directions is small", {
         "sum_": [1.0, 0.5], "magnitudes": [], "directions": [0.25, 0.2500001]}  # fmt: skip
-    yield "lines", "nearly parallel lines", "the page's feet lie far away", {
+    yield "lines", "nearly parallel lines", "nearly parallel lines, whose feet lie very far away", {
         "first": {"record": "Item", "point": [1.0, 2.0, 3.0], "direction": [1.0, 1.0, 1.0]},
         "second": {"record": "Item", "point": [4.0, 0.5, -1.0], "direction": [1.0, 1.0, 1.0001]}}  # fmt: skip
     yield "lines", "parallel decimals", "parallel as typed, not in doubles", {
         "first": {"record": "Item", "point": [1.0, 2.0, 3.0], "direction": [0.1, 0.2, 0.3]},
         "second": {"record": "Item", "point": [4.0, 0.5, -1.0], "direction": [0.3, 0.6, 0.9]}}  # fmt: skip
-    yield "frame", "nearly parallel directions", "the second axis cancels", {
+    yield "frame", "nearly parallel directions", "the second axis is the small rest of nearly parallel vectors", {
         "x": [1.0, 1.0, 0.0], "y": [1.0, 1.0000001, 0.0000001], "vector": [1.0, 2.0, 3.0]}  # fmt: skip
-    yield "frame", "nearly square", "a small departure", {
+    yield "frame", "nearly square", "a small departure from a right angle is asked for", {
         "x": [3.0, 4.0, 0.0], "y": [-4.0, 3.0000000001, 1.0], "vector": [0.0, 0.0, -9.81]}  # fmt: skip
 
 

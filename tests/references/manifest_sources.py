@@ -84,6 +84,12 @@ FILES: dict[str, Origin] = {
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
+    "linkage": Origin(
+        "linkage",
+        _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
+        "angles by the cosine rule, velocities and accelerations by linear loop equations",
+        "60 digits", "", "drawn|\\d links",
+    ),
     "inertia_bodies": Origin(
         "inertia", _same("body", "compare", "shape", "tensor", "torque"),
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "

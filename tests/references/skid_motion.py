@@ -248,6 +248,26 @@ def pedestrian(
         _, flown, left = landing(speed, angle)
         return flown + (left**2 / (2 * friction * gravity) if left > 0 else 0)
 
+    def flight(angle: Any) -> Any:
+        # the flight alone ends at the throw distance
+        rise = 2 * (throw_distance * mp.tan(angle) + launch_height)
+        return throw_distance / mp.cos(angle) * mp.sqrt(gravity / rise)
+
+    def least() -> Any:
+        """Of slides, of flights that the landing ends, and where one becomes the other."""
+        slides, steep = mp.atan(friction), (mp.pi / 2 - mp.atan2(launch_height, throw_distance)) / 2
+        speeds = []
+        if landing(solve(slides), slides)[2] >= 0:
+            speeds.append(solve(slides))
+        if landing(flight(steep), steep)[2] <= 0:
+            speeds.append(flight(steep))
+        with mp.workdps(100):
+            low, high = -mp.atan2(launch_height, throw_distance), mp.pi / 2
+            for _ in range(300):
+                middle = (low + high) / 2
+                low, high = (middle, high) if landing(flight(middle), middle)[2] > 0 else (low, middle)
+            return min([*speeds, flight(low)])
+
     level = solve(mpf(0))
     if landing(level, mpf(0))[2] < 0:
         level = throw_distance / mp.sqrt(2 * launch_height / gravity)
@@ -257,7 +277,7 @@ def pedestrian(
         for _ in range(260):
             middle = (far + short) / 2
             far, short = (middle, short) if reached(level, middle) > throw_distance else (far, middle)
-    out = {"least_speed": solve(mp.atan(friction)), "greatest_speed": level, "greatest_angle": far}
+    out = {"least_speed": least(), "greatest_speed": level, "greatest_angle": far}
     if launch_angle is not None:
         speed = solve(launch_angle)
         time, flown, left = landing(speed, launch_angle)

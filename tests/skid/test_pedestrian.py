@@ -169,9 +169,9 @@ def test_bounds_are_reached(distance: float, friction: float) -> None:
     least = pedestrian(throw_distance=distance, friction=friction, launch_angle=0.0)
     assert least.speed == pytest.approx(bounds.greatest_speed, rel=1e-15)
     assert bounds.speed is None
-    assert bounds.least_speed * math.hypot(1.0, friction) == pytest.approx(bounds.greatest_speed, rel=1e-14)
     best = math.atan(friction)
     if math.cos(best) > friction * math.sin(best):
+        assert bounds.least_speed * math.hypot(1.0, friction) == pytest.approx(bounds.greatest_speed, rel=1e-14)
         answer = pedestrian(throw_distance=distance, friction=friction, launch_angle=best)
         assert answer.speed == pytest.approx(bounds.least_speed, rel=1e-14)
 
@@ -207,3 +207,44 @@ def test_launch_height_zero_and_level_launch_are_limits() -> None:
 def test_refusals_give_the_deciding_number(inputs: dict[str, float], message: str) -> None:
     with pytest.raises(InadmissibleError, match=message):
         pedestrian(**{"throw_distance": 25.0, "friction": 0.66, **inputs})
+
+
+def thrown(speed: float, angle: float, friction: float, height: float) -> float:
+    """How far a body comes: the flight, and the slide that the landing leaves; g is 9.80665."""
+    g = 9.80665
+    forward, up = speed * math.cos(angle), speed * math.sin(angle)
+    landing = math.sqrt(up * up + 2.0 * g * height)
+    kept = max(forward - friction * landing, 0.0)
+    return forward * (up + landing) / g + kept * kept / (2.0 * friction * g)
+
+
+def least_of_all(distance: float, friction: float, height: float) -> float:
+    """The least speed over launch angles that comes so far, by bisection at each of many."""
+    speeds = []
+    for degree in range(-889, 890, 1):
+        low, high = 0.0, 200.0
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            short = thrown(middle, math.radians(0.1 * degree), friction, height) < distance
+            low, high = (middle, high) if short else (low, middle)
+        speeds.append(high)
+    return min(speeds)
+
+
+@pytest.mark.parametrize(
+    ("distance", "friction", "height"),
+    [
+        (1.0001, 1.0, 1.0), (1.05, 1.0, 1.0), (1.5, 1.0, 1.0), (0.7, 0.66, 1.0), (0.66001, 0.66, 1.0), (0.9, 0.66, 1.0),
+        (2.5, 0.66, 1.0), (25.0, 0.66, 1.0), (10.0, 0.66, 0.0), (10.0, 1.3, 0.0), (3.0, 0.3, 1.2), (0.5, 0.3, 1.2),
+        (1.2, 1.4, 0.8), (2.0, 1.4, 0.8), (40.0, 1.4, 0.8),
+    ],
+)  # fmt: skip
+def test_the_least_speed_is_that_of_some_launch(distance: float, friction: float, height: float) -> None:
+    found = pedestrian(throw_distance=distance, friction=friction, launch_height=height)
+    assert found.least_speed == pytest.approx(least_of_all(distance, friction, height), rel=2e-5)
+
+
+def test_the_least_speed_has_no_step_where_the_landing_stops_every_throw() -> None:
+    at = pedestrian(throw_distance=0.66, friction=0.66, launch_height=1.0).least_speed
+    above = pedestrian(throw_distance=0.66 * (1.0 + 1e-12), friction=0.66, launch_height=1.0).least_speed
+    assert above == pytest.approx(at, rel=1e-11)

@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from harness import run
+from harness import answer, run
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -85,3 +85,8 @@ def test_a_jump_names_what_it_needs() -> None:
     outcome = run("skid", "record", "--speeds", "78, 20 km/h", "--greatest-acceleration", "0.9 g")
     assert outcome.status == 3
     assert "needs 3.286 g, and 0.9 g is the most" in outcome.err
+
+
+def test_each_speed_may_be_uncertain() -> None:
+    found = answer("skid", "record", "--speeds", "78 ± 1, 77 ± 1, 60 ± 1 km/h", "--interval", "0.5 s")["results"]
+    assert found["distance"]["std"] == pytest.approx(0.5 / 3.6 * math.sqrt(1.5), rel=1e-3)

@@ -1,6 +1,6 @@
 """Tasks of `dynamics cam`: geometry."""
 
-from dynamics_cli.cam.commands.notes import PROGRAM_NOTES
+from dynamics_cli.cam.commands.notes import PROGRAM_NOTES, PROGRAM_SCENE, ROLLER_SCENE
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 16.4 to 16.8"
@@ -45,6 +45,7 @@ PROFILE = Task(
     ),
     table="points",
     notes=PROGRAM_NOTES,
+    scene=ROLLER_SCENE,
     arrays=False,
     tracked=False,
     writers={"svg": "dynamics_cli.cam.geometry.animation:animation"},
@@ -89,6 +90,7 @@ SIZE = Task(
         '--least-radius "10 mm"',
     ),
     notes=PROGRAM_NOTES,
+    scene={**PROGRAM_SCENE, "follower": "roller", "roller_radius": "8 mm"},
     arrays=False,
     tracked=False,
 )
@@ -127,6 +129,7 @@ CHECK = Task(
         '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N" --shaft-speed "1500 rpm"',
     ),
     notes=PROGRAM_NOTES,
+    scene=ROLLER_SCENE,
     arrays=False,
     tracked=False,
 )
@@ -155,6 +158,7 @@ EXPORT = Task(
     ),
     table="points",
     notes=PROGRAM_NOTES,
+    scene=ROLLER_SCENE,
     arrays=False,
     tracked=False,
     writers={

@@ -1,6 +1,6 @@
 """Tasks of `dynamics cam`: motion."""
 
-from dynamics_cli.cam.commands.notes import PROGRAM_NOTES
+from dynamics_cli.cam.commands.notes import PROGRAM_NOTES, PROGRAM_SCENE
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 16"
@@ -101,6 +101,7 @@ MOTION = Task(
     table="table swing_table",
     plot="dynamics_cli.cam.program.pictures:svaj",
     notes=PROGRAM_NOTES,
+    scene=PROGRAM_SCENE,
     arrays=False,
     tracked=False,
 )
@@ -157,6 +158,7 @@ FORCE = Task(
     table="table arm_table",
     plot="dynamics_cli.cam.forces.pictures:forces",
     notes=PROGRAM_NOTES,
+    scene={**PROGRAM_SCENE, "shaft_speed": "600 rpm", "mass": "0.5 kg", "spring_rate": "5 N/mm", "preload": "60 N"},
     arrays=False,
     tracked=False,
 )

@@ -5,3 +5,7 @@ PROGRAM_NOTES = (
     "A lift in deg swings an arm; one clause may leave its angle out and takes the rest of the turn; the law is 3-4-5 "
     "unless named (dynamics cam laws). The whole language: docs/scenes.md."
 )
+
+# What the templates of scenes show.
+PROGRAM_SCENE = {"program": "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell"}
+ROLLER_SCENE = {**PROGRAM_SCENE, "follower": "roller", "base_radius": "40 mm", "roller_radius": "8 mm"}

@@ -3,7 +3,7 @@
 from dynamics_cli.cam.export.records import CamExport, Curve, Form
 from dynamics_cli.cam.geometry.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program.reading import Program, motion_of
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Annotated, Count, Size, Text
 from dynamics_cli.records import Check, Numerics
@@ -74,11 +74,11 @@ def export(
 
     require(points >= 2, "points: {count}; a table has at least 2", count=points, code="few-points")
     require(points <= 1_000_000, "points: {count}; a table has at most 1000000", count=points, code="many-points")
-    require(
+    require_given(
         curve != "cutter" or cutter_radius is not None,
         "the path of a cutter needs its radius",
+        ("cutter_radius",),
         code="cutter",
-        hint="--cutter-radius",
     )
     geometry = Geometry(follower, rotation, flank)
     motion = motion_of(scene, program)

@@ -33,7 +33,7 @@ class Point:
     """A point a spline goes through."""
 
     at: Annotated[Angle, "Cam angle from the start of the segment [rad]."]
-    lift: Annotated[Coordinate, "Lift above the level at the start of the segment [m]."]
+    lift: Annotated[Coordinate, "Lift above the level at the start of the segment, e.g. 8 mm [m]."]
 
 
 @record
@@ -46,7 +46,7 @@ class Segment:
     ] = None
     lift: Annotated[
         Coordinate | None,
-        "How far the follower rises or returns; a return without it goes back to the level of the start [m].",
+        "How far the follower rises or returns; left out, a return goes to the level of the start, e.g. 20 mm [m].",
     ] = None
     swing: Annotated[Angle | None, "In place of the lift, how far an arm swings [rad]."] = None
     law: Annotated[LawName | None, "The law; 3-4-5 when not given."] = None

@@ -107,7 +107,8 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     try:
         fields["law"] = LawName(given)
     except ValueError:
-        words.fail(f"there is no law {given!r}: {_near_laws(given)}`dynamics cam laws` lists them")
+        apart = "clauses are parted by semicolons; " if "," in words.clause else ""
+        words.fail(f"there is no law {given!r}: {apart}{_near_laws(given)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():
         numbers.append(words.number())

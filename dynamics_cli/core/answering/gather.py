@@ -8,11 +8,13 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.core.terminal import Terminal
 
 
+TEMPERATURES = ("F", "C", "K", "R", "°F", "°C", "degF", "degC")
 # Words between a quantity and the unit it is to be converted to, among the first few.
 CONNECTIVES = ("to", "into", "->", "→")
 MOST_WORDS = 4
@@ -37,9 +39,20 @@ def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, 
     file = settings.input or scene
     if scene and settings.input:
         raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
-    if not file:
-        return Gathered(raw, Reader(terminal.environ))
-    return over_file(task, raw, file, terminal)
+    gathered = over_file(task, raw, file, terminal) if file else Gathered(raw, Reader(terminal.environ))
+    gathered.reader.spell = _spelling(task, call, file=bool(file) or rows)
+    return gathered
+
+
+def _spelling(task: Task, call: Call, *, file: bool) -> "Callable[[str], str]":
+    """How this call writes a parameter; only messages ask."""
+
+    def spell(address: str) -> str:
+        from dynamics_cli.core.inputs.spelling import Spelling
+
+        return Spelling(task.options, call.options, file=file)(address)
+
+    return spell
 
 
 def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal") -> Gathered:
@@ -151,6 +164,10 @@ def _at_connective(words: "list[str]") -> "list[str]":
         quantity, found, unit = words[0].partition(f" {connective} ")
         if found:
             return [quantity, unit, *words[1:]]
+    parts = words[0].split()
+    # farad times coulomb is nothing that anyone converts
+    if len(words) == 1 and len(parts) > 1 and all(part in TEMPERATURES for part in parts[-2:]):
+        return [" ".join(parts[:-1]), parts[-1]]
     return words
 
 

@@ -8,7 +8,7 @@ Messages without values stand as they are.
 from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.display import pretty
 from dynamics_cli.core.units.lookup import parse_unit
-from dynamics_cli.core.units.unit import Unit, conformable
+from dynamics_cli.core.units.unit import NUMBER, Unit, conformable
 from dynamics_cli.errors import Wording, filled
 
 TYPE_CHECKING = False
@@ -32,10 +32,13 @@ def in_written_units(text: str, bound: Bound) -> str:
     if not isinstance(text, Wording):
         return text
     written = list(_written(bound))
+    shares = list(_shares(bound))
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         unit = parse_unit(kind.unit)
-        alike = [entry for entry in written if conformable(entry[2], unit)]
+        # pure numbers are alike in nothing but their kind: a grade in % makes no drag factor one
+        alike = [entry for entry in written if conformable(entry[2], unit)] if kind.unit else []
+        alike = alike or [entry for name, *entry in shares if name == kind.name]  # type: ignore[misc]
         for si, shown, shown_in in alike:
             if si == value and isinstance(shown, int | float):
                 return f"{shown:.9g} {pretty(shown_in.text)}".rstrip()
@@ -50,6 +53,15 @@ def factor(unit: Unit) -> float:
     from math import pi
 
     return unit.numerator / unit.denominator * pi**unit.pi
+
+
+def _shares(bound: Bound) -> "Iterator[tuple[str, float, object, Unit]]":
+    """Every pure number by its kind."""
+    if isinstance(bound, Fields | Several):
+        for part in bound.fields.values() if isinstance(bound, Fields) else bound.items:
+            yield from _shares(part)
+    elif isinstance(bound, Value) and not bound.kind.unit and conformable(unit := parse_unit(bound.unit), NUMBER):
+        yield bound.kind.name, bound.si, bound.shown, unit
 
 
 def _written(bound: Bound) -> "Iterator[_Written]":

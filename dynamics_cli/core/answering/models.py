@@ -5,7 +5,7 @@ from itertools import product
 from dynamics_cli.core.answering.task import Model, Task, load
 from dynamics_cli.core.inputs.specification import Leaf, Record
 from dynamics_cli.core.inputs.values import Fields
-from dynamics_cli.errors import DynamicsError, InadmissibleError, UsageError
+from dynamics_cli.errors import DynamicsError, InadmissibleError, MissingError, UsageError
 from dynamics_cli.records import Quantity
 
 TYPE_CHECKING = False
@@ -69,6 +69,8 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
     except DynamicsError as error:
         from dynamics_cli.core.answering.messages import in_written_units
 
+        if isinstance(error, MissingError):
+            error.name(bound.spell)
         error.message = in_written_units(error.message, bound)
         error.hint = in_written_units(error.hint, bound) if error.hint else None
         raise

@@ -73,8 +73,9 @@ class Task:
     among them, each with its label where its address is not the word of the trade: "centre_distance: centre distance
     a_w"; a table may name the columns that it shows first: "points: motion | angle=θ, lift=s". `columns` says that the
     task takes --column. `listing` says that the table is what is asked for: CSV writes it. `notes` stands behind the
-    examples of the help: the language of an option. `verdict` says that the checks are what was asked for: one that
-    fails is in the document, and the status tells.
+    examples of the help: the language of an option. `scene` gives the values that a template shows, by address, where
+    its required fields alone are no case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are
+    what was asked for: one that fails is in the document, and the status tells.
     """
 
     def __init__(
@@ -96,11 +97,13 @@ class Task:
         columns: bool = False,
         listing: bool = False,
         notes: str = "",
+        scene: "dict[str, str] | None" = None,
     ) -> None:
         self.name = name
         self.summary = summary
         self.plot = plot
         self.notes = notes
+        self.scene = scene or {}
         self.headline = tuple(_labelled(entry) for entry in headline)
         self.names = names or {}
         self.columns = columns

@@ -1,7 +1,7 @@
 """`--sweep`: a task over a range of one parameter or of two; each point is what a single call with it gives."""
 
 from dynamics_cli.core.answering.gather import Gathered
-from dynamics_cli.core.answering.models import call_model, choose
+from dynamics_cli.core.answering.models import choose
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
@@ -11,7 +11,7 @@ from dynamics_cli.core.deadline import Reached, stop
 from dynamics_cli.core.inputs.quantity_text import read_amount, split_list, split_pairs
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
-from dynamics_cli.core.output.row_layout import Layout, Part
+from dynamics_cli.core.output.row_layout import Part
 from dynamics_cli.core.units.display import Display
 from dynamics_cli.errors import DynamicsError, UsageError
 from dynamics_cli.records import Measured
@@ -48,7 +48,7 @@ class _Points(Case):
         self.measure = ("", "")
         self.reader = gathered.reader
         self.origins = dict(self.reader.origins)
-        self.layout = Layout(task.specification.result, Display(settings.units, settings.to))
+        self.layout = self._layout(Display(settings.units, settings.to))
         self.start = gathered.raw
         for axis in axes:
             if isinstance(axis.path[-1], int) and len(axis.path) == 2:
@@ -82,7 +82,7 @@ class _Points(Case):
         try:
             bound = self.bind(self.point(place), uncertain=True)
             model, why = choose(self.task, bound, self.asked)
-            return place, self.shown(model, bound, call_model(self.task, model, bound)), None, (model, why)
+            return place, self.shown(model, bound, self.called(model, bound)), None, (model, why)
         except DynamicsError as error:
             return place, None, error, None
 
@@ -137,7 +137,7 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     if template is not None:
         model, why = choose(task, template, settings.model)
         models[model.name] = (model, why)
-        if points.count >= ARRAY_POINTS and task.arrays and not points.layout.spread:
+        if points.count >= ARRAY_POINTS and task.arrays and not (points.layout.spread or settings.bounds):
             _by_arrays(points, index, rows)
     left = [place for place, row in enumerate(rows) if row is None]
     pieces = [left[start : start + POINTS_A_PIECE] for start in range(0, len(left), POINTS_A_PIECE)]

@@ -3,11 +3,14 @@
 import math
 
 from dynamics_cli.core.documents import flatten, quantity
+from dynamics_cli.core.output.answer_words import body_names, in_words, with_name
 from dynamics_cli.pictures import Axis, Curve, Panel, Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.core.answering.task import Task
 
 MOST_SWEPT = 6
 # More panels than these stand in two columns.
@@ -17,8 +20,8 @@ MOST_NAMED = 8
 ROUNDING = 1e-12
 
 
-def of_sweep(document: "dict[str, Any]") -> "Picture | None":
-    """Every result of a sweep that changes, over the swept parameter; of two, a curve for each value of the second."""
+def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
+    """The headline results of a sweep that change, over the swept parameter; of two, a curve for each of the second."""
     table: dict[str, Any] = document["results"]["sweep"]
     axes: list[str] = [axis["parameter"] for axis in document["inputs"]["sweep"]]
     names = [
@@ -28,7 +31,10 @@ def of_sweep(document: "dict[str, Any]") -> "Picture | None":
     ]
     swept = [table[axis]["value"] for axis in axes]
     changing = [name for name in names if not _constant(table[name]["value"]) and table[name]["value"] not in swept]
-    panels = tuple(_swept(table, axes, name) for name in (changing or names)[:MOST_SWEPT])
+    bodies = body_names(document["inputs"])
+    said = {name: with_name(label or in_words(name), bodies) for name, label in task.headline}
+    shown = [name for name in said if name in changing] or changing or names
+    panels = tuple(_swept(table, axes, name, said) for name in shown[:MOST_SWEPT])
     return (
         Picture(panels, _title(document, axes), columns=2 if len(panels) > MOST_IN_A_COLUMN else 1) if panels else None
     )
@@ -58,10 +64,10 @@ def _numbers(column: "list[Any]") -> bool:
     )
 
 
-def _swept(table: "dict[str, Any]", axes: "list[str]", name: str) -> Panel:
+def _swept(table: "dict[str, Any]", axes: "list[str]", name: str, said: "dict[str, str]") -> Panel:
     def titled(key: str) -> Axis:
         unit = table[key].get("unit", "")
-        words = key.replace("_", " ")
+        words = said.get(key) or in_words(key)
         return Axis(f"{words} [{unit}]" if unit else words)
 
     first = table[axes[0]]["value"]

@@ -8,6 +8,27 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from typing import Any
 
+# What PowerShell runs on Tab. Each line printed is a word, `:::` and its help; help that is wrapped has lines without
+# one, and a tip must not be empty.
+POWERSHELL = """\
+Register-ArgumentCompleter -Native -CommandName dynamics -ScriptBlock {
+    param($word, $line, $position)
+    $env:_DYNAMICS_COMPLETE = "complete_powershell"
+    $env:_TYPER_COMPLETE_ARGS = $line.ToString()
+    $env:_TYPER_COMPLETE_WORD_TO_COMPLETE = $word
+    try {
+        dynamics | Where-Object { $_ -match ":::" } | ForEach-Object {
+            $name, $tip = $_ -split ":::", 2
+            if (-not $tip) { $tip = $name }
+            [System.Management.Automation.CompletionResult]::new($name, $name, "ParameterValue", $tip)
+        }
+    } finally {
+        $env:_DYNAMICS_COMPLETE = $null
+        $env:_TYPER_COMPLETE_ARGS = $null
+        $env:_TYPER_COMPLETE_WORD_TO_COMPLETE = $null
+    }
+}
+"""
 # Forms of results that `--to` and `--limit` name.
 NUMBERS = ("scalar", "slope", "measured")
 

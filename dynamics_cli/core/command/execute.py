@@ -60,7 +60,7 @@ def _execute(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
         document, failed = sweep(task, gathered, settings)
         status = ExitStatus.SOME_FAILED if failed else ExitStatus.DONE
         table = "sweep"
-        files, picture = _with_picture(document, [], _picture_of_sweep(document, settings), settings, task)
+        files, picture = _with_picture(document, [], _picture_of_sweep(document, settings, task), settings, task)
     else:
         document, files, picture = answered_case(task, gathered, settings)
         table = task.table
@@ -99,7 +99,7 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
         from dynamics_cli.core.batch.sweep import sweep
 
         document, _ = sweep(task, gathered, settings)
-        files, _ = _with_picture(document, [], _picture_of_sweep(document, settings), settings, task)
+        files, _ = _with_picture(document, [], _picture_of_sweep(document, settings, task), settings, task)
     else:
         document, files, _ = within(settings.time_limit, lambda: answered_case(task, gathered, settings))
     if files:
@@ -229,12 +229,12 @@ def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
     return Picture(panels, one.title, one.columns, scene=one.scene, distributions=len(other.panels))
 
 
-def _picture_of_sweep(document: "dict[str, Any]", settings: Settings) -> "Picture | None":
+def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task) -> "Picture | None":
     if not settings.plot:
         return None
     from dynamics_cli.core.batch.sweep_pictures import of_sweep
 
-    return of_sweep(document)
+    return of_sweep(document, task)
 
 
 def _with_picture(
@@ -266,7 +266,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     width = 0 if settings.output else terminal.columns
     digits = settings.digits or task.digits
     if settings.only:
-        return only(document, settings.only, digits, settings.format)
+        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
     if settings.table:
         return whole_table(document, settings.table, digits, settings.format)
     if settings.format != "table":
@@ -279,7 +279,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         return to_full_table(document, digits)
     from dynamics_cli.core.output.answer import to_answer
 
-    return to_answer(document, task, settings.digits or task.digits, width or 80, quiet=settings.quiet)
+    return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:

@@ -1,6 +1,7 @@
 """What typer has parsed, as a call; refusals of what is given twice, or without a value."""
 
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.unknown import unknown_option
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS, Call
 from dynamics_cli.errors import UsageError
 
@@ -15,7 +16,7 @@ def call_of(task: Task, given: "dict[str, Any]") -> Call:
     call.words = list(given.pop("words__", None) or ())
     for word in call.words:
         if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
-            raise UsageError(f"there is no option {word}", code="unknown-option", hint=near_option(task, word))
+            raise unknown_option(task, word, call.words)
     for name in UNIVERSAL_OPTIONS:
         value = given.pop(variable("setting", name), None)
         if value:
@@ -44,15 +45,3 @@ def single(name: str, value: "Any", how: str) -> "Any":
     if len(value) > 1:
         raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
     return value[0]
-
-
-def near_option(task: Task, word: str) -> str:
-    """Where an unknown option leads: to one like it, or to the help."""
-    from dynamics_cli.core.inputs.suggestions import suggestions
-
-    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
-    return (
-        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
-        if near
-        else f"try: dynamics {task.path} --help"
-    )

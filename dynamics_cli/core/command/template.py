@@ -1,14 +1,18 @@
 """A commented scene: every field of a task's input as TOML, with its description and an example.
 
-Required fields are written so that they can be read back as they stand; optional ones are commented out.
+As it is printed it is a case with an answer: required fields, or the values of the task's own scene, stand as they are
+and the others are commented out.
 """
 
+from dynamics_cli.core.command.help import written_default
+from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged
 from dynamics_cli.core.output.wrapping import wrapped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.inputs.specification import Field, Node
@@ -32,7 +36,7 @@ def takes_scene(task: "Task") -> bool:
 def template(task: "Task") -> str:
     """The scene of a task as TOML."""
     way = "" if task.specification.words else "--input "
-    scene = _Scene()
+    scene = _Scene(task.scene)
     for line in (task.summary, f"Use: dynamics {task.path} {way}FILE.toml", HEAD):
         scene.comment(line)
     scene.lines.append("")
@@ -61,6 +65,9 @@ def example(field: "Field") -> str:
     said = description(field.text).partition(EXAMPLE)[2]
     if said:
         return said
+    usual = written_default(Option(field.key, (), node, default=field.default, required=field.required))
+    if usual and node.kind.form in ("scalar", "slope", "whole") and node.choice is None:
+        return usual
     if node.choice is not None:
         return str(field.default if field.default in node.choice.names else node.choice.names[0])
     if node.kind.form == "flag":
@@ -82,8 +89,10 @@ def _value(text: str) -> str:
 class _Scene:
     """Lines of a scene; each table's own values stand before the tables within it."""
 
-    def __init__(self) -> None:
+    def __init__(self, values: "dict[str, str]") -> None:
         self.lines: list[str] = []
+        # What the task shows, by address; those of a list's first item without its index.
+        self.values = {address.replace("[0]", ""): value for address, value in values.items()}
         # Records written in full, by the header of the first of them.
         self.written: dict[type, str] = {}
         self.brief = False
@@ -94,6 +103,8 @@ class _Scene:
         active_fields = {field.name for field in fields if field.required or _chosen(field)}
         # where nothing is required, one value shows what a scene is
         active_fields = active_fields or {fields[0].name}
+        if self.values:
+            active_fields = {field.name for field in fields if self._shown(f"{path}{field.key}")}
         for field in fields:
             self._field(field, path, inner, active=active and field.name in active_fields, inside=inside)
         for write in inner:
@@ -111,13 +122,27 @@ class _Scene:
         node = field.node
         item = node.item if isinstance(node, Many) else node
         if isinstance(item, Leaf):
-            self._line(field.key, _value(example(field)), _without_example(field.text), active=active)
+            value = _value(self.values.get(f"{path}{field.key}") or example(field))
+            active = active and (not self.values or f"{path}{field.key}" in self.values)
+            self._line(field.key, value, _without_example(field.text), active=active)
         elif isinstance(node, OneOf | Tagged):
             self._alternatives(field, node, path, inner, active=active, inside=inside)
         else:
             several = isinstance(node, Many)
             address = f"{path}{field.key}"
             inner.append(lambda: self._nested(field, item, address, several=several, active=active, inside=inside))
+
+    def _shown(self, address: str) -> bool:
+        """Whether the task shows something at or below an address."""
+        return any(name == address or name.startswith((f"{address}.", f"{address}[")) for name in self.values)
+
+    def _wanted(self, field: "Field", key: str, named: "dict[str, Any]", path: str) -> str:
+        """The alternative that the task shows, else the one that a description gives as an example, else the first."""
+        shown = self.values.get(f"{path}{key}", "")
+        for name in named:
+            if name == shown or (not key and any(self._shown(f"{path}{member}") for member in name.split())):
+                return name
+        return next((name for name in named if _chosen(field) in name.split()), next(iter(named)))
 
     def _alternatives(
         self,
@@ -131,7 +156,10 @@ class _Scene:
     ) -> None:
         """One alternative as it stands, the others commented out."""
         named = node.members if isinstance(node, Tagged) else {_names(member): member for member in node.members}
-        chosen = next((name for name in named if _chosen(field) in name.split()), next(iter(named)))
+        key = node.key if isinstance(node, Tagged) else ""
+        chosen = self._wanted(field, key, named, path)
+        active = active or any(self._shown(f"{path}{member.key}") for member in named[chosen].fields)
+        active = active and (not self.values or not key or f"{path}{key}" in self.values)
         text = _without_example(field.text)
         if isinstance(node, OneOf):
             self.comment(f"{text}:")
@@ -144,7 +172,7 @@ class _Scene:
             elif name != chosen:
                 self.comment("or:")
             for member in named[name].fields:
-                self._field(member, path, inner, active=here and member.required, inside=inside)
+                self._field(member, path, inner, active=here and (member.required or bool(self.values)), inside=inside)
 
     def _nested(
         self,
@@ -173,11 +201,22 @@ class _Scene:
         if isinstance(item, Record):
             self.table(item.fields, f"{address}.", active=active, inside=(*inside, item.cls))
             self.brief = outer
+            self._more(header, address)
         elif isinstance(item, OneOf | Tagged):
             inner: list[Callable[[], None]] = []
             self._alternatives(field, item, f"{address}.", inner, active=active, inside=inside)
             for write in inner:
                 write()
+
+    def _more(self, header: str, address: str) -> None:
+        """Further items of a list, as the task shows them."""
+        place = 0
+        for name, value in self.values.items():
+            if name.startswith(f"{address}["):
+                index, _, key = name.removeprefix(f"{address}[").partition("].")
+                self.lines += ["", header] if int(index) != place else []
+                place = int(index)
+                self.lines.append(f"{key} = {_value(value)}")
 
     def comment(self, text: str) -> None:
         """A paragraph of comment."""

@@ -12,11 +12,12 @@ from typer.completion import completion_init, get_completion_script, shell_compl
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from dynamics_cli.core.answering.task import Family, Task
-from dynamics_cli.core.command.completion import completer_of, result_completer, words_that_fit
+from dynamics_cli.core.command.completion import POWERSHELL, completer_of, result_completer, words_that_fit
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
-from dynamics_cli.core.command.parsed import call_of, near_option, single, variable
+from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
+from dynamics_cli.core.command.unknown import extra_words, unknown_option
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.specification import Tagged
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 
     Finder = Callable[[str], Family]
 
-SHELLS = ("bash", "zsh", "fish")
+SHELLS = ("bash", "zsh", "fish", "powershell")
 # Where a shell says what it wants completed.
 COMPLETE = "_DYNAMICS_COMPLETE"
 
@@ -57,18 +58,21 @@ def run_tree(
     except Exit as error:
         return error.exit_code
     except TyperException as error:
-        raise _refusal(error) from None
+        raise _refusal(error, argv) from None
     return status if isinstance(status, int) else 0
 
 
-def _refusal(error: "Any") -> UsageError:
+def _refusal(error: "Any", argv: "list[str]") -> UsageError:
     """What typer complains of; only its complaint of an unknown option has `possibilities`."""
+    task = getattr(getattr(getattr(error, "ctx", None), "command", None), "task", None)
     if not hasattr(error, "possibilities"):
         message = error.format_message().rstrip(".")
+        if task is not None and message.startswith("Got unexpected extra"):
+            return extra_words(task, message)
         return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
-    task = getattr(getattr(error.ctx, "command", None), "task", None)
-    near = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
-    hint = near if task is None else near_option(task, error.option_name)
+    if task is not None:
+        return unknown_option(task, error.option_name, argv)
+    hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
     name = error.option_name.lstrip("-") or None
     return UsageError(f"there is no option {error.option_name}", code="unknown-option", parameter=name, hint=hint)
 
@@ -270,11 +274,11 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         if value and not context.resilient_parsing:
             if value not in SHELLS:
                 raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
-            script = get_completion_script(prog_name="dynamics", complete_var=COMPLETE, shell=value)
-            terminal.write(script + "\n")
+            given = {"prog_name": "dynamics", "complete_var": COMPLETE, "shell": value}
+            terminal.write(POWERSHELL if value == "powershell" else get_completion_script(**given) + "\n")
             context.exit()
 
-    text = "Print the completion script of bash, zsh or fish."
+    text = "Print the completion script of bash, zsh, fish or powershell."
     return _eager("show-completion", text, show, type=str, metavar="SHELL")
 
 

@@ -2,7 +2,7 @@
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
     from dynamics_cli.core.inputs.uncertain.distributions import Distribution
@@ -30,6 +30,13 @@ class Context:
         # Which inputs are results of earlier documents: file, address there, and its covariance.
         self.origins: dict[str, tuple[str, str, Any]] = {}
         self.default_units: Mapping[str, str] = {}
+        # How the caller writes a parameter of an address.
+        self.spell: Callable[[str], str] = str
+
+    def note(self, address: str, notes: "Iterable[str]") -> None:
+        """Keep what had to be decided of one input, once for all numbers of a list."""
+        whole = address.rpartition("[")[0] if address.endswith("]") else address
+        self.notes.extend(text for text in (f"{whole}: {note}" for note in notes) if text not in self.notes)
 
     def default_unit(self, kind: "Kind") -> str:
         """The unit that `[units]` gives to bare numbers of this kind, or nothing."""

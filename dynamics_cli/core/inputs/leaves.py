@@ -147,8 +147,8 @@ def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", def
         if error.code != "uncertain" or context.uncertain is None:
             raise
         return _uncertain(kind, text, address, context, default_unit)
-    context.notes.extend(f"{address}: {note}" for note in reading.notes)
-    return Value(address, kind, reading.si + 0.0, reading.value, reading.unit)
+    context.note(address, reading.notes)
+    return Value(address, kind, reading.si or 0.0, reading.value, reading.unit)
 
 
 def _is_distribution(raw: "Any") -> bool:
@@ -162,7 +162,7 @@ def _uncertain(kind: Kind, raw: "Any", address: str, context: "Context", default
     from dynamics_cli.core.inputs.uncertain.values import read_uncertain
 
     bound, notes = read_uncertain(kind, raw, address, default_unit)
-    context.notes.extend(f"{address}: {note}" for note in notes)
+    context.note(address, notes)
     assert context.uncertain is not None
     context.uncertain[address] = bound.distribution
     return bound

@@ -132,7 +132,7 @@ def _amount(body: str, text: str) -> Amount:
             numerator, denominator, end = with_fraction(body, at, end, numerator)
             plain = denominator == 1
         at = _unit_end(body, end)
-        parts.append((-abs(numerator) if negative else numerator, denominator, body[end:at].strip()))
+        parts.append((-abs(numerator) if negative else numerator, denominator, " ".join(body[end:at].split())))
     if not parts:
         raise UsageError("the quantity is empty", code="syntax")
     return Amount(tuple(parts), text, plain)
@@ -251,6 +251,10 @@ def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
         _mismatch(unit, wanted, amount)
     else:
         si = to_si(numerator, denominator, unit)
+        if kind.exact and not unit.pi:
+            from dynamics_cli.numerics.exact.typed import TypedNumber
+
+            si = TypedNumber(numerator * unit.numerator, denominator * unit.denominator)
     if limit := kind.outside(si):
         raise UsageError(f"it must be {limit}{kind.unit and ' '}{kind.unit}", code="bounds")
     if kind.form == "whole":
@@ -269,14 +273,14 @@ def _as_written(numerator: int, denominator: int, amount: Amount) -> float:
 
 
 def _tangent(numerator: int, denominator: int, unit: Unit) -> float:
-    from dynamics_cli.numerics.elementary import tan
+    from dynamics_cli.numerics.turns import tangent
 
     radians = to_si(numerator, denominator, unit)
     # 90 degrees rounds to a double just below the right angle, so degrees are compared exactly.
     upright = 2 * abs(numerator) * unit.numerator >= denominator * unit.denominator if unit.pi == 1 else False
     if upright or abs(radians) > 1.5707963267948966:
         raise UsageError("a slope of 90 deg or more has no rise over run", code="bounds")
-    return tan(radians)
+    return tangent(radians)
 
 
 def _mismatch(unit: Unit, wanted: Unit, amount: Amount) -> "NoReturn":

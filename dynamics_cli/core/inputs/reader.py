@@ -42,11 +42,15 @@ class Reader(Context):
     def read(self, fields: "tuple[Field, ...]", raw: "Raw") -> Fields:
         """Every parameter of a task; raises all errors together."""
         bound = self._object(fields, raw, "")
+        for error in self.errors:
+            error.named = self.spell(error.parameter or "")
         if len(self.errors) == 1:
             raise self.errors[0]
         if self.errors:
             raise ManyErrors(self.errors)
-        return Fields(None, bound)
+        inputs = Fields(None, bound)
+        inputs.spell = self.spell
+        return inputs
 
     def _fail(self, address: str, message: str, *, code: str = "usage", hint: str | None = None) -> None:
         self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))
@@ -105,16 +109,16 @@ class Reader(Context):
         return self.environ.get(kind.variable) or kind.default
 
     def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
-        example = None
+        example, own = None, self.spell(address)
         if node.kind.example and "[" in address:
             example = f"for example {address.rpartition('.')[2]}={node.kind.example}"
         elif node.kind.example:
-            name = "" if word else f"--{kebab(address.replace('.', '_'))} "
+            name = f"{own} " if own.startswith("--") and not word else ""
             example = f"for example {name}{_quoted(node.kind.example)}"
         if node.choice is not None:
             example = f"one of {', '.join(node.choice.names)}"
         what = node.kind.about or node.kind.name
-        self._fail(address, f"{address} is missing: {what}", code="missing", hint=example)
+        self._fail(address, f"{own} is missing: {what}", code="missing", hint=example)
 
     def _item(self, node: "Node", value: "Any", address: str) -> Bound | None:
         if isinstance(node, Leaf):
@@ -158,25 +162,49 @@ class Reader(Context):
         names = {name for member in node.members for name in member.names}
         given = [key for key in raw if raw[key] is not None and (alone or key in names)]
         choices = ", or ".join(
-            " and ".join(map(kebab, sorted(member.required))) or "nothing" for member in node.members
+            " and ".join(self._member(address, name) for name in sorted(member.required)) or "nothing"
+            for member in node.members
         )
         if not given:
             if field.required or alone:
-                self._fail(_join(address, field.key), f"one of these is missing: {choices}", code="missing")
+                self._fail(
+                    _join(address, min(node.members[0].required, default=field.key)),
+                    self._of_item(address, f"one of these is missing: {choices}"),
+                    code="missing",
+                )
             return None
         fits = [member for member in node.members if member.names.issuperset(given)]
         if not fits:
             self._fail(
                 _join(address, given[0]),
-                f"{' and '.join(map(kebab, given))} cannot be given together",
+                self._of_item(
+                    address, f"{' and '.join(self._member(address, name) for name in given)} cannot be given together"
+                ),
                 code="exclusive",
                 hint=f"give {choices}",
             )
             return None
         complete = [member for member in fits if member.required.issubset(given)]
+        if not complete and len(fits) > 1:
+            ways = (
+                " and ".join(self._member(address, name) for name in sorted(fit.required.difference(given)))
+                for fit in fits
+            )
+            message = self._of_item(address, f"one of these is missing: {', or '.join(ways)}")
+            beside = " and ".join(self._member(address, name) for name in given)
+            missing = min(fits[0].required.difference(given))
+            self._fail(_join(address, missing), message, code="missing", hint=f"it goes with {beside}")
+            return None
         member = (complete or fits)[0]
         fields = self._object(member.fields, {key: raw[key] for key in given}, address)
         return Fields(member.cls, fields, spread=not alone)
+
+    def _member(self, address: str, name: str) -> str:
+        """A field as the caller writes it; one of an item of a list by its own name."""
+        return kebab(name) if "[" in address else self.spell(_join(address, name))
+
+    def _of_item(self, address: str, message: str) -> str:
+        return f"{self.spell(address)}: {message}" if "[" in address else message
 
     def _tagged(self, field: Field, node: Tagged, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
         tag = raw.get(node.key)
@@ -184,7 +212,9 @@ class Reader(Context):
         names = node.names
         if tag is None:
             if field.required or alone or any(raw.get(name) is not None for name in names):
-                self._fail(own, f"{node.key} is missing", code="missing", hint=f"one of {', '.join(node.members)}")
+                self._fail(
+                    own, f"{self.spell(own)} is missing", code="missing", hint=f"one of {', '.join(node.members)}"
+                )
             return None
         member = node.members.get(kebab(str(tag).strip().lower().replace(" ", "-")))
         if member is None:
@@ -203,13 +233,17 @@ class Reader(Context):
         value = raw.get(field.key)
         plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
         if value is not None and plain:
-            self._fail(own, f"{field.key} and {plain[0]} cannot be given together", code="exclusive")
+            self._fail(
+                own,
+                f"{self.spell(own)} and {self._member(address, plain[0])} cannot be given together",
+                code="exclusive",
+            )
             return None
         if value is None and node.single and not isinstance(node.item, Leaf) and (plain or field.required):
             return self._plain_item(node, {key: raw[key] for key in plain}, address)
         if value is None:
             if field.required:
-                self._fail(own, f"{own} is missing", code="missing")
+                self._fail(own, f"{self.spell(own)} is missing", code="missing")
             return None
         try:
             items = split_items(node, self._resolved(node, value, own))
@@ -218,7 +252,7 @@ class Reader(Context):
             self.errors.append(error)
             return None
         if not items and field.place != "words":
-            self._fail(own, f"{own} is empty", code="missing")
+            self._fail(own, f"{self.spell(own)} is empty", code="missing")
             return None
         made = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
         kept = [item for item in made if item is not None]

@@ -33,7 +33,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
         "Of convert --rows: a CSV column whose cells hold units, and the unit it is to have.",
     ),
     "references": ("flag", "", "Let rows take results from files: @crash.json:speed."),
-    "bounds": ("flag", "", "Give rows a column with the largest relative error bound of their results."),
+    "bounds": ("flag", "", "Give rows and sweeps a column with the largest relative error bound of their results."),
     "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
@@ -98,9 +98,7 @@ class Settings:
         if self.columns and not self.rows:
             raise UsageError("--column is for --rows", parameter="column", code="exclusive")
         self.references, self.bounds = bool(given.get("references")), bool(given.get("bounds"))
-        for name in ("references", "bounds"):
-            if given.get(name) and not self.rows:
-                raise UsageError(f"--{name} is for --rows", parameter=name, code="exclusive")
+        self._require_many(given)
         self.jobs = self._jobs(given)
         self.sweep = _pairs("sweep", given)
         self.limit = self._limits(given)
@@ -129,6 +127,14 @@ class Settings:
             raise UsageError("--plot is for one case and --rows for many", parameter="plot", code="exclusive")
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
+
+    def _require_many(self, given: "Mapping[str, str | bool | list[str]]") -> None:
+        """Refuse what is for many cases where there is one."""
+        if self.references and not self.rows:
+            raise UsageError("--references is for --rows", parameter="references", code="exclusive")
+        if self.bounds and not (self.rows or given.get("sweep")):
+            hint = "--all and --explain show the bounds of one case"
+            raise UsageError("--bounds is for --rows and --sweep", parameter="bounds", code="exclusive", hint=hint)
 
     @staticmethod
     def _text(given: "Mapping[str, str | bool | list[str]]", name: str) -> str:

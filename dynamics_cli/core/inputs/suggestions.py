@@ -19,10 +19,13 @@ SYNONYMS = {
     "skid-length": "distance",
     "length": "distance",
     "surface": "segment",
-    "skid": "segment test-skid",
+    "skid": "distance segment test-skid",
+    "skid-marks": "distance segment",
+    "mark": "distance radius",
+    "speed-limit": "limit",
     "test": "test-skid",
     "v": "speed first-speed first-velocity",
-    "velocity": "speed first-velocity",
+    "velocity": "speed first-velocity approach-speed exit-speed",
     "initial-speed": "speed end-speed",
     "final-speed": "end-speed first-exit-speed",
     "delay": "reaction-time",
@@ -32,7 +35,13 @@ SYNONYMS = {
     "throw": "throw-distance",
     "launch": "launch-angle take-off",
     "take-off-angle": "take-off",
-    "angle": "take-off launch-angle pull-angle",
+    "angle": "take-off launch-angle pull-angle exit-heading",
+    "exit-angle": "exit-heading",
+    "approach-angle": "approach-heading",
+    "departure-angle": "exit-heading",
+    "entry-speed": "approach-speed",
+    "impact-speed": "approach-speed speed",
+    "post-impact-speed": "exit-speed",
     "drop": "rise height",
     "bank": "superelevation",
     "camber": "superelevation",
@@ -79,8 +88,14 @@ SYNONYMS = {
     "tolerance": "distance-tolerance points",
     "rpm": "speed shaft-speed",
     "stroke": "lift",
+    "base-circle": "base-radius",
+    "base-circle-radius": "base-radius",
+    "base-diameter": "base-radius",
+    "roller-diameter": "roller-radius",
+    "law": "program",
+    "dwell": "program",
     "beta-angle": "span",
-    "rise": "lift",
+    "rise": "lift program",
     "stiffness": "spring-rate contact-stiffness",
     "spring": "spring-rate",
     "moi": "inertia first-inertia",
@@ -98,17 +113,26 @@ SYNONYMS = {
 MOST = 3
 
 
+def _meant(word: str) -> "list[str]":
+    """The synonyms of a word; of a body's parameter, `first-exit-angle`, those of the parameter."""
+    found = SYNONYMS.get(word, "").split()
+    for body in ("first-", "second-"):
+        if word.startswith(body):
+            found += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
+    return found
+
+
 def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
     """Up to three of the known names that a typed one may have meant; of the `rest`, only the evident ones.
 
-    A beginning that fits one name wins, then the synonyms, then the nearest spelling.
+    A beginning that fits one name wins, beside the synonyms; then they alone, then the nearest spelling.
     """
     plain = {name.replace("_", "-"): name for name in known}
     word = typed.lower().replace("_", "-")
     begun = [name for name in plain if name.startswith(word)]
+    meant = [name for name in _meant(word) if name in plain]
     if len(begun) == 1:
-        return [plain[begun[0]]]
-    meant = [name for name in SYNONYMS.get(word, "").split() if name in plain]
+        return [plain[name] for name in dict.fromkeys([*meant, *begun])]
     near = meant or begun or nearest_words(word, plain)
     if near:
         return [plain[name] for name in near[:MOST]]

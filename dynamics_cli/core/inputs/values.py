@@ -8,7 +8,7 @@ from dynamics_cli.quantities import Kind
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
     from typing import Any
 
     Values = Mapping[str, Any]
@@ -138,7 +138,12 @@ class Constant(Bound):
 
 
 class Fields(Bound):
-    """A record (or, without a class, the parameters of a task), with key and tag when it is one of a tagged union."""
+    """A record (or, without a class, the parameters of a task), with key and tag when it is one of a tagged union.
+
+    Those of a task know how the caller writes them (`spell`).
+    """
+
+    spell: "Callable[[str], str]" = staticmethod(str)
 
     def __init__(
         self,

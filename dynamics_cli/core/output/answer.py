@@ -7,9 +7,9 @@ from math import log10
 
 from dynamics_cli.core.documents import (
     bound_text,
+    decimals,
     flatten,
     given_inputs,
-    is_quantity,
     is_table,
     number,
     quantity,
@@ -17,10 +17,13 @@ from dynamics_cli.core.documents import (
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
     body_names,
-    decimals,
+    deviation,
     headline_labels,
     in_words,
+    listed,
+    node_at,
     percent,
+    value_in_words,
     with_name,
     without_rounding,
 )
@@ -50,9 +53,14 @@ MARGIN = 6
 JOINED = "\u00a0"
 
 
-def to_answer(document: "Document", task: "Task", digits: int, width: int, *, quiet: bool = False) -> str:
-    """The answer as lines no wider than `width`; `quiet` gives the headline results alone."""
-    answer = _Answer(document, task, digits, width)
+def to_answer(
+    document: "Document", task: "Task", digits: int, width: int, *, quiet: bool = False, asked: bool = False
+) -> str:
+    """The answer as lines no wider than `width`; `quiet` gives the headline results alone.
+
+    Digits that were `asked` for stand for uncertain results too.
+    """
+    answer = _Answer(document, task, digits, width, asked=asked)
     head = answer.headline()
     if quiet:
         return _text(head)
@@ -76,10 +84,11 @@ def _text(lines: "list[str]") -> str:
 class _Answer:
     """One document as short lines."""
 
-    def __init__(self, document: "Document", task: "Task", digits: int, width: int) -> None:
+    def __init__(self, document: "Document", task: "Task", digits: int, width: int, *, asked: bool) -> None:
         self.document = document
         self.task = task
         self.digits = digits
+        self.asked = asked
         self.width = width
         self.results = document["results"]
         self.flat = {name: (value, unit) for name, value, unit in flatten(self.results)}
@@ -107,9 +116,9 @@ class _Answer:
     def _text(self, address: str) -> str:
         """A result with its unit, in the digits that it deserves."""
         value, unit = self.flat[address]
-        node = _node(self.results, address)
-        if isinstance(node, dict) and node.get("std") and not isinstance(value, list):
-            return f"{decimals(value, node['std'])} {unit}".rstrip()
+        std = 0.0 if self.asked else deviation(self.results, address)
+        if std and not isinstance(value, list):
+            return f"{decimals(value, std)} {unit}".rstrip()
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
         if isinstance(value, list):
@@ -124,9 +133,10 @@ class _Answer:
     def _remarks(self, address: str) -> "list[str]":
         """The interval of an uncertain result, and what each limit says of it."""
         remarks = []
-        node = _node(self.results, address)
+        node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
-            low, high = (decimals(end, node["std"]) if node["std"] else number(end, 6) for end in node["interval"])
+            std = 0.0 if self.asked else deviation(self.results, address)
+            low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
         asked = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
@@ -195,9 +205,9 @@ class _Answer:
     def _inputs(self) -> str:
         entries = []
         inputs = self.document["inputs"]
-        for name, value, unit in given_inputs(inputs):
+        for name, value, unit in listed(given_inputs(inputs)):
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
-            given = quantity(value, unit, 17)
+            given = value_in_words(value, unit)
             whole = given.replace(" ", JOINED) if len(given) < self.width // 3 else given
             if name.removesuffix(".name") not in self.names:
                 entries.append(f"{self._input(name)} {whole}{standard}" if name else given)
@@ -211,18 +221,23 @@ class _Answer:
             if len(", ".join([*kept, entry])) > room - 30:
                 break
             kept.append(entry)
-        return ", ".join([*kept, f"and {len(entries) - len(kept)} more inputs"])
+        more = len(entries) - len(kept)
+        return ", ".join([*kept, f"and {more} more input{'s' if more > 1 else ''}"])
 
     def _method(self) -> str:
         model = self.document["model"]
-        parts = [model["name"] + (f" ({model['why']})" if model.get("why") else "")]
-        parts.append(
-            model["source"].replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
-        )
+        source = model["source"].replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
+        # a model that is called after its source is not named twice
+        named = "" if source.startswith(model["name"] + ",") else model["name"]
+        parts = [named + (f" ({model['why']})" if model.get("why") else ""), source]
         checks = self.document["checks"]
         failed = [check["name"] for check in checks if not check["passed"]]
         verdict = "; checks passed" if checks and not failed else ""
-        return ", ".join(parts) + verdict + "".join(f"; check FAILED: {name}" for name in failed)
+        return (
+            ", ".join(part.strip() for part in parts if part)
+            + verdict
+            + "".join(f"; check FAILED: {name}" for name in failed)
+        )
 
     def _more(self) -> str:
         hidden = [name for name in self.flat if name not in self.labels]
@@ -263,16 +278,6 @@ class _Answer:
                 return [*lines, "", f"{len(given) - nth} more warnings ({named}): --all"]
             lines += paragraph
         return lines
-
-
-def _node(results: "Any", address: str) -> "Any":
-    """The node of a result under an address without indices, or None."""
-    node = results
-    for key in address.split("."):
-        if not isinstance(node, dict) or is_quantity(node):
-            return None
-        node = node.get(key)
-    return node
 
 
 def _limit(entry: "dict[str, Any]") -> str:

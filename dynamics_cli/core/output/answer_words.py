@@ -1,9 +1,10 @@
 """The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
 
-from math import log10
+from dynamics_cli.core.documents import is_quantity, quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
     from dynamics_cli.core.answering.task import Task
@@ -41,6 +42,54 @@ def in_words(address: str) -> str:
     return address.replace("_", " ").replace(".", " ")
 
 
+def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
+    """Inputs by address with the numbers of one list, `stations[0]`, `stations[1]` …, as one entry of several values.
+
+    Vectors in a list stay apart, counted from one.
+    """
+    made: list[tuple[str, Any, str]] = []
+    for name, value, unit in entries:
+        base, opened, rest = name.rpartition("[")
+        place = rest.removesuffix("]")
+        if not (opened and rest.endswith("]") and place.isdigit()):
+            made.append((name, value, unit))
+        elif isinstance(value, list) or "@" in str(value):
+            made.append((f"{base.removesuffix('s')} {int(place) + 1}:", value, unit))
+        elif made and made[-1][0] == base and made[-1][2] == unit and isinstance(made[-1][1], list):
+            made[-1][1].append(value)
+        else:
+            made.append((base, [value], unit))
+    return made
+
+
+def value_in_words(value: "Any", unit: str) -> str:
+    """An input with its unit in full; a list of one as its value."""
+    if isinstance(value, list) and len(value) == 1 and not isinstance(value[0], list):
+        value = value[0]
+    return quantity(value, unit, 17)
+
+
+def node_at(results: "Any", address: str) -> "Any":
+    """The node of a result under an address without indices, or None."""
+    node = results
+    for key in address.split("."):
+        if not isinstance(node, dict) or is_quantity(node):
+            return None
+        node = node.get(key)
+    return node
+
+
+def deviation(results: "Any", address: str) -> float:
+    """How far an uncertain number spreads: its deviation, or a quarter of its interval; 0 for a certain one."""
+    node = node_at(results, address)
+    if not isinstance(node, dict) or "std" not in node or isinstance(node["std"], list):
+        return 0.0
+    if node["std"]:
+        return float(node["std"])
+    low, high = node.get("interval") or (0.0, 0.0)
+    return 0.25 * (high - low) if not isinstance(low, list) else 0.0
+
+
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
     """What a user calls the bodies: names by the words that labels begin with."""
     given = {word: node.get("name") for word, node in inputs.items() if isinstance(node, dict)}
@@ -51,19 +100,6 @@ def with_name(label: str, names: "dict[str, str]") -> str:
     """A label with the name of the body it begins with."""
     word, _, rest = label.partition(" ")
     return f"{names[word]} {rest}" if word in names else label
-
-
-def decimals(value: float, deviation: float) -> str:
-    """A number to the place of the second significant digit of its standard deviation."""
-    from math import floor
-
-    place = 1 - floor(log10(abs(deviation)))
-    # a deviation of 9.96 is 10
-    place = 1 - floor(log10(float(f"{abs(deviation):.1e}"))) if deviation else place
-    if -9 <= place <= 12:
-        rounded = round(value, place)
-        return f"{rounded + 0.0:.{max(place, 0)}f}"
-    return f"{value:.6g}"
 
 
 def without_rounding(value: "list[Any]") -> "list[Any]":

@@ -1,7 +1,7 @@
 """Errors for people, or as one JSON object, on standard error."""
 
 from dynamics_cli.core.documents import to_json
-from dynamics_cli.errors import DynamicsError
+from dynamics_cli.errors import DynamicsError, MissingError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,8 +36,9 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = ())
         return to_json({"error": body}) + "\n"
     lines = []
     for one in error.all():
-        name = _as_typed(one.parameter or "", typed)
+        name = one.named or _as_typed(one.parameter or "", typed)
         named = not name or one.message.startswith((name, f"--{name}", one.parameter or "")) or name in one.message
+        named = named or (isinstance(one, MissingError) and bool(one.hint))
         lines.append("dynamics: " + _printable(one.message if named else f"{name}: {one.message}"))
         if one.hint:
             lines.append(f"  {_printable(one.hint)}")

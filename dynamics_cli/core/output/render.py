@@ -3,13 +3,23 @@
 Every number is the document's own: JSON and CSV carry the shortest text that round-trips, tables the digits asked for.
 """
 
-from dynamics_cli.core.documents import bound_text, columns, flatten, is_table, number, quantity, quote, to_json
+from dynamics_cli.core.documents import (
+    bound_text,
+    columns,
+    decimals,
+    flatten,
+    is_table,
+    number,
+    quantity,
+    quote,
+    to_json,
+)
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
     from typing import Any
 
     Document = dict[str, Any]
@@ -140,7 +150,7 @@ def _csv_value(value: "Any") -> str:
 
 
 def to_csv(document: "Document", table: str) -> str:
-    """The task's main table (the first there is of several names), or else its results on one line."""
+    """One row, as `--rows` writes it: inputs, results with their spread, an error that is none; or the table named."""
     from dynamics_cli.core.output.csv_cells import header
 
     results = document["results"]
@@ -148,14 +158,38 @@ def to_csv(document: "Document", table: str) -> str:
     plain = [] if node else _split_lists(flatten(results))
     if not plain and not node:
         node = next((item for item in results.values() if is_table(item)), None)
-    if plain and "uncertainty" in document["numerics"]:
-        from dynamics_cli.core.output.uncertainty import spread_columns
+    if node:
+        made = columns(node)
+    else:
+        if "uncertainty" in document["numerics"]:
+            from dynamics_cli.core.output.uncertainty import with_spreads
 
-        plain += spread_columns(results)
-    made = columns(node) if node else [(name, unit, [value]) for name, value, unit in plain]
+            plain = with_spreads(plain, results)
+        inputs = _split_lists(_input_cells(document["inputs"]))
+        taken = {name for name, _, _ in inputs}
+        named = [(_free(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
+        made = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
     lines = [",".join(header(name, unit) for name, unit, _ in made)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
     return "\n".join(lines) + "\n"
+
+
+def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
+    """Every input by address, those of repeated groups by their index: `segments[0].distance`."""
+    cells = []
+    for name, node in inputs.items():
+        if isinstance(node, list) and is_table(node):
+            cells += [cell for index, row in enumerate(node) for cell in flatten(row, f"{name}[{index}]")]
+        else:
+            cells += flatten(node, name)
+    return cells
+
+
+def _free(name: str, taken: "set[str]") -> str:
+    """A result's column beside an input of the same name."""
+    while name in taken:
+        name = f"results.{name}"
+    return name
 
 
 def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
@@ -221,25 +255,49 @@ def render(document: "Document", form: str, digits: int, table: str = "") -> str
     return to_full_table(document, digits)
 
 
-def only(document: "Document", names: "list[str]", digits: int, form: str) -> str:
-    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON."""
+def only(document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False) -> str:
+    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON.
+
+    An uncertain result has the digits that its deviation leaves, unless digits were `asked` for.
+    """
+    from dynamics_cli.core.output.answer_words import deviation
+
     results = document["results"]
+    if "sweep" in document["inputs"]:
+        return _of_sweep(document, names, digits, form)
     flat = {name: (value, unit) for name, value, unit in flatten(results)}
     unknown = [name for name in names if name not in flat and not is_table(results.get(name))]
     if unknown:
-        raise UsageError(
-            f"there is no result {unknown[0]!r}",
-            parameter="only",
-            code="unknown-result",
-            hint=f"results are {', '.join(flat)}",
-        )
+        raise _unknown_result(unknown[0], flat)
     if form in ("json", "ndjson"):
         picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
         return to_json(picked) + "\n"
-    return "".join(
-        quantity(*flat[name], digits) + "\n" if name in flat else whole_table(document, name, digits, form)
-        for name in names
-    )
+
+    def bare(name: str) -> str:
+        value, unit = flat[name]
+        std = 0.0 if asked else deviation(results, name)
+        return f"{decimals(value, std)} {unit}".rstrip() if std and form == "table" else quantity(value, unit, digits)
+
+    return "".join(bare(name) + "\n" if name in flat else whole_table(document, name, digits, form) for name in names)
+
+
+def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
+    """Some columns of a sweep with their spread, beside what was swept and its errors."""
+    columns_of = document["results"]["sweep"]
+    swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
+    known = [name for name in columns_of if name not in (*swept, "error")]
+    for name in names:
+        if name not in known:
+            raise _unknown_result(name, known)
+    wanted = (*swept, *names, "error")
+    spread = tuple(f"{name}." for name in names)
+    kept = {name: node for name, node in columns_of.items() if name in wanted or name.startswith(spread)}
+    return whole_table({**document, "results": {"sweep": kept}}, "sweep", digits, form)
+
+
+def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
+    hint = f"results are {', '.join(known)}"
+    return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
 
 
 def _quantity_node(value: "Any", unit: str) -> "Any":

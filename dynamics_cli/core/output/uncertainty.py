@@ -72,16 +72,17 @@ def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
     return lines
 
 
-def spread_columns(results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
-    """Further CSV columns: mean, deviation and the ends of the interval."""
-    made = []
+def with_spreads(plain: "list[tuple[str, Any, str]]", results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
+    """CSV columns, each uncertain result followed by its mean, median, deviation and the ends of its interval."""
+    spreads: dict[str, list[tuple[str, Any, str]]] = {}
     for address, node in _spreads(results):
         unit = node.get("unit", "")
         low, high = node["interval"]
-        figures = {"mean": node["mean"], "std": node["std"], "low": low, "high": high}
+        figures = {"mean": node["mean"], "median": node.get("median"), "std": node["std"], "low": low, "high": high}
         for name, figure in figures.items():
-            made += [(f"{address}{place}.{name}", value, unit) for place, value in _cells(figure)]
-    return made
+            for place, value in _cells(figure):
+                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, unit))
+    return [cell for entry in plain for cell in (entry, *spreads.get(entry[0], ()))]
 
 
 def _cells(value: "Any") -> "Iterator[tuple[str, Any]]":

@@ -19,6 +19,7 @@ from dynamics_cli.core.uncertainty.limits_and_quantiles import (
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.model import TaskModel
 from dynamics_cli.core.uncertainty.propagation import DEFAULT_ACCURACY, Propagation, Spread, propagate
+from dynamics_cli.core.uncertainty.tails import drop_moments
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.quadrature.lattice import DEFAULT_SEED
 
@@ -82,7 +83,7 @@ def add_uncertainty(
         return None
     from dynamics_cli.core.uncertainty.pictures import of_spread
 
-    return of_spread(task.path, made, kinds, wanted)
+    return of_spread(task, document["inputs"], made, kinds, wanted)
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
@@ -112,7 +113,7 @@ def spread_of(
     asked = read_correlations(settings.correlate, list(distributions))
     come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
     come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
-    return propagate(
+    made = propagate(
         sampled,
         distributions,
         {**come, **asked},
@@ -124,6 +125,9 @@ def spread_of(
         shares=shares,
         **(more or {}),
     )
+    for spread in made.spreads.values():
+        drop_moments(spread, made.coverage)
+    return made
 
 
 def read_method(text: str) -> str:
@@ -280,7 +284,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
             }
         )
-    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR]
+    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:
         names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
         listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
@@ -307,7 +311,17 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
             }
         )
-    if any(s.varies and not math.isfinite(s.std) for s in made.spreads.values()):
+    return out + _no_deviations(made)
+
+
+def _no_deviations(made: Propagation) -> "list[dict[str, Any]]":
+    """Results whose distribution has no standard deviation."""
+    out: list[dict[str, Any]] = []
+    if long := [s.name for s in made.spreads.values() if s.tails]:
+        message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
+        remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"
+        out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": remedy})
+    if any(s.varies and not s.tails and not math.isfinite(s.std) for s in made.spreads.values()):
         out.append(
             {
                 "code": "no-deviation",

@@ -26,6 +26,7 @@ MOST_REFUSALS = 20
 ROUNDING, STEADY = 1e-14, 1e-12
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
+    "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh,
     "pi": lambda x: np.pi, "atan": np.arctan, "exp": np.exp, "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
     "multiply_add": lambda a, b, c: a * b + c, "maximum": np.maximum, "minimum": np.minimum,
 }  # fmt: skip

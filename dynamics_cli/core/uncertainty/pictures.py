@@ -2,6 +2,7 @@
 
 import math
 
+from dynamics_cli.core.output.answer_words import body_names, in_words, with_name
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture
 
 TYPE_CHECKING = False
@@ -9,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any
 
+    from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.uncertainty.propagation import Propagation, Spread
     from dynamics_cli.quantities import Kind
 
@@ -16,7 +18,11 @@ MOST_DRIVERS = 12
 
 
 def of_spread(
-    command: str, made: "Propagation", kinds: "Mapping[str, Kind]", limits: "Mapping[str, list[float]]"
+    task: "Task",
+    inputs: "dict[str, Any]",
+    made: "Propagation",
+    kinds: "Mapping[str, Kind]",
+    limits: "Mapping[str, list[float]]",
 ) -> "Picture | None":
     """The distribution of the first result that varies (the limited one, if any) and its tornado."""
     varying = [spread for spread in made.spreads.values() if spread.interval[0] < spread.interval[1]]
@@ -24,11 +30,13 @@ def of_spread(
     if not varying:
         return None
     spread = varying[0]
-    axis = Axis(spread.name.replace("_", " "), kinds[spread.name])
+    names = body_names(inputs)
+    label = with_name(dict(task.headline).get(spread.name) or in_words(spread.name), names)
+    axis = Axis(label, kinds[spread.name])
     panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
     if spread.tornado:
-        panels.append(_tornado(made, spread, axis))
-    return Picture(tuple(panels), f"dynamics {command}: {axis.title}", distributions=len(panels))
+        panels.append(_tornado(made, spread, axis, names))
+    return Picture(tuple(panels), f"dynamics {task.path}: {axis.title}", distributions=len(panels))
 
 
 def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]") -> Panel:
@@ -49,13 +57,15 @@ def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]
     return Panel(axis, Axis("relative density, probability"), tuple(items))
 
 
-def _tornado(made: "Propagation", spread: "Spread", axis: Axis) -> Panel:
+def _tornado(made: "Propagation", spread: "Spread", axis: Axis, names: "dict[str, str]") -> Panel:
     rows = []
     for name, (a, b), share in zip(made.inputs, spread.tornado, spread.total or spread.first, strict=True):
         if math.isfinite(a) and math.isfinite(b):
-            rows.append((abs(b - a), f"{name} ({100.0 * share:.0f} %)", min(a, b), max(a, b)))
+            rows.append(
+                (abs(b - a), f"{with_name(in_words(name), names)} ({100.0 * share:.0f} %)", min(a, b), max(a, b))
+            )
     rows.sort(key=lambda row: -row[0])
     rows = rows[:MOST_DRIVERS]
     bars = Bars(tuple(row[1] for row in rows), [row[2] for row in rows], [row[3] for row in rows])
-    title = "each input alone over its interval (share of the variance)"
+    title = "each input alone (share of variance)"
     return Panel(axis, Axis(""), (bars, Band(spread.median, spread.median, "median")), title)

@@ -53,6 +53,7 @@ class Spread:
         self.mean = float(mean)
         self.std = float(std)
         self.estimate = 0.0
+        self.tails = False
         self.admissible = 1.0
         self.first: list[float] = []
         self.total: list[float] = []

@@ -41,5 +41,5 @@ def add_intervals(
         low, high = (number(shown.value(end), DIGITS) for end in made.spreads[name].interval)
         parts.append(f"{name} is from {low} to {high} {shown.text}".rstrip())
     if parts:
-        found = f"the inputs' uncertainty leaves ({_PERCENT * made.coverage:g} %): {', '.join(parts)}"
-        error.hint = f"{found}; {error.hint}" if error.hint else found
+        error.left = f"the inputs' uncertainty leaves ({_PERCENT * made.coverage:g} %): {', '.join(parts)}"
+        error.hint = f"{error.left}; {error.hint}" if error.hint else error.left

@@ -47,7 +47,7 @@ CROSSED = Task(
         "{shaft_angle|Σ} = |{first_working_helix|β_w1} + {second_working_helix|β_w2}|",
         assumptions=("exact when the profile shifts sum to zero", "friction at the pitch point"),
     ),
-    plot="dynamics_cli.gear.crossing.pictures:crossed",
+    plot="dynamics_cli.gear.crossing.skew_pictures:crossed",
     examples=(
         'dynamics gear crossed --first-teeth 15 --first-helix-angle "20 deg" --first-profile-shift 0.4 '
         '--second-teeth 24 --second-helix-angle "30 deg" --second-profile-shift 0.2 --module "3 mm"',
@@ -112,7 +112,7 @@ HYPOID = Task(
         assumptions=("the pitch angle of the wheel is the user's choice", "strength is not rated"),
         method="bracketed root, one tracked Newton step",
     ),
-    plot="dynamics_cli.gear.crossing.pictures:hypoid",
+    plot="dynamics_cli.gear.crossing.skew_pictures:hypoid",
     examples=(
         'dynamics gear hypoid --first-teeth 10 --second-teeth 41 --offset "35 mm" --wheel-radius "85 mm"',
         'dynamics gear hypoid --first-teeth 13 --second-teeth 38 --offset "20 mm" --wheel-radius "70 mm" '
@@ -145,7 +145,7 @@ WHEELS = Task(
         ),
         assumptions=("rigid wheels, an inextensible and flexible belt", "no slip"),
     ),
-    plot="dynamics_cli.gear.crossing.pictures:wheels",
+    plot="dynamics_cli.gear.trains.wheel_pictures:wheels",
     examples=(
         'dynamics gear wheels --first-diameter "100 mm" --second-diameter "300 mm" --drive open-belt '
         '--centre-distance "500 mm" --speed "1450 rpm" --power "2 kW" --friction 0.3',

@@ -28,6 +28,7 @@ TRAIN = Task(
     arrays=False,
     tracked=False,
     plot="dynamics_cli.gear.trains.pictures:train_picture",
+    scene={"stages": "20:60, 18:54", "speed": "1500 rpm", "torque": "12 N*m"},
     headline=(
         "ratio: ratio i",
         "input_power: input power",
@@ -51,7 +52,7 @@ RATIO = Task(
         assumptions=("the sign of the ratio is that of the number of external meshes",),
         method="whole numbers",
     ),
-    plot="dynamics_cli.gear.single.pictures:trains",
+    plot="dynamics_cli.gear.trains.pictures:ratio_picture",
     examples=(
         'dynamics gear ratio --target 6.3 --teeth 17..90 --centre-distance "90 mm" --module "2 mm"',
         "dynamics gear ratio --target 365.2422/27.3217 --stages 3 --teeth 12..120",
@@ -79,7 +80,7 @@ MEASURE = Task(
         "inv α_K = D_M/(z·m_n·cos α_n) − π/(2z) + 2·x·tan α_n/z + inv α_t",
         assumptions=("the root is cut by a rack with a rounded corner (an internal gear has a fillet)",),
     ),
-    plot="dynamics_cli.gear.single.pictures:measure_picture",
+    plot="dynamics_cli.gear.measure.pictures:measure_picture",
     examples=(
         'dynamics gear measure --teeth 24 --module "3 mm" --profile-shift 0.4',
         'dynamics gear measure --teeth 37 --diametral-pitch "8 1/in" --pin "0.216 in" --measured-pins "4.921 in" '
@@ -175,7 +176,15 @@ IDENTIFY = Task(
         formula="{base_pitch|p_bn} = (W_k − W_j)/(k − j) = π·m_n·cos α_n",
         assumptions=("the gear is a standard one with teeth of full depth or stub teeth",),
     ),
-    plot="dynamics_cli.gear.single.pictures:candidates",
+    plot="dynamics_cli.gear.measure.pictures:candidates",
+    scene={
+        "teeth": "24",
+        "tip_diameter": "80.4 mm",
+        "spans[0].over": "3",
+        "spans[0].length": "23.97 mm",
+        "spans[1].over": "4",
+        "spans[1].length": "32.83 mm",
+    },
     examples=(
         'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
         '--tip-diameter "80.4 mm"',

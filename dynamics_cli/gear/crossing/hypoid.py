@@ -42,7 +42,7 @@ def hypoid(
     offset: Annotated[
         Coordinate | None,
         "Hypoid offset E; positive enlarges the pinion, negative (as on crane axles, rarely) shrinks it [m]. Left "
-        "out, it follows from both spiral angles.",
+        "out, it follows from both spiral angles, e.g. 35 mm.",
     ] = None,
     wheel_radius: Annotated[Size, "Mean pitch radius of the wheel r₂, e.g. 85 mm [m]."],
     pinion_spiral_angle: Annotated[Angle, "Spiral angle of the pinion β₁ [rad]."] = PINION_SPIRAL,

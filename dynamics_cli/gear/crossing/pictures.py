@@ -1,9 +1,11 @@
-"""What there is to look at where shafts cross or wheels roll: cones, worms, screws, hypoid offsets, belts."""
+"""Pictures of bevel pairs and worm drives: axial sections to scale with their main sizes."""
 
-from math import acos, copysign, cos, degrees, pi, sin, tan
+from math import cos, degrees, pi, sin, tan
 
-from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Angle, Coordinate, Ratio
+from dynamics_cli.errors import InadmissibleError, worded
+from dynamics_cli.gear.section import body, circle
+from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Speed, Torque
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,37 +18,84 @@ STEPS = 96
 # Lead angles a worm may have, for the curve of its efficiency.
 STEEPEST_LEAD = 0.785
 RIGHT = 0.5 * pi
+BLACK = 6
 
 
-def _line(points: "list[Point]", label: str = "", style: "Any" = "solid", role: int = 0) -> Curve:
+def line(points: "list[Point]", label: str = "", style: "Any" = "solid", role: int = 0) -> Curve:
+    """A curve through points."""
     return Curve([x for x, _ in points], [y for _, y in points], label, style, role)
 
 
-def _circle(x: float, y: float, radius: float, label: str = "", style: "Any" = "solid", role: int = 0) -> Curve:
-    turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
-    return _line([(x + radius * cos(t), y + radius * sin(t)) for t in turns], label, style, role)
+def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
+    """A table of names, symbols and values; what is None is left out, and a word stands as it is."""
+    rows = [
+        (name, symbol, value if kind is None else worded("{value:6}", value=(float(value), kind)))
+        for name, symbol, value, kind in listed
+        if value is not None
+    ]
+    return Panel(X, Y, (Rows(tuple(rows)),))
 
 
-def bevel(made: "Any", *, face_width: float, shaft_angle: float = RIGHT, **_: "Any") -> Picture:
-    """Both wheels cut through their axes: tip, pitch and root cones to the apex they share."""
+def bevel(made: "Any", *, face_width: float, shaft_angle: float = RIGHT, **given: "Any") -> Picture:
+    """Both gears cut through their axes: tip, pitch and root cones to the apex they share."""
     items: list[Any] = []
     outer = float(made.cone_distance)
-    # Each wheel lies about its axis; the second's axis is turned by the shaft angle, its near side facing the first.
+    # Each gear lies about its axis; the second's is turned by the shaft angle, its near side facing the first.
     for role, (name, wheel, axis, side) in enumerate(
-        (("first", made.first, 0.0, 1.0), ("second", made.second, shaft_angle, -1.0))
+        (("pinion", made.first, 0.0, 1.0), ("wheel", made.second, shaft_angle, -1.0))
     ):
-        label = f"{name}, pitch angle {degrees(float(wheel.pitch_angle)):.4g}°"
-        items += _cut(wheel, outer, face_width, axis, side, label, role)
-        reach = 1.1 * outer * max(cos(float(wheel.pitch_angle)), 0.35)
-        items.append(_line([(0.0, 0.0), (reach * cos(axis), reach * sin(axis))], "", "dashed", role))
-    items.append(Mark(0.0, 0.0, "apex"))
-    return Picture((Panel(X, Y, tuple(items), equal=True),), "bevel pair, section through the axes")
+        items += _cut(wheel, outer, face_width, axis, side, role)
+        pitch = float(wheel.pitch_angle)
+        back = outer * max(cos(pitch), 0.0)
+        items.append(line([(0.0, 0.0), _turned((back + 0.3 * outer, 0.0), axis)], "", "centre", BLACK))
+        inside = back - 0.5 * face_width * cos(pitch), -side * 0.45 * 0.5 * float(wheel.pitch_diameter)
+        items.append(
+            Label(
+                *_turned(inside, axis), f"{name}{', ' if role else chr(10)}δ_{role + 1} = {degrees(pitch):.4g}°", role
+            )
+        )
+        items += _across(wheel, outer, axis, role)
+    items += [Mark(0.0, 0.0, "apex", (-6.0, -10.0))]
+    title = worded(
+        "Bevel pair {first} / {second}, shaft angle {angle:6}",
+        first=given.get("first_teeth", "z1"),
+        second=given.get("second_teeth", "z2"),
+        angle=(shaft_angle, Angle),
+    )
+    one, two = made.first, made.second
+    table = sizes(
+        (
+            ("outer cone distance", "R_e", outer, Size),
+            ("face width", "b", face_width, Size),
+            ("mean module", "m_m", made.mean_module, Module),
+            ("contact ratio", "ε_α", made.contact_ratio, Ratio),
+            ("pinion: tip diameter", "d_ae1", one.tip_diameter, Size),
+            ("tip, root angle", "δ_a1, δ_f1", _two_angles(one), None),
+            ("wheel: tip diameter", "d_ae2", two.tip_diameter, Size),
+            ("tip, root angle", "δ_a2, δ_f2", _two_angles(two), None),
+        )
+    )
+    scene = Panel(X, Y, tuple(items), equal=True, bare=True)
+    return Picture((scene, table), title, subtitle="Section through both axes; pitch cones dotted to their common apex")
 
 
-def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, name: str, role: int) -> "list[Curve]":
-    """The section of one wheel, on the side of its mate and on the other."""
+def _two_angles(gear: "Any") -> str:
+    return f"{degrees(float(gear.tip_angle)):.5g}°, {degrees(float(gear.root_angle)):.5g}°"
+
+
+def _across(wheel: "Any", outer: float, axis: float, role: int) -> "list[Any]":
+    """The outer pitch diameter, beyond the back of the gear."""
+    radius, along = 0.5 * float(wheel.pitch_diameter), outer * max(cos(float(wheel.pitch_angle)), 0.0) + 0.16 * outer
+    ends = [_turned((along, way * radius), axis) for way in (-1.0, 1.0)]
+    text = worded("d_e{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
+    beside = _turned((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
+    return [Dimension((ends[0][0], ends[1][0]), (ends[0][1], ends[1][1]), ""), Label(*beside, text)]
+
+
+def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, role: int) -> "list[Curve]":
+    """The section of one gear: its blank, and its teeth on the side of its mate and on the other."""
     pitch, up, down = float(wheel.pitch_angle), float(wheel.addendum_angle), float(wheel.dedendum_angle)
-    curves = []
+    curves, feet = [], []
     for way in (side, -side):
 
         def at(along: float, angle: float, way: float = way) -> "Point":
@@ -61,39 +110,103 @@ def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, nam
             back = width / cos(turn)
             dx, dy = at(back, angle)
             ends.append((corner[0] - dx, corner[1] - dy))
-        curves.append(_line([foot, tip, ends[0], ends[1], foot], name if way == side else "", "filled", role))
-        curves.append(_line([(0.0, 0.0), (px, py)], "", "dotted", role))
+        curves.append(line([foot, tip, ends[0], ends[1], foot], "", "filled", role))
+        curves.append(line([(0.0, 0.0), (px, py)], "", "dotted", role))
+        feet.append((foot, ends[1]))
+    (near, near_in), (far, far_in) = feet
+    curves.append(line([near, near_in, far_in, far, near], "", "filled", role))
     return curves
 
 
-def worm(made: "Any", *, teeth: int, **_: "Any") -> Picture:
+def _turned(point: "Point", angle: float) -> "Point":
+    x, y = point
+    return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
+
+
+def worm(made: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
     """The worm and its wheel in the middle plane, and the efficiency over the lead angle."""
+    pitch, length = float(made.axial_pitch), float(made.worm_length)
+    distance = float(made.centre_distance)
+    outline = _threads(made)
+    shaft = 0.55 * length + 2.0 * pitch
+    items: list[Any] = [
+        *_wheel(made, teeth),
+        line(outline, "", "filled", 0),
+        line([(-shaft, 0.0), (shaft, 0.0)], "", "centre", BLACK),
+        line([(-0.5 * length, -0.5 * float(made.worm_diameter)), (0.5 * length, -0.5 * float(made.worm_diameter))],
+             "", "dots", 0),
+        line([(0.0, 0.0), (0.0, -distance)], "", "centre", BLACK),
+        Mark(0.0, -distance),
+        Label(-0.62 * length - pitch, 0.35 * float(made.worm_tip_diameter), "worm" if not threads
+              else f"worm\n{threads} thread{'s' if threads > 1 else ''}", 0),
+        Label(0.0, -distance - 0.16 * float(made.wheel_diameter), f"wheel\n{teeth} teeth", 1),
+        Dimension((shaft, shaft), (0.0, -distance), ""),
+        Label(shaft + 0.3 * pitch, -0.5 * distance, worded("a = {size:6}", size=(distance, Size)), left=True),
+    ]  # fmt: skip
+    table = sizes(
+        (
+            ("centre distance", "a", distance, Size),
+            ("lead angle", "γ", made.lead_angle, Angle),
+            ("axial module", "m_x", made.axial_module, Module),
+            ("diameter factor", "q", made.diameter_factor, Ratio),
+            ("worm diameter", "d_1", made.worm_diameter, Size),
+            ("wheel diameter", "d_2", made.wheel_diameter, Size),
+            ("throat diameter", "d_a2", made.throat_diameter, Size),
+            ("face width", "b", made.face_width, Size),
+            ("efficiency, worm driving", "η", made.efficiency, Ratio),
+            ("self-locking", "", "yes" if made.self_locking else "no", None),
+            ("sliding speed", "v_g", made.sliding_speed, Speed),
+            ("torque of the wheel", "T_2", made.wheel_torque, Torque),
+            ("axial force on the worm", "F_a1", made.worm_axial_force, Force),
+        )
+    )
+    scene = Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
+    title = worded(
+        "Worm drive {threads}{teeth}, axial module {module:6}",
+        threads=f"{threads} / " if threads else "",
+        teeth=teeth,
+        module=(float(made.axial_module), Module),
+    )
+    subtitle = "Middle plane of the wheel, the worm cut along its axis; reference circle dash-dotted"
+    return Picture((scene, _efficiency(made), table), title, columns=2, subtitle=subtitle)
+
+
+def _threads(made: "Any") -> "list[Point]":
+    """The worm's axial section: threads below, and half a lead further on those above."""
     pitch, length = float(made.axial_pitch), float(made.worm_length)
     tip, root, middle = (0.5 * float(d) for d in (made.worm_tip_diameter, made.worm_root_diameter, made.worm_diameter))
     lean = tan(float(made.axial_pressure_angle))
-    count = max(1, round(length / pitch))
-    # Half a turn on, half a lead away, a thread stands on the other side.
-    shift = 0.5 * float(made.lead) - pitch * round(0.5 * float(made.lead) / pitch)
-    outline: list[Point] = []
-    mirrored: list[Point] = []
-    for nth in range(count):
-        centre = (nth - 0.5 * (count - 1)) * pitch
-        foot, top = 0.25 * pitch + (middle - root) * lean, max(0.0, 0.25 * pitch - (tip - middle) * lean)
-        outline += [(centre - foot, -root), (centre - top, -tip), (centre + top, -tip), (centre + foot, -root)]
-        other = centre + shift
-        mirrored += [(other - foot, root), (other - top, tip), (other + top, tip), (other + foot, root)]
-    distance = -float(made.centre_distance)
-    items: list[Any] = [
-        _line(outline, "worm", "solid", 0),
-        _line(mirrored, "", "solid", 0),
-        _line([(-0.6 * length, 0.0), (0.6 * length, 0.0)], "", "dashed", 0),
-        _circle(0.0, distance, 0.5 * float(made.throat_diameter), "wheel, throat", "solid", 1),
-        _circle(0.0, distance, 0.5 * float(made.wheel_diameter), "wheel, reference", "dashed", 1),
-        _circle(0.0, distance, 0.5 * float(made.wheel_root_diameter), "wheel, root", "dotted", 1),
-        Mark(0.0, distance, f"{teeth} teeth"),
-    ]
-    scene = Panel(X, Y, tuple(items), "middle plane", equal=True)
-    return Picture((scene, _efficiency(made)), "worm and wheel")
+    foot, top = 0.25 * pitch + (middle - root) * lean, max(0.0, 0.25 * pitch - (tip - middle) * lean)
+
+    def edge(shift: float, way: float) -> "list[Point]":
+        points: list[Point] = [(-0.5 * length, way * root)]
+        for nth in range(-round(length / pitch) - 1, round(length / pitch) + 2):
+            centre = nth * pitch + shift
+            if abs(centre) + foot <= 0.5 * length:
+                points += [(centre - foot, way * root), (centre - top, way * tip), (centre + top, way * tip),
+                           (centre + foot, way * root)]  # fmt: skip
+        return [*points, (0.5 * length, way * root)]
+
+    below = edge(0.0, -1.0)
+    return [*below, *reversed(edge(0.5 * float(made.lead), 1.0)), below[0]]
+
+
+def _wheel(made: "Any", teeth: int) -> "list[Any]":
+    """The wheel in its middle plane: teeth of the rack that the worm is there, a space under the thread at x = 0."""
+    from dynamics_cli.gear.single.gear import Gear
+    from dynamics_cli.gear.single.profile import tooth_form
+    from dynamics_cli.gear.single.rack import basic_rack
+
+    at = (0.0, -float(made.centre_distance))
+    items: list[Any] = [circle(at, 0.5 * float(made.wheel_diameter), "", "centre", 1)]
+    rack = basic_rack("a", float(made.axial_pressure_angle))
+    gear = Gear(teeth, float(made.axial_module), rack, 0.0, float(made.profile_shift))
+    try:
+        form = tooth_form(gear, float(made.throat_diameter), None)
+        return [*items, *body(form, at, RIGHT + pi / teeth, 1)]
+    except InadmissibleError:
+        diameters = (made.throat_diameter, made.wheel_root_diameter)
+        return [*items, *(circle(at, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
 
 
 def _efficiency(made: "Any") -> Panel:
@@ -103,99 +216,9 @@ def _efficiency(made: "Any") -> Panel:
     backward = [max(0.0, tan(g - rub) / tan(g)) for g in angles]
     items: list[Any] = [
         Curve(angles[: len(forward)], forward, "worm drives", role=0),
-        Curve(angles, backward, "wheel drives", role=1),
-        Mark(lead, float(made.efficiency), "this worm"),
+        Curve(angles, backward, "wheel drives", "dashed", role=1),
+        Mark(lead, float(made.efficiency), "this worm", (6.0, -9.0)),
     ]
     if rub > 0.0:
         items.append(Band(0.0, rub, "self-locking"))
-    return Panel(Axis("lead angle", Angle), Axis("efficiency", Ratio), tuple(items), "efficiency with this friction")
-
-
-def crossed(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
-    """Both screws seen along their common perpendicular, and the speeds where they touch."""
-    one, two = float(made.first_working_helix), float(made.second_working_helix)
-    one, two = copysign(one, float(first.helix_angle)), copysign(two, float(second.helix_angle))
-    wide = 0.75 * max(float(made.first_working_diameter), float(made.second_working_diameter))
-    items: list[Any] = []
-    for role, (name, radius, axis) in enumerate(
-        (
-            (f"first, {first.teeth} teeth", 0.5 * float(made.first_working_diameter), 0.0),
-            (f"second, {second.teeth} teeth", 0.5 * float(made.second_working_diameter), one + two),
-        )
-    ):
-        corners = [(-wide, -radius), (wide, -radius), (wide, radius), (-wide, radius), (-wide, -radius)]
-        items.append(_line([_turned(point, axis) for point in corners], name, "filled", role))
-        items.append(_line([_turned((-1.2 * wide, 0.0), axis), _turned((1.2 * wide, 0.0), axis)], "", "dashed", role))
-    tooth = [_turned((-0.6 * wide, 0.0), one), _turned((0.6 * wide, 0.0), one)]
-    items += [_line(tooth, "common direction of the teeth", "solid", 3), Mark(0.0, 0.0, "C")]
-    scene = Panel(X, Y, tuple(items), "seen along the common perpendicular", equal=True)
-    return Picture((scene, _speeds(one, 0.0, two, one + two)), "crossed helical gears")
-
-
-def _turned(point: "Point", angle: float) -> "Point":
-    x, y = point
-    return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
-
-
-def _speeds(first_helix: float, first_axis: float, second_helix: float, second_axis: float) -> Panel:
-    """Pitch line velocities over the first's: alike across the teeth, their difference slides along them."""
-    across = Axis("along the first axis, over the first's speed")
-    up = Axis("across the first axis")
-    turned = _turned((0.0, 1.0), first_axis)
-    size = cos(first_helix) / cos(second_helix)
-    two = _turned((0.0, size), second_axis)
-    items = (
-        Arrow(0.0, 0.0, turned[0], turned[1], "first", 0),
-        Arrow(0.0, 0.0, two[0], two[1], "second", 1),
-        Arrow(two[0], two[1], turned[0] - two[0], turned[1] - two[1], "sliding", 3),
-    )
-    return Panel(across, up, items, "speeds at the pitch point", equal=True)
-
-
-def hypoid(made: "Any", *, offset: float | None = None, wheel_radius: float, **_: "Any") -> Picture:
-    """The wheel seen along its axis with the pinion's axis beside it, and the speeds in the pitch plane."""
-    offset = float(made.offset) if offset is None else offset
-    eta = float(made.axial_offset_angle)
-    at = wheel_radius * cos(eta), wheel_radius * sin(eta)
-    radius, half = float(made.first_pitch_radius), 0.2 * wheel_radius
-    cone = float(made.first_pitch_angle)
-    # The pinion's pitch cone about its axis, its mean section over the pitch point, its apex towards the wheel's axis.
-    slim, thick = radius - half * tan(cone), radius + half * tan(cone)
-    shape = [
-        (at[0] - half, offset - slim), (at[0] + half, offset - thick), (at[0] + half, offset + thick),
-        (at[0] - half, offset + slim), (at[0] - half, offset - slim),
-    ]  # fmt: skip
-    items: list[Any] = [
-        _circle(0.0, 0.0, wheel_radius, "wheel, pitch circle", "solid", 1),
-        _line(shape, "pinion, pitch cone", "filled", 0),
-        _line([(-0.3 * wheel_radius, offset), (1.6 * wheel_radius, offset)], "pinion axis", "dashed", 0),
-        _line([(0.0, 0.0), (0.0, offset)], "offset", "thin", 3),
-        Mark(0.0, 0.0, "wheel axis"),
-        Mark(*at, "P"),
-    ]
-    scene = Panel(X, Y, tuple(items), "seen along the wheel's axis", equal=True)
-    one, two = float(made.first_spiral_angle), float(made.second_spiral_angle)
-    return Picture((scene, _speeds(one, 0.0, two, two - one)), "hypoid pair")
-
-
-def wheels(
-    made: "Any", *, first_diameter: float, second_diameter: float, drive: str = "external", **_: "Any"
-) -> Picture:
-    """Both wheels, rolling on one another or with their belt."""
-    one, two = 0.5 * first_diameter, 0.5 * second_diameter
-    distance = float(made.centre_distance)
-    items: list[Any] = [
-        _circle(0.0, 0.0, one, "first", "solid", 0),
-        _circle(distance, 0.0, two, "second", "solid", 1),
-        Mark(0.0, 0.0),
-        Mark(distance, 0.0),
-    ]
-    if drive.endswith("belt"):
-        far = -two if drive == "crossed-belt" else two
-        # A tangent's normal leans by acos((r₁ ∓ r₂)/a) from the line of centres.
-        lean = acos((one - far) / distance)
-        for nth, way in enumerate((1.0, -1.0)):
-            n = cos(lean), way * sin(lean)
-            belt = [(one * n[0], one * n[1]), (distance + far * n[0], far * n[1])]
-            items.append(_line(belt, "" if nth else "belt", "solid", 6))
-    return Picture((Panel(X, Y, tuple(items), equal=True),), f"wheels, {drive}")
+    return Panel(Axis("lead angle", Angle), Axis("efficiency", Ratio), tuple(items))

@@ -2,7 +2,7 @@
 
 from math import gcd
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.gear.pair.advice import pair_advice
 from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
 from dynamics_cli.gear.pair.engagement import (
@@ -279,11 +279,12 @@ def _bearings(
 ) -> tuple[BearingLoad, ...] | None:
     if spans[0] is None and spans[1] is None:
         return None
-    require(
+    require_given(
         forces is not None,
         "bearings carry the forces of a torque, and none is given",
+        ("torque",),
+        ("power", "speed"),
         code="load",
-        hint="give --torque, or --power and --speed",
     )
     loads: tuple[BearingLoad, ...] = ()
     for name, diameter, span in zip(("first", "second"), working, spans, strict=True):

@@ -27,7 +27,9 @@ class Mate:
     profile_shift: Annotated[
         Ratio | None, "Profile shift factor x; left out, it is 0, or found from the centre distance."
     ] = None
-    tip_diameter: Annotated[Size | None, "Tip diameter as it is, in place of the one of the rack [m]."] = None
+    tip_diameter: Annotated[Size | None, "Tip diameter as it is, in place of the one of the rack, e.g. 80 mm [m]."] = (
+        None
+    )
     thinning: Annotated[
         Size, "Allowance by which each tooth is thinner, in the normal plane at the reference circle, for backlash [m]."
     ] = 0.0

@@ -167,7 +167,8 @@ class Chain:
     radius: Annotated["Array", "Radii, root first [m]."]
     angle: Annotated["Array", "Angles from the tooth's centreline, positive [rad]."]
     joint: Annotated[int, "Index of the point where trochoid or fillet ends and the involute begins."]
-    deviation: Annotated[float, "Proved bound on the distance of the chords from the exact curves [m]."]
+    deviation: Annotated[float, "Proved bound on the distance of the chords, or arcs, from the exact curves [m]."]
+    bulge: Annotated["Array | None", "Bulges of the arcs between the points; None for chords."] = None
 
 
 def flank(shape: ToothForm, tolerance: float) -> Chain:

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import atan, cos, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
@@ -126,15 +126,13 @@ def involute_point(
         curvature = 0.5 * base_diameter * roll
         length = 0.5 * curvature * roll
     if known_thickness is not None or known_diameter is not None or points > 0:
-        require(
-            base_diameter is not None, "lengths need the base diameter", code="no-base", hint="give --base-diameter"
-        )
+        require_given(base_diameter is not None, "lengths need the base diameter", ("base_diameter",), code="no-base")
     if known_thickness is not None or known_diameter is not None:
-        require(
+        require_given(
             known_thickness is not None and known_diameter is not None,
             "a known tooth thickness needs the diameter at which it is known, and the other way round",
+            ("known_thickness", "known_diameter"),
             code="thickness",
-            hint="give --known-thickness and --known-diameter",
         )
         half = known_thickness / known_diameter + roll_less_arc(_roll(known_diameter, base_diameter))  # type: ignore[operator, arg-type]
         thickness = diameter * (half - value)  # type: ignore[operator]

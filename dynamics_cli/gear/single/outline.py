@@ -37,13 +37,17 @@ def chain_points(shape: ToothForm, chain: Chain, count: int) -> "tuple[Array, Ar
     return radius * np.cos(turned), radius * np.sin(turned)
 
 
-def gear_outline(shape: ToothForm, tolerance: float, *, teeth: int | None = None) -> tuple[Outline, int]:
+def gear_outline(
+    shape: ToothForm, tolerance: float, *, teeth: int | None = None, arcs: bool = False
+) -> tuple[Outline, int]:
     """The outline of the whole gear, or of `teeth` of its teeth (open), and how many points it has.
+
+    Its curves are chords, or `arcs` that join with one direction; chords where no arcs keep the tolerance.
 
     Tooth 0 points along +y. An external gear runs anticlockwise: root arc, trochoid, involute, tip arc, involute,
     trochoid, tooth after tooth. An internal gear has fillet arcs in place of trochoids.
     """
-    chain = flank(shape, tolerance)
+    chain = _chain(shape, tolerance, arcs=arcs)
     count = shape.teeth if teeth is None else teeth
     require(
         0 < count <= shape.teeth,
@@ -74,6 +78,16 @@ def gear_outline(shape: ToothForm, tolerance: float, *, teeth: int | None = None
     return outline, sum(len(row) for row in rows)
 
 
+def _chain(shape: ToothForm, tolerance: float, *, arcs: bool) -> Chain:
+    if arcs:
+        from dynamics_cli.gear.flank_arcs import flank_arcs
+
+        found = flank_arcs(shape, tolerance)
+        if found is not None:
+            return found
+    return flank(shape, tolerance)
+
+
 def bore_outline(diameter: float) -> Outline:
     """The circle of a bore."""
     radius = 0.5 * diameter
@@ -95,6 +109,7 @@ class _Marks:
 
     def __init__(self, shape: ToothForm, chain: Chain) -> None:
         self.joint = chain.joint
+        self.bulges = None if chain.bulge is None else [*chain.bulge.tolist(), *reversed(chain.bulge.tolist())]
         self.size = len(chain.angle)
         tip = float(chain.angle[-1])
         self.tip_land = tip > _NO_LAND
@@ -108,6 +123,12 @@ class _Marks:
             land = pi / shape.teeth - self.root_angle
         self.root_land = land > _NO_LAND
         self.root_bulge = tan(0.5 * land)
+
+    def run(self, points: "Any", first: int) -> "list[Piece]":
+        """A part of a flank: chords, or the arcs from the one numbered `first`, right flank before left."""
+        if self.bulges is None:
+            return [Points(tuple(points))]
+        return [Arc(points[k], points[k + 1], self.bulges[first + k]) for k in range(len(points) - 1)]
 
 
 def _fillet_turn(shape: ToothForm) -> tuple[float, float]:
@@ -149,20 +170,20 @@ def _tooth(
     if shape.internal:
         # material is outside: the right side of the tooth is met first
         pieces.append(Arc(start, row[0], marks.fillet_turn))
-        pieces.append(Points(row[:size]))
+        pieces += marks.run(row[:size], 0)
         if marks.tip_land:
             pieces.append(Arc(row[size - 1], top, marks.tip_bulge))
-        pieces.append(Points(left))
+        pieces += marks.run(left, size - 1)
         end = _on_root(shape, marks, index, 1.0) if marks.root_land or following is None else following
         pieces.append(Arc(row[-1], end, marks.fillet_turn))
     else:
-        pieces.append(Points(row[: joint + 1]))
-        pieces.append(Points(row[joint:size]))
+        pieces += marks.run(row[: joint + 1], 0)
+        pieces += marks.run(row[joint:size], joint)
         if marks.tip_land:
             pieces.append(Arc(row[size - 1], top, marks.tip_bulge))
         cut = size - joint
-        pieces.append(Points(left[:cut]))
-        pieces.append(Points((*left[cut - 1 : -1], end)))
+        pieces += marks.run(left[:cut], size - 1)
+        pieces += marks.run((*left[cut - 1 : -1], end), size + cut - 2)
     if following is not None and marks.root_land:
         pieces.append(Arc(end, following, marks.root_bulge))
     return pieces

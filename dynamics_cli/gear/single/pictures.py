@@ -1,11 +1,11 @@
-"""Pictures of one gear: its teeth with their circles, where it is measured, its rack."""
+"""Pictures of one gear: its teeth with their circles, its profile, its rack."""
 
-from math import acos, cos, degrees, nan, pi, sin, tan
+from math import acos, cos, pi, sin, tan
 
 from dynamics_cli.errors import InadmissibleError, worded
 from dynamics_cli.gear.section import BLACK, MOST_DRAWN, RIM, centre_lines, circle, outline_points
-from dynamics_cli.pictures import Axis, Bars, Curve, Label, Mark, Panel, Picture, Rows
-from dynamics_cli.quantities import Angle, Coordinate, Module, Ratio, Size
+from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Panel, Picture, Rows
+from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -140,95 +140,81 @@ def profile_picture(result: "Any", **_: "Any") -> Picture:
     return Picture((Panel(X, Y, tuple(items), equal=True),), f"Profile: {result.drawing.title}")
 
 
-def measure_picture(
-    made: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **given: "Any"
-) -> Picture:
-    """The gear with its span and the two pins or balls in their spaces, in the transverse plane."""
-    items: list[Any] = []
-    drawn = _profile(teeth, internal, None, {**given, "profile_shift": profile_shift})
-    if drawn is None:
-        limits = [float(made.pins.centre_diameter)] if made.pins is not None else []
-    else:
-        items.append(Curve(*outline_points(drawn.drawing.outlines[0]), role=6))
-        limits = [float(drawn.base_diameter)]
-    if made.span is not None and drawn is not None:
-        items += _jaws(float(drawn.base_diameter), made.span, teeth)
-    if made.pins is not None:
-        items += _pins(made.pins, teeth)
-    if not limits:
-        items.append(Mark(0.0, 0.0, "no size of this gear can be drawn"))
-    return Picture((Panel(X, Y, tuple(items), equal=True),), f"{teeth} teeth and how they are measured")
-
-
-def _jaws(base: float, span: "Any", teeth: int) -> "list[Any]":
-    """The measured line, tangent to the base circle, with the jaws of the instrument at its ends."""
-    half = 0.5 * (float(span.contact_diameter) ** 2 - base * base) ** 0.5
-    # Over an odd number of teeth the middle is a tooth, over an even one a space.
-    turn = 0.0 if int(span.over) % 2 else pi / teeth
-    along, out = (cos(turn), -sin(turn)), (sin(turn), cos(turn))
-
-    def at(u: float, v: float) -> "tuple[float, float]":
-        return u * along[0] + v * out[0], u * along[1] + v * out[1]
-
-    low, high = 0.5 * base - 0.15 * half, 0.5 * base + 0.6 * half
-    line = [at(-half, 0.5 * base), at(half, 0.5 * base)]
-    ends = [at(-half, low), at(-half, high), (nan, nan), at(half, low), at(half, high)]
-    return [
-        Curve([x for x, _ in line], [y for _, y in line], f"span over {int(span.over)} teeth", "dashed", 1),
-        Curve([x for x, _ in ends], [y for _, y in ends], role=1),
-    ]
-
-
-def _pins(pins: "Any", teeth: int) -> "list[Any]":
-    """Both pins as circles, in spaces that are opposite or next to it."""
-    items: list[Any] = []
-    # A quarter turn from where the span is drawn.
-    for nth, space in enumerate((teeth // 4, teeth // 4 + teeth // 2)):
-        angle = (2 * space + 1) * pi / teeth
-        radius = 0.5 * float(pins.centre_diameter)
-        x, y = _round(0.5 * float(pins.pin))
-        at = radius * sin(angle), radius * cos(angle)
-        items.append(
-            Curve([at[0] + own for own in x], [at[1] + own for own in y], "" if nth else "pins or balls", role=0)
-        )
-    return items
-
-
 def rack_picture(made: "Any", *, teeth: int, helix_angle: float = 0.0, **given: "Any") -> Picture:
-    """The gear on its rack in the transverse plane, the rack below."""
+    """The gear on its rack in the transverse plane, the rack below, and the main sizes."""
     items: list[Any] = []
-    outline = _outline(made, teeth, False, SHOWN, {**given, "helix_angle": helix_angle})
-    if outline is not None:
-        items.append(Curve([-x for x in outline[0]], [-y for y in outline[1]], "gear", role=0))
+    outline = _outline(made, teeth, False, teeth, {**given, "helix_angle": helix_angle})
     pitch, datum = float(made.pitch), -float(made.datum_distance)
+    if outline is not None:
+        # the gear's middle tooth stands in the rack's space at x = 0
+        turn = pi + pi * (teeth - 1) / teeth
+        x = [cos(turn) * a - sin(turn) * b for a, b in zip(*outline, strict=True)]
+        y = [sin(turn) * a + cos(turn) * b for a, b in zip(*outline, strict=True)]
+        items.append(Curve((*x, x[0]), (*y, y[0]), "", "filled", 0))
+    bottom = datum - 2.2 * float(made.dedendum)
+    points, foot_line = _rack_line(made, pitch, datum, bottom)
+    items.append(Curve(*points, "", "filled", 1))
+    wide = 2.4 * pitch
+    radius = 0.5 * float(made.reference_diameter)
+    low, top = bottom - 0.15 * pitch, datum + 2.9 * pitch
+    items += [
+        circle((0.0, 0.0), radius, "", "centre", 0),
+        circle((0.0, 0.0), 0.5 * float(made.base_diameter), "", "dots", 0),
+        Curve((-wide, wide), (datum, datum), "", "centre", 1),
+        Curve((-wide, wide), (-radius, -radius), "", "thin", BLACK),
+        Label(-0.97 * wide, -radius + 0.12 * pitch, "pitch line", BLACK, left=True),
+        Label(-0.97 * wide, datum - 0.12 * pitch, "datum line", 1, left=True),
+        Label(0.0, min(top - 0.3 * pitch, -0.25 * radius), f"gear, {teeth} teeth", 0),
+        Label(0.0, bottom + 0.35 * float(made.dedendum), "rack", 1),
+        Dimension((0.5 * pitch, 1.5 * pitch), (foot_line,) * 2, worded("p = {size:6}", size=(pitch, Size))),
+    ]
+    rows = tuple(
+        (name, symbol, worded("{value:6}", value=(float(value), kind)))
+        for name, symbol, value, kind in (
+            ("axis to datum line", "a", made.datum_distance, Size),
+            ("axis to back of the rack", "", made.mounting_distance, Size),
+            ("pitch along the travel", "p_t", made.pitch, Size),
+            ("travel in one turn", "", made.travel, Size),
+            ("tip diameter", "d_a", made.tip_diameter, Size),
+            ("reference diameter", "d", made.reference_diameter, Size),
+            ("transverse contact ratio", "ε_α", made.transverse_contact_ratio, Ratio),
+            ("speed of the rack", "v", made.rack_speed, Speed),
+            ("force along the travel", "F_t", made.tangential_force, Force),
+        )
+        if value is not None
+    )
+    title = worded("Rack and gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(_shift(given), Ratio))
+    x_axis, y_axis = Axis("x", Coordinate, ends=(-wide, wide)), Axis("y", Coordinate, ends=(low, top))
+    scene = Panel(x_axis, y_axis, tuple(items), equal=True, bare=True)
+    subtitle = "Transverse section; pitch circle dash-dotted, base circle dotted"
+    return Picture((scene, Panel(X, Y, (Rows(rows),))), title, subtitle=subtitle)
+
+
+def _shift(given: "dict[str, Any]") -> float:
+    return float(given.get("profile_shift") or 0.0)
+
+
+def _rack_line(made: "Any", pitch: float, datum: float, bottom: float) -> "tuple[Points, float]":
+    """The rack as a closed line down to its back, and the height where its pitch is measured."""
     lean = tan(acos(min(1.0, float(made.base_diameter) / float(made.reference_diameter))))
     add, dedendum = float(made.addendum), float(made.dedendum)
     x: list[float] = []
     y: list[float] = []
-    for nth in range(-2, 2):
-        # The gear's middle tooth stands in the rack's space at x = 0.
+    for nth in range(-4, 4):
         middle = (nth + 0.5) * pitch
         foot, top = 0.25 * pitch + dedendum * lean, 0.25 * pitch - add * lean
         x += [middle - foot, middle - top, middle + top, middle + foot]
         y += [datum - dedendum, datum + add, datum + add, datum - dedendum]
-    wide = [-2.0 * pitch, 2.0 * pitch]
-    radius = 0.5 * float(made.reference_diameter)
-    reach = min(1.15 * pi * SHOWN / teeth, pi)
-    circle = _arc(radius, reach, "pitch circle", "dotted", 2)
-    items += [
-        Curve(x, y, "rack", role=1),
-        Curve(wide, [datum, datum], "datum line", "dashed", 3),
-        Curve(circle.x, [-own for own in circle.y], "pitch circle", "dotted", 2),
-        Curve(wide, [-radius, -radius], "pitch line", "thin", 2),
-    ]
-    return Picture((Panel(X, Y, tuple(items), equal=True),), "gear and rack, transverse section")
+    return ([x[0], *x, x[-1], x[0]], [bottom, *y, bottom, bottom]), datum - 1.35 * dedendum
 
 
 def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
     """The exact outline of some teeth about +y; None where there are none, for example pointed teeth."""
     shift = given.get("profile_shift", 0.0)
     own = getattr(made, "profile_shift", None)
-    drawn = _profile(teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, made)
+    drawn = exact_profile(
+        teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, made
+    )
     if drawn is None:
         return None
     # Tooth after tooth anticlockwise from +y: turned back by half of them, they stand about it.
@@ -240,7 +226,10 @@ def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[s
     )
 
 
-def _profile(teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", made: "Any" = None) -> "Any":
+def exact_profile(
+    teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", made: "Any" = None
+) -> "Any":
+    """The profile of a gear as the task was given it, in lines; None where there is none to draw."""
     from dynamics_cli.gear.pitch import module_of
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.profile import profile
@@ -265,6 +254,7 @@ def _profile(teeth: int, internal: bool, shown: "int | None", given: "dict[str, 
             profile_shift=given["profile_shift"],
             internal=internal,
             only_teeth=None if shown is None else min(shown, teeth),
+            form="lines",  # type: ignore[arg-type]
             tolerance=FINE * module_of(given["pitch"], helix),
             **taken,
         )
@@ -276,29 +266,3 @@ def _arc(radius: float, reach: float, label: str, style: "Any", role: int) -> Cu
     """An arc about the centre, symmetrical about +y."""
     turns = [reach * (2.0 * k / STEPS - 1.0) for k in range(STEPS + 1)]
     return Curve([radius * sin(t) for t in turns], [radius * cos(t) for t in turns], label, style, role)
-
-
-def _round(radius: float) -> "Points":
-    turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
-    return [radius * cos(t) for t in turns], [radius * sin(t) for t in turns]
-
-
-def candidates(made: "Any", **_: "Any") -> Picture:
-    """How well each candidate agrees with what was read."""
-    names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in made.candidates)
-    worst = [float(one.disagreement) for one in made.candidates]
-    bars = Bars(names, [0.0] * len(worst), worst)
-    return Picture((Panel(Axis("disagreement, in readings' accuracy"), Axis(""), (bars,)),), "which gear it may be")
-
-
-def trains(made: "Any", **_: "Any") -> Picture:
-    """The best trains by how far they miss the ratio, and by how many teeth they take."""
-    names = tuple(one.stages for one in made.best)
-    misses = [1e6 * abs(float(one.error_value)) for one in made.best]
-    teeth = [float(one.teeth) for one in made.best]
-    zeros = [0.0] * len(names)
-    panels = (
-        Panel(Axis("error of the ratio, parts per million"), Axis(""), (Bars(names, zeros, misses),)),
-        Panel(Axis("teeth of all wheels together"), Axis(""), (Bars(names, zeros, teeth),)),
-    )
-    return Picture(panels, "trains for the ratio")

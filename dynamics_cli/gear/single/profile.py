@@ -12,7 +12,7 @@ from dynamics_cli.gear.single.toothing_given import fillet_of, gear_of, toothing
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Annotated, Count, Ratio, Size
-from dynamics_cli.records import Advice, Check, Numerics, record
+from dynamics_cli.records import Advice, Check, Choice, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,8 +28,17 @@ FINEST = 1e-12
 LOOSE = 20.0
 CIRCLES = ("tip", "root", "base", "form")
 
+
+class Form(Choice):
+    """What a drawn profile is made of."""
+
+    names = ("arcs", "lines")
+    aliases = {"arc": "arcs", "line": "lines", "polyline": "lines"}  # noqa: RUF012
+
+
 FULL = BasicProfile("a")
 ISO = Sign("iso")
+ARCS = Form("arcs")
 
 
 @record
@@ -90,6 +99,9 @@ def profile(
     only_teeth: Annotated[
         Count | None, "Draw only so many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
     ] = None,
+    form: Annotated[
+        Form, "What flanks and root curves are drawn with: arcs that join with one direction, or lines."
+    ] = ARCS,
     tolerance: Annotated[Size, "How far the drawing may be from the exact profile [m]."] = ONE_MICROMETRE,
     bore: Annotated[Size | None, "Diameter of the bore, drawn as a circle, e.g. 12 mm [m]."] = None,
 ) -> GearProfile:
@@ -113,8 +125,8 @@ def profile(
 
     Notes
     -----
-    Arcs are exact; curves are polylines spread so that every chord is off alike. An internal gear's root is a fillet
-    tangent to root circle and involute, not the trochoid of a particular pinion cutter.
+    Tip and root arcs are exact; flanks and trochoids are pairs of arcs (or chords) spread so that all are off alike.
+    An internal gear's root is a fillet tangent to root circle and involute, not a particular pinion cutter's trochoid.
 
     References
     ----------
@@ -125,7 +137,7 @@ def profile(
     >>> from dynamics_cli.gear.pitch import NormalModule
     >>> drawn = profile(teeth=20, pitch=NormalModule(0.002))
     >>> (drawn.pieces, drawn.deviation <= 1e-6)
-    (120, True)
+    (520, True)
     """
     require(
         tolerance >= FINEST,
@@ -162,20 +174,20 @@ def profile(
         outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
         return _result(outline, 4 * teeth, None, None, Drawing((outline,), title="rack"))
     gear = gear_of(**carried(given))
-    form = tooth_form(gear, carried(tip_diameter), carried(root_radius_factor))
-    if error_of(form.form) > LOOSE * UNIT_ROUNDOFF * bare(form.form):
+    shape = tooth_form(gear, carried(tip_diameter), carried(root_radius_factor))
+    if error_of(shape.form) > LOOSE * UNIT_ROUNDOFF * bare(shape.form):
         more = [in_many_digits(part) for part in (given, tip_diameter, root_radius_factor)]
         exact = in_digits(lambda: tooth_form(gear_of(**more[0]), *more[1:]))
         if exact is not None:
-            tighten((form.form,), (exact.form,))
-    outline, points = gear_outline(bare(form), tolerance, teeth=only_teeth)
+            tighten((shape.form,), (exact.form,))
+    outline, points = gear_outline(bare(shape), tolerance, teeth=only_teeth, arcs=str(form) == "arcs")
     title = "tooth" if only_teeth is not None else "internal gear" if internal else "gear"
     drawing = Drawing((outline,), title=title)
     if only_teeth is None:
-        outer = 2.0 * bare(max(form.root, form.tip))
+        outer = 2.0 * bare(max(shape.root, shape.tip))
         lines = construction_lines(abs(bare(gear.reference_diameter)), outer)
-        drawing = Drawing((outline, *_bore(bore, bare(form))), title, lines)
-    return _result(outline, points, form, tolerance, drawing)
+        drawing = Drawing((outline, *_bore(bore, bare(shape))), title, lines)
+    return _result(outline, points, shape, tolerance, drawing)
 
 
 def _bore(bore: float | None, form: ToothForm) -> "tuple[Outline, ...]":

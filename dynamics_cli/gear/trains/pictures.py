@@ -114,3 +114,20 @@ def _stages(arrangement: Stages) -> Panel:
         if role + 1 == len(meshes):
             items.append(Label(x, 0.0, f"{len(meshes) + 1}\n{other} teeth", role))
     return Panel(MODULES, MODULES, tuple(items), equal=True, bare=True)
+
+
+def ratio_picture(made: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
+    """The best train's gears in mesh, and how far the best trains miss the ratio."""
+    best = made.best
+    names = tuple(one.stages for one in best)
+    misses = [1e6 * float(one.error_value) for one in best]
+    bars = Bars(names, [min(miss, 0.0) for miss in misses], [max(miss, 0.0) for miss in misses])
+    panels = [Panel(Axis("error of the ratio, parts per million"), Axis("train"), (bars,))]
+    teeth = [int(one.teeth) for one in best]
+    if len(set(teeth)) > 1:
+        bars = Bars(names, [0.0] * len(teeth), teeth)
+        panels.append(Panel(Axis("teeth of all wheels together"), Axis("train"), (bars,)))
+    panels.insert(0, _stages(Stages(best[0].stages)))
+    title = "Gear trains for a ratio" + (f" of {target[0] / target[1]:.9g}" if target is not None else "")
+    subtitle = f"Best of {made.considered} trains: {best[0].stages}; standard teeth of one module"
+    return Picture(tuple(panels), title, subtitle=subtitle)

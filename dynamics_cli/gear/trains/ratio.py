@@ -2,7 +2,7 @@
 
 from math import prod
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import require, require_given, worded
 from dynamics_cli.gear.trains.ratio_limits import Limits
 from dynamics_cli.gear.trains.ratio_products import Products
 from dynamics_cli.gear.trains.ratio_search import Pairs
@@ -170,7 +170,7 @@ def _sums(
         require(tolerance is None, "a tolerance without a centre distance", code="centre-distance")
         return None if tooth_sum is None else range(tooth_sum, tooth_sum + 1)
     require(tooth_sum is None, "give the tooth sum or the centre distance, not both", code="tooth-sum")
-    require(module is not None, "a centre distance needs the module", code="module", hint='--module "2 mm"')
+    require_given(module is not None, "a centre distance needs the module", ("module",), code="module")
     assert module is not None
     sum_wanted = 2.0 * distance / module
     room = 2.0 * abs(tolerance or 0.0) / module + 1e-9 * sum_wanted

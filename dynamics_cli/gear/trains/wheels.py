@@ -2,7 +2,7 @@
 
 from math import pi
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import require, require_given, worded
 from dynamics_cli.numerics.elementary import absolute, acos, asin, exp, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -152,8 +152,8 @@ def wheels(
 
 def _belt(first: float, second: float, distance: float | None, drive: str) -> tuple[float, float, tuple[float, float]]:
     """Centre distance, free span and both wraps of a belt."""
-    require(
-        distance is not None, "a belt needs the distance of the axes", code="no-distance", hint="give --centre-distance"
+    require_given(
+        distance is not None, "a belt needs the distance of the axes", ("centre_distance",), code="no-distance"
     )
     apart: float = distance  # type: ignore[assignment]
     require(

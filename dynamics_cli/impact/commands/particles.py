@@ -311,6 +311,7 @@ CHAIN = Task(
     arrays=False,
     tracked=False,
     plot=PICTURES + "chain",
+    scene={"restitution": "0.3", "bodies[0].mass": "2 kg", "bodies[0].velocity": "3 m/s", "bodies[1].mass": "1 kg"},
     headline=(
         "momentum: momentum",
         "laws",

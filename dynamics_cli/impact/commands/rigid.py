@@ -149,6 +149,16 @@ SOLVE = Task(
         method="Taylor series, in doubles and again in decimals",
     ),
     plot=PICTURES + "scene",
+    scene={
+        "first.name": "Ford",
+        "first.mass": "1500 kg",
+        "first.speed": "50 km/h",
+        "first.heading": "0 deg",
+        "second.name": "Seat",
+        "second.mass": "1200 kg",
+        "contact.normal": "1, 0, 0",
+        "contact.restitution": "0.3",
+    },
     examples=(
         "dynamics impact solve examples/corner_strike.toml",
         "dynamics impact solve examples/thrown_block.toml --explain",

@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import (
     require,
+    require_given,
     worded,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, require_sizes
@@ -167,7 +168,7 @@ def step(
 def _factor(wheel: Factor | AxleInertia, mass: float | None, radius: float) -> float:
     if isinstance(wheel, Factor):
         return wheel.inertia_factor
-    require(mass is not None, "a moment of inertia needs the mass as well", code="no-mass", hint="give --mass")
+    require_given(mass is not None, "a moment of inertia needs the mass as well", ("mass",), code="no-mass")
     assert mass is not None
     require(mass > 0.0, "the mass of the wheel must be above zero", code="no-mass")
     return wheel.axle_inertia / (mass * radius * radius)

@@ -1,6 +1,6 @@
 """A body dropped on a floor: restitution from heights or times, and its series of bounces."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import Restituted
 from dynamics_cli.impact.diagnostics import balance, not_above, require_sizes
 from dynamics_cli.numerics.elementary import exp, log, sqrt, where
@@ -172,11 +172,12 @@ def _restitution(
             half = 0.5 * gravity * first / restitution
             height = 0.5 * half * (half / gravity)
         return restitution, (first - second) / first, height
-    require(
+    require_given(
         height is not None,
         "the height of the drop is missing",
+        ("height",),
+        ("flight_time", "next_flight_time"),
         code="no-height",
-        hint="give --height; only two flight times do without it",
     )
     assert height is not None
     if isinstance(evidence, Restituted):

@@ -62,22 +62,37 @@ def _polygon(
 ) -> Panel:
     """Momenta head to tail, before dashed and after, which end at the same point: their sum."""
     items: list[Any] = []
-    total = (0.0, 0.0)
+    total = (
+        sum(mass * u for mass, (u, _) in zip(masses, after, strict=True)),
+        sum(mass * v for mass, (_, v) in zip(masses, after, strict=True)),
+    )
     for word, motions in (("before", before), ("after", after)):
         x = y = 0.0
         for role, (name, mass, (u, v)) in enumerate(zip(names, masses, motions, strict=True)):
             items.append(Arrow(x, y, mass * u, mass * v, "", role, dashed=word == "before"))
-            above = (mass * v >= 0.0) == (word == "before")
             if u or v:
                 middle = x + 0.5 * mass * u, y + 0.5 * mass * v
-                aside = (4.0 if abs(v) > abs(u) and not above else -4.0, 0.0) if abs(v) > 0.3 * abs(u) else (0.0, -4.0)
-                items.append(Mark(*middle, f"{name} {word}", aside, dot=False, role=role))
+                items.append(Mark(*middle, f"{name} {word}", _away(middle, (u, v), total), dot=False, role=role))
             x, y = x + mass * u, y + mass * v
-        total = (x, y)
     items.append(Arrow(0.0, 0.0, *total, "", 6))
     items.append(Mark(0.4 * total[0], 0.4 * total[1], "sum", (5.0, -2.0), dot=False))
     return Panel(
         Axis("momentum along x", Impulse), Axis("momentum along y", Impulse), tuple(items), "momentum", equal=True
+    )
+
+
+def _away(
+    middle: "tuple[float, float]", way: "tuple[float, float]", total: "tuple[float, float]"
+) -> "tuple[float, float]":
+    """Where words stand beside an arrow: across it, on the side away from the sum."""
+    left = total[0] * middle[1] - total[1] * middle[0] > 0.0
+    nx, ny = -way[1], way[0]
+    if (nx * -total[1] + ny * total[0] > 0.0) != left:
+        nx, ny = -nx, -ny
+    size = math.hypot(nx, ny)
+    return (
+        math.copysign(4.0, nx) if abs(nx) > 0.3 * size else 0.0,
+        math.copysign(4.0, ny) if abs(ny) > 0.3 * size else 0.0,
     )
 
 

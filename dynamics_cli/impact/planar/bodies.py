@@ -1,6 +1,6 @@
 """Rigid bodies in the plane as a user states them, and as the mechanics of the contact needs them."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import (
     Axes,
     BodyName,
@@ -11,6 +11,7 @@ from dynamics_cli.impact.conventions import (
     Fixed,
     direction_of,
     mass_of,
+    side_of,
     velocity_of,
 )
 from dynamics_cli.impact.planar.path import Mobility
@@ -121,19 +122,23 @@ def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravi
         lever = (0.0, 0.0) if body.arm is None else _lever(body.arm, contact, nose, name)
         return Solid(None, None, lever, velocity, body.spin, nose)
     mass = mass_of(body.bulk, gravity, name)
-    require(
+    side = side_of(name)
+    require_given(
         body.turning is not None,
-        "{name} has no inertia",
+        "{name} has no inertia (bodies that cannot turn: dynamics impact oblique)",
+        (f"{side}.inertia",),
+        (f"{side}.radius_of_gyration",),
         name=name,
         code="no-inertia",
-        hint="give its inertia or radius of gyration, or use impact oblique for bodies that cannot turn",
     )
-    require(
+    require_given(
         body.arm is not None,
         "{name} has no lever to the contact",
+        (f"{side}.lever",),
+        (f"{side}.centre", "contact_point"),
+        (f"{side}.contact_on_body",),
         name=name,
         code="no-lever",
-        hint="give its lever, its centre and the contact point, or the contact on the body",
     )
     if isinstance(body.turning, ByGyration):
         radius = body.turning.radius_of_gyration
@@ -173,12 +178,13 @@ def _lever(arm: Lever | Placed | OnBody, contact: Pair | None, nose: Pair, name:
             multiply_add(ahead, nose[0], -(across * nose[1])),
             multiply_add(ahead, nose[1], across * nose[0]),
         )
-    require(
+    require_given(
         contact is not None,
-        "{name} is placed by its centre, but the scene has no contact point",
+        "{name} is placed by its centre, but there is no contact point in the same axes",
+        ("contact_point",),
+        (f"{side_of(name)}.lever",),
         name=name,
         code="no-contact-point",
-        hint='give --contact-point "x, y m" in the same axes, or the lever',
     )
     return contact[0] - arm.centre[0], contact[1] - arm.centre[1]  # type: ignore[index]
 

@@ -1,6 +1,6 @@
 """Energy of deformation from crush profiles, and the change of velocity that goes with it."""
 
-from dynamics_cli.errors import judge, require, worded
+from dynamics_cli.errors import judge, require, require_given, worded
 from dynamics_cli.impact.conventions import mass_of
 from dynamics_cli.impact.diagnostics import balance, require_sizes
 from dynamics_cli.impact.particles.central import reduced_mass, struck_mass
@@ -13,15 +13,22 @@ from dynamics_cli.impact.reconstruction.crush_records import (
     Opponent,
     Stations,
     VehicleDamage,
+    require_damage,
 )
 from dynamics_cli.impact.reconstruction.crush_stiffness import coefficients
+from dynamics_cli.impact.reconstruction.crush_verdict import (
+    damage_verdict,
+    restitution_advice,
+    restitution_tolerance,
+    share_advice,
+    verdict_advice,
+)
 from dynamics_cli.numerics.elementary import absolute, cos, sin, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
     Annotated,
-    Fraction,
     Gravity,
     Inertia,
     Restitution,
@@ -87,7 +94,7 @@ def crush(
         advice += (
             Advice("no-second-body", alone, "note", remedy="give the second mass, or --second-fixed for a barrier"),
         )
-        return CrushResult(one, None, one.energy, None, None, None, _checks(one, first), advice)
+        return CrushResult(one, None, one.energy, None, None, None, None, _checks(one, first), advice)
     mass = struck_mass(second.bulk, gravity, "the second vehicle")
     two: VehicleDamage | None = None
     if _is_damaged(second):
@@ -116,14 +123,15 @@ def crush(
     undamaged: float | None = None
     if two is not None:
         two = VehicleDamage(**{**two.__dict__, "delta_v": impulse / two.mass})
-        advice += _share_advice(first, "first", one.energy, energy) + _share_advice(
-            second, "second", two.energy, energy
-        )
+        advice += share_advice(first.damage is not None, "first", one.energy, energy)
+        advice += share_advice(second.damage is not None, "second", two.energy, energy)
     elif mass is not None:
         undamaged = impulse / mass
     scale = reduced * closing * (1.0 + restitution)
+    tolerance = restitution_tolerance(restitution)
+    advice += restitution_advice(tolerance)
     checks = _checks(one, first) + balance("impulse from the closing speed", impulse, scale, impulse)
-    return CrushResult(one, two, energy, impulse, closing, undamaged, checks, advice)
+    return CrushResult(one, two, energy, impulse, closing, undamaged, tolerance, checks, advice)
 
 
 def _is_damaged(vehicle: Damaged | Opponent) -> bool:
@@ -157,13 +165,7 @@ def moments(profile: Stations | MeanCrush) -> tuple[float, float, float | None]:
 
 def _crushed(vehicle: Damaged | Opponent, name: str) -> tuple[float, float, Stations | MeanCrush]:
     """Stiffness coefficients A and B, and the crush, of a vehicle whose damage is measured."""
-    require(
-        vehicle.profile is not None and vehicle.stiffness is not None,
-        "the {name} vehicle: its damage is missing or incomplete",
-        name=name,
-        code="half-damage",
-        hint="give a stiffness and a crush profile, or the energy of deformation, or EES",
-    )
+    require_damage(vehicle, name)
     assert vehicle.stiffness is not None and vehicle.profile is not None  # noqa: PT018
     a, b = coefficients(vehicle.stiffness, name)
     require(vehicle.profile.width > 0.0, "the {name} vehicle: its crushed width is zero", name=name, code="no-width")
@@ -220,8 +222,10 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
         effective_mass=mass * share,
         effective_share=share,
         delta_v=None,
+        determined=damage_verdict(normal, width * (a + b * mean), angle),
     )
-    return damage, _advice(vehicle, mean, name)
+    said = verdict_advice(damage.determined, damage.equivalent_barrier_speed, name)
+    return damage, said + _advice(vehicle, mean, name)
 
 
 def _given_damage(given: GivenEnergy | GivenSpeed, mass: float, share: float, name: str) -> VehicleDamage:
@@ -257,12 +261,12 @@ def _effective_share(vehicle: Damaged | Opponent, mass: float, name: str) -> flo
     lever = vehicle.lever_arm
     if lever is None and vehicle.offset is None:
         return 1.0
-    require(
+    require_given(
         vehicle.yaw_inertia is not None,
-        "the {name} vehicle has a lever arm or an offset but no yaw inertia",
+        "the {name} vehicle has a lever arm or an offset but no yaw inertia (dynamics impact yaw-inertia estimates it)",
+        (f"{name}.yaw_inertia",),
         name=name,
         code="no-inertia",
-        hint="give its yaw inertia; `dynamics impact yaw-inertia` estimates it",
     )
     assert vehicle.yaw_inertia is not None
     require(
@@ -304,20 +308,6 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
         )
         advice += (Advice("face-distance", text, remedy="give the face distance"),)
     return advice
-
-
-def _share_advice(vehicle: Damaged | Opponent, name: str, own: float, energy: float) -> tuple[Advice, ...]:
-    """What a given energy does to ΔV: an estimate may be wrong by a factor of two."""
-    if vehicle.damage is None or not single(own, energy):
-        return ()
-    share = plain(own) / plain(energy)
-    text = worded(
-        "the {name} vehicle has {share:3} of the energy: twice its energy would raise ΔV by {change:2}",
-        name=name,
-        share=(share, Fraction),
-        change=((1.0 + share) ** 0.5 - 1.0, Fraction),
-    )
-    return (Advice("energy-share", text, "note"),)
 
 
 def _checks(one: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:

@@ -1,7 +1,9 @@
 """Damage of vehicles as measured or given, and what follows from it."""
 
+from dynamics_cli.errors import require_given
 from dynamics_cli.impact.conventions import BodyName, ByMass, ByWeight, Fixed
 from dynamics_cli.impact.reconstruction.crush_stiffness import BarrierTest, Campbell, Coefficients
+from dynamics_cli.impact.reconstruction.crush_verdict import DamageVerdict
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -15,6 +17,7 @@ from dynamics_cli.quantities import (
     Length,
     LineForce,
     Mass,
+    Restitution,
     RoadSpeed,
     Size,
 )
@@ -143,6 +146,9 @@ class VehicleDamage:
         RoadSpeed | None,
         "Size of the change of velocity of the mass centre; needs the second vehicle or that it is fixed [m/s].",
     ]
+    determined: Annotated[DamageVerdict | None, "How far the measured damage decides it; none of a given energy."] = (
+        None
+    )
 
 
 @record
@@ -157,5 +163,29 @@ class CrushResult:
         RoadSpeed | None, "Relative speed along the line of force at the place of damage, before [m/s]."
     ]
     second_delta_v: Annotated[RoadSpeed | None, "Change of velocity of an undamaged second body [m/s]."]
+    restitution_tolerance: Annotated[
+        Restitution | None, "Error of the restitution that changes ΔV by a tenth; needs the second body [-]."
+    ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
+
+
+def require_damage(vehicle: Damaged | Opponent, name: str) -> None:
+    """Both the stiffness and the crush, or neither of them but an energy."""
+    profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
+    stiffness = ("stiffness_a", "stiffness_b")
+    missing = "damage"
+    ways: tuple[tuple[str, ...], ...] = (("energy",), ("ees",), stiffness + profiles[0])
+    if vehicle.stiffness is not None:
+        missing, ways = "crush profile", profiles
+    elif vehicle.profile is not None:
+        test = ("test_speed", "test_crush", "no_damage_speed", "test_mass", "test_width")
+        missing, ways = "stiffness", (stiffness, test)
+    require_given(
+        vehicle.profile is not None and vehicle.stiffness is not None,
+        "the {name} vehicle: its {missing} is missing",
+        *(tuple(f"{name}.{part}" for part in way) for way in ways),
+        name=name,
+        missing=missing,
+        code="half-damage",
+    )

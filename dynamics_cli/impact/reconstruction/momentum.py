@@ -1,6 +1,6 @@
 """360° momentum reconstruction: motion of the vehicles before the impact from their motion after it."""
 
-from dynamics_cli.errors import judge, require
+from dynamics_cli.errors import judge, require, require_given
 from dynamics_cli.impact.conventions import (
     AXES,
     PDOF_ZERO,
@@ -12,7 +12,7 @@ from dynamics_cli.impact.conventions import (
 )
 from dynamics_cli.impact.diagnostics import require_sizes
 from dynamics_cli.impact.particles.central import reduced_mass
-from dynamics_cli.impact.reconstruction.momentum_evidence import certified, with_verdicts
+from dynamics_cli.impact.reconstruction.momentum_evidence import certified, with_energy_verdicts, with_verdicts
 from dynamics_cli.impact.reconstruction.momentum_exchange import Exchange, change_of_velocity
 from dynamics_cli.impact.reconstruction.momentum_records import (
     CrushEnergies,
@@ -112,9 +112,12 @@ def momentum(
 
 
 def _require_energy_route(first: Vehicle, second: Vehicle, terms: list[Term]) -> None:
-    require(
-        all(t.heading is not None for t in terms) and all(t.speed is not None for t in terms[2:]),
+    lacking = [t.heading_name for t in terms if t.heading is None]
+    lacking += [t.speed_name for t in terms[2:] if t.speed is None]
+    require_given(
+        not lacking,
         "the energy route needs of both vehicles the heading before, and the speed and heading after",
+        tuple(lacking),
         code="not-enough",
     )
     require(
@@ -215,7 +218,8 @@ def momentum_and_energy(
     # along the line these are known without a difference of velocities
     known = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
     answer = MomentumResult(**{**answer.__dict__, **known, "restitution": apart / closing})
-    return certified(answer, terms, check=False, along=line)
+    answer = certified(answer, terms, check=False, along=line)
+    return with_energy_verdicts(answer, terms, (after[0], after[1]), energy, side)
 
 
 def energy_suffices(*, damage: object = None, **_: object) -> str | None:

@@ -7,11 +7,21 @@ from dynamics_cli.errors import (
 from dynamics_cli.impact.diagnostics import balance, not_above
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult, Reconstructed
 from dynamics_cli.impact.reconstruction.momentum_terms import Term
-from dynamics_cli.impact.reconstruction.momentum_verdict import SpeedVerdict, worse
-from dynamics_cli.numerics.elementary import absolute, cos, sin
+from dynamics_cli.impact.reconstruction.momentum_verdict import (
+    ENERGY,
+    SpeedVerdict,
+    energy_advice,
+    energy_verdict,
+    worse,
+)
+from dynamics_cli.numerics.elementary import absolute, cos, sin, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import Energy, Fraction, Ratio, RoadSpeed
 from dynamics_cli.records import Advice, Check
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 def with_verdicts(
@@ -26,6 +36,33 @@ def with_verdicts(
             sides[side] = Reconstructed(**{**body.__dict__, "determined": worse(*cautions)})
     whole = worse(*(one for _, one in verdicts)).verdict if verdicts else None
     return MomentumResult(**{**answer.__dict__, **sides, "angle_condition": condition, "verdict": whole})
+
+
+def with_energy_verdicts(
+    answer: MomentumResult, terms: list[Term], after: tuple[float, float], energy: float, side: float
+) -> MomentumResult:
+    """The answer with the verdict of both speeds that energy and the speeds after were found from.
+
+    Speeds `after` are along the line; `side` is 1 where the first vehicle closed in on the second, else −1.
+    """
+    closing, apart = answer.closing_along_impulse, after[1] - after[0]
+    total = terms[0].mass + terms[1].mass
+    sides: dict[str, Any] = {}
+    verdicts = []
+    for name, term, other, way in (("first", terms[0], terms[1], side), ("second", terms[1], terms[0], -side)):
+        # by the speeds after, which shift the common speed and the closing one
+        turned = way * (other.mass / total) * (apart / closing)
+        steep = terms[0].mass / total - turned, terms[1].mass / total + turned
+        effects = [(ENERGY, way * energy / (term.mass * closing))]
+        effects += [(one.speed_name, slope * speed) for one, slope, speed in zip(terms[2:], steep, after, strict=True)]
+        verdict = energy_verdict(term.speed, closing, effects)  # type: ignore[arg-type]
+        most = max(abs(plain(effect)) for _, effect in effects) if single(closing) else 0.0
+        verdicts.append((term.name, most, verdict))
+        sides[name] = Reconstructed(**{**getattr(answer, name).__dict__, "determined": verdict})
+    (_, _, one), (_, _, two) = verdicts
+    worst = where(one.tolerance <= two.tolerance, one.verdict, two.verdict)  # type: ignore[operator,arg-type]
+    advice = energy_advice(verdicts) + answer.advice
+    return MomentumResult(**{**answer.__dict__, **sides, "verdict": worst, "advice": advice})
 
 
 def certified(answer: MomentumResult, terms: list[Term], *, check: bool, along: float | None = None) -> MomentumResult:

@@ -5,11 +5,12 @@ from dynamics_cli.errors import (
     worded,
 )
 from dynamics_cli.impact.reconstruction.momentum_terms import Term
-from dynamics_cli.numerics.elementary import absolute, cos, minimum, sin, where
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
+    Fraction,
     Ratio,
     RoadSpeed,
     Text,
@@ -29,17 +30,29 @@ NEAR_ONE_LINE, ON_ONE_LINE = 4.0, 12.0
 CROSSING = "give the crush energies or equivalent speeds of both vehicles: the energy decides"
 LIGHT = "its momentum is small beside the other's: use the damage, the other vehicle's spin or an event data recorder"
 LEVELS = ("undetermined", "caution", "good")
+# Energies of deformation are known to some tens of per cent.
+GOOD_SHARE, CAUTION_SHARE = 0.15, 0.05
+ENERGY = "energy of deformation"
+MEASURE = "find the energies of deformation and the speeds after by a second way, or an event data recorder"
 
 
 @record
 class SpeedVerdict:
-    """How far the headings decide a reconstructed speed."""
+    """How far the headings, or the energy and the speeds after, decide a reconstructed speed."""
 
-    verdict: Annotated[Text, "good from 3 degrees of tolerance, caution from 1 degree, undetermined below."]
-    heading_tolerance: Annotated[
-        Angle, "Error of one heading that changes the speed by a tenth of itself, at most half a turn [rad]."
+    verdict: Annotated[
+        Text, "good from 3 degrees (or 15 %) of tolerance, caution from 1 degree (or 5 %), undetermined below."
     ]
-    worst_heading: Annotated[Text, "The heading that this is of, as the parameter is called."]
+    heading_tolerance: Annotated[
+        Angle | None, "Error of one heading that changes the speed by a tenth of itself, at most half a turn [rad]."
+    ]
+    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    tolerance: Annotated[
+        Fraction | None,
+        "By energy: error of one quantity, as a share of it, that changes the speed by a tenth of itself (of a quarter "
+        "of the closing speed, where that is more), at most all.",
+    ] = None
+    worst_quantity: Annotated[Text | None, "The quantity that this is of."] = None
 
 
 class Unknowns:
@@ -88,10 +101,10 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
 def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
     """The verdict of the speed that is decided least."""
     for other in others:
-        lower = one.heading_tolerance <= other.heading_tolerance
+        lower = one.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
         one = SpeedVerdict(
             where(lower, one.verdict, other.verdict),  # type: ignore[arg-type]
-            where(lower, one.heading_tolerance, other.heading_tolerance),
+            where(lower, one.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
             where(lower, one.worst_heading, other.worst_heading),  # type: ignore[arg-type]
         )
     return one
@@ -101,7 +114,7 @@ def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
     """Refuse two speeds along paths next to one line, unless momentum determines one of them all the same."""
     (one, first), (other, second) = verdicts
     judge(
-        (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),
+        (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),  # type: ignore[operator]
         "the directions of {one} and {other} are too close to one line: their angle condition is {kappa}, above "
         "12, and heading errors of {first:3} and {second:3} change the speeds by a tenth",
         one=one.name,
@@ -141,6 +154,48 @@ def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
                 ),
                 severity="serious" if undetermined else "caution",
                 remedy=CROSSING if near else LIGHT,
+            )
+        )
+    return tuple(cautions)
+
+
+def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, float]]") -> SpeedVerdict:
+    """The verdict of a speed by what relative errors of the quantities that it was found from would change it by.
+
+    Of a vehicle that hardly moved a quarter of the closing speed is what a tenth is taken of.
+    """
+    worst, steepest = effects[0][0], absolute(effects[0][1])
+    for name, effect in effects[1:]:
+        steeper = absolute(effect) > steepest
+        worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
+        steepest = where(steeper, absolute(effect), steepest)
+    tenth, moves = 0.1 * maximum(absolute(speed), 0.25 * closing), steepest > 0.0
+    tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), 1.0), 1.0)
+    plainly = plain(tolerance)
+    level = where(plainly >= GOOD_SHARE, LEVELS[2], where(plainly >= CAUTION_SHARE, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
+    return SpeedVerdict(level, None, None, tolerance, worst)  # type: ignore[arg-type]
+
+
+def energy_advice(verdicts: "Sequence[tuple[str, float, SpeedVerdict]]") -> tuple[Advice, ...]:
+    """A caution for every speed that some per cent of a quantity change by a tenth, with the greatest effect of one."""
+    cautions: list[Advice] = []
+    for name, effect, one in verdicts:
+        share = plain(one.tolerance)
+        if share is None or not single(share) or share >= GOOD_SHARE:
+            continue
+        change = 0.1 * effect
+        undetermined = one.verdict == LEVELS[0]
+        cautions.append(
+            Advice(
+                code="undetermined-speed" if undetermined else "sensitive-speed",
+                message=worded(
+                    ("the {quantity} does not determine" if undetermined else "the {quantity} decides")
+                    + " the speed of {name}: a tenth of it changes that by {change:3}",
+                    quantity=str(one.worst_quantity).replace(".", " ").replace("_", " "),
+                    name=name,
+                    change=(change, RoadSpeed),
+                ),
+                remedy=MEASURE,
             )
         )
     return tuple(cautions)

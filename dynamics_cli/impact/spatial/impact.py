@@ -1,7 +1,7 @@
 """Impact of two rigid bodies in space, with friction: Keller's equations to the end that the law sets."""
 
-from dynamics_cli.errors import require
-from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of
+from dynamics_cli.errors import require, require_given
+from dynamics_cli.impact.conventions import ByMass, ByWeight, Energetic, Fixed, Restituted, mass_of, side_of
 from dynamics_cli.impact.particles.central import contact_advice, require_approach
 from dynamics_cli.impact.spatial.bodies import (
     Matrix,
@@ -254,11 +254,12 @@ def lever_of(arm: LeverInSpace | PlacedInSpace, contact: Vector | None, name: st
     """From the mass centre to the contact."""
     if isinstance(arm, LeverInSpace):
         return arm.lever
-    require(
+    require_given(
         contact is not None,
-        "{name} is placed by its centre, but the scene has no contact point",
+        "{name} is placed by its centre, but there is no contact point in the same axes",
+        ("contact_point",),
+        (f"{side_of(name)}.lever",),
         name=name,
         code="no-contact-point",
-        hint='give --contact-point "x, y, z m" in the same axes, or the lever',
     )
     return subtract(contact, arm.centre)  # type: ignore[arg-type]

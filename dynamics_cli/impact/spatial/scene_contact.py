@@ -1,7 +1,7 @@
 """A scene in the frame of its contact: bodies, matrix K, velocities, and what smaller models would leave out."""
 
-from dynamics_cli.errors import require
-from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of
+from dynamics_cli.errors import require, require_given
+from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of, side_of
 from dynamics_cli.impact.spatial.arithmetic import cosine_and_sine
 from dynamics_cli.impact.spatial.bodies import (
     Matrix,
@@ -124,20 +124,22 @@ def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -
         return SolidInSpace(None, None, lever, velocity, spin, nose)
     mass = mass_of(body.bulk, gravity, name)
     if body.turning is None:
-        require(
+        require_given(
             not any(lever) and not any(spin),
             "{name} has a lever or a spin, but no inertia",
+            *((f"{side_of(name)}.{part}",) for part in ("inertia", "moment", "radius_of_gyration")),
             name=name,
             code="no-inertia",
-            hint="give its inertia, its moment or its radius of gyration",
         )
         return SolidInSpace(mass, None, lever, velocity, spin, nose)
-    require(
+    side = side_of(name)
+    require_given(
         body.arm is not None,
-        "{name} has inertia, but no lever to the contact",
+        "{name} has inertia, but no lever to the contact (a particle has no inertia)",
+        (f"{side}.lever",),
+        (f"{side}.centre", "contact.point"),
         name=name,
         code="no-lever",
-        hint="give its lever, or its centre and the point of the contact; leave the inertia out for a particle",
     )
     inertia = _tensor(body.turning, mass)
     require_inertia(inertia, name)

@@ -14,39 +14,58 @@ if TYPE_CHECKING:
 
 
 def urdf(answer: "MassProperties") -> str:
-    """The `<inertial>` element of a URDF link."""
+    """A URDF robot of one link with its inertia: it loads as it is, and the link can be taken from it."""
     body = bare(answer)
     return (
-        "<inertial>\n"
-        f'  <origin xyz="{_words(body.centroid)}" rpy="0 0 0"/>\n'
-        f'  <mass value="{body.mass!r}"/>\n'
-        f"  <inertia {_six(_tensor(body), ' ')}/>\n"
-        "</inertial>\n"
+        '<?xml version="1.0"?>\n'
+        '<robot name="body">\n'
+        '  <link name="body">\n'
+        "    <inertial>\n"
+        f'      <origin xyz="{_words(body.centroid)}" rpy="0 0 0"/>\n'
+        f'      <mass value="{body.mass!r}"/>\n'
+        f"      <inertia {_six(_tensor(body), ' ')}/>\n"
+        "    </inertial>\n"
+        "  </link>\n"
+        "</robot>\n"
     )
 
 
 def sdf(answer: "MassProperties") -> str:
-    """The `<inertial>` element of an SDF link."""
+    """An SDF model of one link with its inertia."""
     body = bare(answer)
     inner = "".join(
-        f"    <{name}>{value!r}</{name}>\n" for name, value in zip(NAMES, _elements(_tensor(body)), strict=True)
+        f"          <{name}>{value!r}</{name}>\n" for name, value in zip(NAMES, _elements(_tensor(body)), strict=True)
     )
     return (
-        "<inertial>\n"
-        f"  <pose>{_words(body.centroid)} 0 0 0</pose>\n"
-        f"  <mass>{body.mass!r}</mass>\n"
-        f"  <inertia>\n{inner}  </inertia>\n"
-        "</inertial>\n"
+        '<?xml version="1.0"?>\n'
+        '<sdf version="1.7">\n'
+        '  <model name="body">\n'
+        '    <link name="body">\n'
+        "      <inertial>\n"
+        f"        <pose>{_words(body.centroid)} 0 0 0</pose>\n"
+        f"        <mass>{body.mass!r}</mass>\n"
+        f"        <inertia>\n{inner}        </inertia>\n"
+        "      </inertial>\n"
+        "    </link>\n"
+        "  </model>\n"
+        "</sdf>\n"
     )
 
 
 def mjcf(answer: "MassProperties") -> str:
-    """The `<inertial>` element of an MJCF body; its six numbers are xx yy zz xy xz yz."""
+    """A MuJoCo model of one free body; its six numbers are xx yy zz xy xz yz."""
     body = bare(answer)
     xx, xy, xz, yy, yz, zz = _elements(_tensor(body))
     return (
-        f'<inertial pos="{_words(body.centroid)}" mass="{body.mass!r}" '
+        '<mujoco model="body">\n'
+        "  <worldbody>\n"
+        '    <body name="body">\n'
+        "      <freejoint/>\n"
+        f'      <inertial pos="{_words(body.centroid)}" mass="{body.mass!r}" '
         f'fullinertia="{_words((xx, yy, zz, xy, xz, yz))}"/>\n'
+        "    </body>\n"
+        "  </worldbody>\n"
+        "</mujoco>\n"
     )
 
 

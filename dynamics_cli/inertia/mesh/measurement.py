@@ -21,10 +21,9 @@ GRADED = 1e-4
 SMALL = 100_000
 # Up to this many triangles whole numbers take at most half as long again as two passes do.
 FEW = 128
-
-
-# Up to this many triangles a diagnosis takes 0.1 to 0.2 s on a laptop core, and is always made.
-DIAGNOSED = 256
+# A diagnosis of so many triangles, of which so many pairs are near each other, takes up to 0.3 s on a laptop core and
+# is always made.
+DIAGNOSED, DIAGNOSED_PAIRS = 20_000, 1_500_000
 
 
 class Measured:
@@ -46,7 +45,7 @@ class Measured:
         if diagnosed or self.sums.count <= DIAGNOSED:
             from dynamics_cli.inertia.mesh.faults.diagnosis import diagnose
 
-            self.faults = diagnose(source, closed=self.closed)
+            self.faults = diagnose(source, closed=self.closed, most=None if diagnosed else DIAGNOSED_PAIRS)
         if self.sums.count <= FEW:
             self.moments = WholeMoments(source, shell=shell)
             self.way = "whole"

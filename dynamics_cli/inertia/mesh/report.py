@@ -102,7 +102,8 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
     """Serious warnings of what a diagnosis found that closure does not see."""
     faults = found.faults
     if faults is None:
-        return []
+        few = f"crossings and overlaps of {found.sums.count} triangles were not looked for"
+        return [] if shell else [Advice("not-examined", few, "note", "--diagnose looks for them")]
     counts = [
         (
             "duplicated",
@@ -136,13 +137,6 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
     return [Advice(code, f"{count} {words}", "serious", remedy) for code, count, words, remedy in counts if count]
 
 
-def _of_some(count: int) -> str:
-    from dynamics_cli.inertia.mesh.faults.crossing import MOST
-
-    step = -(-(count**2) // MOST)
-    return "" if step == 1 else f"; overlaps of every triangle number {step} of {count} only"
-
-
 def surface_of(found: "Measured", lift: "Lift") -> Surface:
     """The surface as it is reported."""
     sums = found.sums
@@ -156,9 +150,9 @@ def surface_of(found: "Measured", lift: "Lift") -> Surface:
         closure=_closure(sums),
         low=lift.point(sums.low, zero),
         high=lift.point(sums.high, zero),
-        examined="crossings and overlaps were looked for" + _of_some(sums.count)
+        examined="crossings and overlaps were looked for among all triangles"
         if found.faults is not None
-        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose",
+        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose only",
         quantisation=None if quantisation is None else lift.number(quantisation, quantisation, 3).value,  # type: ignore[attr-defined]
         faults=found.faults,
     )

@@ -48,6 +48,7 @@ class Faults:
     against: Annotated[
         Count, "Triangles of a closed surface that bound from the wrong side: a shell inside out, or outside its solid."
     ]
+    pairs: Annotated[Count, "Pairs of triangles near each other that were looked at."]
     places: Annotated[
         tuple[Text, ...], "Where the first few of each are, in the file's numbers; triangles are counted from 1."
     ]
@@ -73,4 +74,6 @@ class Surface:
         Volume | None,
         "Standard deviation of the volume from rounding corners to single precision, by order of magnitude [m^3].",
     ] = None
-    faults: Annotated[Faults | None, "The diagnosis: of up to 256 triangles, or with --diagnose."] = None
+    faults: Annotated[
+        Faults | None, "The diagnosis: made always where few triangles are near each other, else with --diagnose."
+    ] = None

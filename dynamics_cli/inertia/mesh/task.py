@@ -48,8 +48,8 @@ def mesh(
     flip: Annotated[bool, "Reverse all triangles: for a closed surface that is inside out."] = False,
     diagnose: Annotated[
         bool,
-        "Look for faulty edges, flipped, duplicated and crossing triangles and overlaps. Up to 256 triangles always, "
-        "in 0.1 to 0.2 s; 500 take about 0.4 s, 2000 or more about 5 s, and overlaps of over 2000 are sampled.",
+        "Look for faulty edges, flipped, duplicated and crossing triangles and overlaps. Done always where it takes up "
+        "to about 0.3 s: for 20,000 triangles of even shapes, 1,000 long ones. 100,000 even ones take about 2 s.",
     ] = False,
     about: Annotated[Text, "Reference point of moments and products: centroid, or origin of the file."] = "centroid",
     about_point: Annotated[PartPosition | None, "Another point to refer them to, in the axes of the file [m]."] = None,

@@ -1,7 +1,10 @@
-"""Contours of a section in whole numbers: doubles are whole multiples of a power of two, so nothing is rounded."""
+"""Contours of a section in whole numbers: all that was typed, or given as doubles, has a common denominator."""
+
+from math import lcm
 
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Annotated, Coordinate, Size
+from dynamics_cli.numerics.exact.typed import TypedNumber
+from dynamics_cli.quantities import Annotated, SectionCoordinate, SectionSize
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -10,8 +13,10 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
     Point: TypeAlias = tuple[int, int]
+    Ratio: TypeAlias = tuple[int, int]
 
 MOST_CORNERS = 20_000
+NOTHING = (0, 1)
 
 
 @record
@@ -19,13 +24,13 @@ class Hole:
     """A hole: a polygon, or a circle or a rectangle about (x, y)."""
 
     polygon: Annotated[
-        tuple[Coordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+        tuple[SectionCoordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
     ] = ()
-    diameter: Annotated[Size | None, "Diameter of a circle [m]."] = None
-    width: Annotated[Size | None, "Width of a rectangle, along x [m]."] = None
-    height: Annotated[Size | None, "Height of a rectangle, along y [m]."] = None
-    x: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
-    y: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    diameter: Annotated[SectionSize | None, "Diameter of a circle [m]."] = None
+    width: Annotated[SectionSize | None, "Width of a rectangle, along x [m]."] = None
+    height: Annotated[SectionSize | None, "Height of a rectangle, along y [m]."] = None
+    x: Annotated[SectionCoordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    y: Annotated[SectionCoordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
 
 
 @record
@@ -33,17 +38,17 @@ class Piece:
     """A piece of material: a polygon, or a circle or a rectangle about (x, y)."""
 
     polygon: Annotated[
-        tuple[Coordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+        tuple[SectionCoordinate, ...], "Its corners x1, y1, x2, y2, … in order, e.g. 0, 0, 60, 0, 60, 40 mm."
     ] = ()
-    diameter: Annotated[Size | None, "Diameter of a circle [m]."] = None
-    width: Annotated[Size | None, "Width of a rectangle, along x [m]."] = None
-    height: Annotated[Size | None, "Height of a rectangle, along y [m]."] = None
-    x: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
-    y: Annotated[Coordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    diameter: Annotated[SectionSize | None, "Diameter of a circle [m]."] = None
+    width: Annotated[SectionSize | None, "Width of a rectangle, along x [m]."] = None
+    height: Annotated[SectionSize | None, "Height of a rectangle, along y [m]."] = None
+    x: Annotated[SectionCoordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
+    y: Annotated[SectionCoordinate, "Where the centre of the circle or rectangle is [m]."] = 0.0
 
 
 class Contour:
-    """A polygon or a circle in whole multiples of 2⁻ᵏ metres; `sign` is −1 for a hole.
+    """A polygon or a circle in whole multiples of a unit; `sign` is −1 for a hole.
 
     A circle has its centre as its only corner and a diameter.
     """
@@ -65,11 +70,11 @@ class Contour:
 def contours(
     polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]"
 ) -> "tuple[list[Contour], int]":
-    """Every contour, and the power k of the unit 2⁻ᵏ m that all their numbers are whole multiples of."""
-    made: list[tuple[str, int, list[tuple[float, ...]], float]] = []
+    """Every contour, and how many of the unit that all their numbers are whole multiples of make a metre."""
+    made: list[tuple[str, int, list[tuple[Ratio, ...]], Ratio]] = []
     if polygon:
         require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
-        made.append(("the polygon", 1, [(part,) for part in polygon], 0.0))
+        made.append(("the polygon", 1, [(part.as_integer_ratio(),) for part in polygon], NOTHING))
     made += [_shape(f"piece {index}", 1, item) for index, item in enumerate(pieces, 1)]
     made += [_shape(f"hole {index}", -1, item) for index, item in enumerate(holes, 1)]
     require(
@@ -78,17 +83,18 @@ def contours(
         code="missing",
         hint="give a polygon or a piece",
     )
-    power = max(
-        _power(part) for _, _, numbers, diameter in made for number in (*numbers, (0.5 * diameter,)) for part in number
+    unit = lcm(
+        *(part[1] for _, _, numbers, diameter in made for number in (*numbers, (_half(diameter),)) for part in number)
     )
     out = []
     for name, sign, numbers, diameter in made:
-        whole = [sum(_whole(part, power) for part in number) for number in numbers]
+        whole = [sum(up * (unit // down) for up, down in number) for number in numbers]
         corners = list(zip(whole[0::2], whole[1::2], strict=True))
-        if not diameter and len(corners) > 1 and corners[0] == corners[-1]:
+        round_ = diameter != NOTHING
+        if not round_ and len(corners) > 1 and corners[0] == corners[-1]:
             corners.pop()
         require(
-            diameter or len(corners) >= 3,
+            round_ or len(corners) >= 3,
             "{name} needs at least 3 corners; it has {count}",
             code="polygon",
             name=name,
@@ -101,12 +107,12 @@ def contours(
             count=len(corners),
             most=MOST_CORNERS,
         )
-        out.append(Contour(name, sign, corners, _whole(diameter, power)))
-    return out, power
+        out.append(Contour(name, sign, corners, diameter[0] * (unit // diameter[1])))
+    return out, unit
 
 
-def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[tuple[float, ...]], float]":
-    """A contour's name, sign, coordinates (each an exact sum of doubles) and diameter."""
+def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[tuple[Ratio, ...]], Ratio]":
+    """A contour's name, sign, coordinates (each an exact sum) and diameter, in metres."""
     given = [bool(item.polygon), item.diameter is not None, item.width is not None or item.height is not None]
     require(
         sum(given) == 1,
@@ -116,10 +122,15 @@ def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[
     )
     if item.polygon:
         require(len(item.polygon) % 2 == 0, "{name} has an odd number of coordinates", code="polygon", name=name)
-        return name, sign, [(part,) for part in item.polygon], 0.0
+        return name, sign, [(part.as_integer_ratio(),) for part in item.polygon], NOTHING
     if item.diameter is not None:
         require(item.diameter > 0.0, "{name} has no diameter", code="size", name=name)
-        return name, sign, [(item.x,), (item.y,)], item.diameter
+        return (
+            name,
+            sign,
+            [(item.x.as_integer_ratio(),), (item.y.as_integer_ratio(),)],
+            item.diameter.as_integer_ratio(),
+        )
     require(
         item.width is not None and item.height is not None,
         "{name} needs a width and a height",
@@ -129,16 +140,25 @@ def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[
     assert item.width is not None
     assert item.height is not None
     require(item.width > 0.0 and item.height > 0.0, "{name} has no area", code="size", name=name)
-    x, y, a, b = item.x, item.y, 0.5 * item.width, 0.5 * item.height
-    left, right, low, high = (x, -a), (x, a), (y, -b), (y, b)
-    return name, sign, [left, low, right, low, right, high, left, high], 0.0
+    left, right = _ends(item.x.as_integer_ratio(), item.width.as_integer_ratio())
+    low, high = _ends(item.y.as_integer_ratio(), item.height.as_integer_ratio())
+    return name, sign, [left, low, right, low, right, high, left, high], NOTHING
 
 
-def _power(number: float) -> int:
-    """The least k for which the number is a whole multiple of 2⁻ᵏ."""
-    return number.as_integer_ratio()[1].bit_length() - 1 if number else 0
+def _half(number: "Ratio") -> "Ratio":
+    return number[0], 2 * number[1]
 
 
-def _whole(number: float, power: int) -> int:
-    up, down = number.as_integer_ratio()
-    return up * ((1 << power) // down)
+def _ends(middle: "Ratio", width: "Ratio") -> "tuple[tuple[Ratio, Ratio], tuple[Ratio, Ratio]]":
+    """Where a width about a middle begins and ends."""
+    up, down = _half(width)
+    return (middle, (-up, down)), (middle, (up, down))
+
+
+def all_typed(polygon: "tuple[float, ...]", shapes: "tuple[Piece | Hole, ...]") -> bool:
+    """Whether every number is what was typed, and not a double that it may have been rounded to."""
+    numbers = [*polygon, *(part for shape in shapes for part in shape.polygon)]
+    numbers += [
+        part for shape in shapes for part in (shape.diameter, shape.width, shape.height, shape.x, shape.y) if part
+    ]
+    return all(isinstance(number, TypedNumber) or not number for number in numbers)

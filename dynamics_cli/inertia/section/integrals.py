@@ -18,12 +18,12 @@ _DIRECTION_BITS = 400
 
 
 class Integrals:
-    """∫dA, ∫x, ∫y, ∫x², ∫y², ∫xy over a section, times a common denominator, in units of 2⁻ᵏ m."""
+    """∫dA, ∫x, ∫y, ∫x², ∫y², ∫xy over a section, times a common denominator, in units of 1/`unit` m."""
 
-    __slots__ = ("area", "power", "x", "xx", "xy", "y", "yy")
+    __slots__ = ("area", "unit", "x", "xx", "xy", "y", "yy")
 
-    def __init__(self, found: "list[Contour]", power: int) -> None:
-        self.power = power
+    def __init__(self, found: "list[Contour]", unit: int) -> None:
+        self.unit = unit
         self.area = self.x = self.y = self.xx = self.yy = self.xy = 0
         for contour in found:
             parts = _circle(contour) if contour.diameter else _polygon(contour)
@@ -46,11 +46,11 @@ class Integrals:
     @property
     def central_scale(self) -> int:
         """Denominator of the central moments, in m⁴."""
-        return self.area * _D << (4 * self.power)
+        return self.area * _D * self.unit**4
 
     def moment(self, whole: int, degree: int) -> "tuple[int, int]":
         """An integral as a ratio in metres, of degree 2 (area) to 4."""
-        return whole, _D << (degree * self.power)
+        return whole, _D * self.unit**degree
 
 
 def _polygon(contour: "Contour") -> "tuple[int, ...]":

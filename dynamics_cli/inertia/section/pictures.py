@@ -32,8 +32,7 @@ def _shape(
     pieces: "tuple[Piece, ...]",
     holes: "tuple[Hole, ...]",
 ) -> Panel:
-    found, power = contours(polygon, pieces, holes)
-    unit = float(1 << power)
+    found, unit = contours(polygon, pieces, holes)
     items: list[Curve | Mark | Arrow] = []
     for contour in found:
         points = [(x / unit, y / unit) for x, y in contour.corners]

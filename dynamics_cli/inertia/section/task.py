@@ -5,11 +5,11 @@ from math import atan2, fsum, hypot, pi
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.section import reading
-from dynamics_cli.inertia.section.contours import Hole, Piece, contours
+from dynamics_cli.inertia.section.contours import Hole, Piece, all_typed, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
 from dynamics_cli.inertia.section.results import Gyration, Moduli, PlaneMoments, PrincipalPlane, SectionProperties
 from dynamics_cli.inertia.section.simple import require_sound
-from dynamics_cli.quantities import Annotated, Area, Coordinate
+from dynamics_cli.quantities import Annotated, Area, SectionCoordinate
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
@@ -21,7 +21,7 @@ UNIT_ROUNDOFF = 2.0**-53
 EQUAL = 8.0 * 2.0**-52
 # Second moments of anything smaller would leave the range of a double.
 SMALLEST = 1e-140
-METHOD = "exact rational arithmetic of the coordinates as read into doubles, rounded once"
+METHOD = "exact rational arithmetic of the coordinates as {given}, rounded once"
 
 
 @record
@@ -29,7 +29,7 @@ class Drawn:
     """A section as drawn: in a file, or by options."""
 
     polygon: Annotated[
-        tuple[Coordinate, ...], "Corners x1, y1, x2, y2, … of the outline in order, e.g. 0, 0, 60, 0, 60, 40 mm."
+        tuple[SectionCoordinate, ...], "Corners x1, y1, x2, y2, … of the outline in order, e.g. 0, 0, 60, 0, 60, 40 mm."
     ] = ()
     pieces: Annotated[tuple[Piece, ...], "Material, as further polygons, circles and rectangles."] = ()
     holes: Annotated[tuple[Hole, ...], "Holes, as polygons, circles and rectangles within the material."] = ()
@@ -47,7 +47,7 @@ def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."
 
 
 def section(
-    *, polygon: tuple[Coordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
+    *, polygon: tuple[SectionCoordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
@@ -56,10 +56,10 @@ def section(
     everything about the area. Raises InadmissibleError when contours cross themselves or one another, a hole is outside
     its material, pieces overlap, or there is no area.
 
-    Coordinates are read into doubles; what that rounding does is stated beside the bounds, and warned of far from the
-    origin. Doubles are exact rationals, and so are all integrals over polygons: they are formed without rounding and
-    rounded once (π is cut after 100 decimals), so that a section far from the origin, or thinner than a hair, loses
-    nothing.
+    Coordinates are the decimals that were typed, in their unit; doubles are the ratios that they are, and what their
+    rounding may have done is stated beside the bounds and warned of far from the origin. All integrals over polygons
+    are formed in exact ratios and rounded once (π is cut after 100 decimals), so that a section far from the origin, or
+    thinner than a hair, loses nothing.
     The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
     orders of magnitude.
 
@@ -78,25 +78,26 @@ def section(
     >>> section(pieces=(Piece(width=3.0, height=4.0),)).centroidal.ix
     16.0
     """
-    found, power = contours(polygon, pieces, holes)
+    found, unit = contours(polygon, pieces, holes)
     for contour in found:
-        own = Integrals([contour], power).area
+        own = Integrals([contour], unit).area
         require(own != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
     require_sound(found)
-    sums = Integrals(found, power)
+    sums = Integrals(found, unit)
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
     require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
-    return _Report(found, sums).made()
+    return _Report(found, sums, typed=all_typed(polygon, (*pieces, *holes))).made()
 
 
 class _Report:
     """Numbers of a section, each rounded from its exact ratio."""
 
-    def __init__(self, found: "list[Contour]", sums: Integrals) -> None:
+    def __init__(self, found: "list[Contour]", sums: Integrals, *, typed: bool) -> None:
         self.found = found
         self.sums = sums
-        self.unit = 1 << sums.power
+        self.typed = typed
+        self.unit = sums.unit
         self.centroid = (sums.x, sums.area * self.unit), (sums.y, sums.area * self.unit)
 
     def made(self) -> SectionProperties:
@@ -116,7 +117,7 @@ class _Report:
             "centroidal.polar": (ix + iy) / scale, "principal.i1": i1, "principal.i2": i2,
         }  # fmt: skip
         middle = self.centroid[0][0] / self.centroid[0][1], self.centroid[1][0] / self.centroid[1][1]
-        rounding = reading.conditions(self.found, self.unit, middle, values)
+        rounding = () if self.typed else reading.conditions(self.found, self.unit, middle, values)
         corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
         return SectionProperties(
             area=values["area"],
@@ -139,7 +140,7 @@ class _Report:
             moduli=self._moduli((ix, scale), (iy, scale), first, second, (1, 0) if equal else direction(ix, iy, ixy)),
             corners=corners,
             advice=_advice(self.found) + reading.advice(rounding),
-            numerics=Numerics(METHOD, tuple(_bounds()), rounding),
+            numerics=Numerics(METHOD.format(given="typed" if self.typed else "doubles"), tuple(_bounds()), rounding),
         )
 
     def _perimeter(self) -> float:

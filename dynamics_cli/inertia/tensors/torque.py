@@ -1,6 +1,6 @@
 """Inertia force and torque of a moving rigid body: what d'Alembert adds to the applied forces."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require_given
 from dynamics_cli.inertia.bodies.mass_moments import minus, plus, times
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.quantities import (
@@ -97,11 +97,10 @@ def torque(
     w = angular_velocity
     force = None
     if mass is not None or acceleration is not None:
-        require(
+        require_given(
             mass is not None and acceleration is not None,
             "an inertia force needs both the mass and its acceleration",
-            code="missing",
-            hint="give --mass and --acceleration",
+            ("mass", "acceleration"),
         )
         force = opposite(tuple(mass * part for part in acceleration))  # type: ignore[arg-type, union-attr, operator]
     return InertiaTorque(

@@ -36,6 +36,7 @@ RECTILINEAR = Task(
         "motion",
     ),
     table="motion",
+    scene={"phases[0].start_speed": "20 m/s", "phases[0].acceleration": "-4 m/s^2", "phases[0].distance": "48 m"},
     examples=(
         'dynamics path rectilinear --start-speed "20 m/s" --acceleration "-4 m/s^2" --distance "48 m"',
         'dynamics path rectilinear --law "9.80665 - 0.004*v^2 m/s^2" --start-speed "0 m/s" --time "3 s"',

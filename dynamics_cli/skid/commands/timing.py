@@ -3,6 +3,24 @@
 from dynamics_cli.core.answering.task import Model, Task
 from dynamics_cli.skid.commands.marks import POINT
 
+
+def _stopping(body: str, speed: str) -> "dict[str, str]":
+    """What a template shows of a driver who reacts and brakes to a stop."""
+    return {
+        f"{body}start_speed": speed,
+        f"{body}phases[0].kind": "reaction",
+        f"{body}phases[0].duration": "1.2 s",
+        f"{body}phases[1].kind": "braking",
+        f"{body}phases[1].speed": "0 m/s",
+        f"{body}phases[1].friction": "0.7",
+    }
+
+
+def _steady(body: str, speed: str) -> "dict[str, str]":
+    """The same of one who goes on as before."""
+    return {f"{body}start_speed": speed, f"{body}phases[0].kind": "constant", f"{body}phases[0].duration": "5 s"}
+
+
 TIMELINE = Task(
     "timeline",
     "Time, distance and speed through reaction, braking and other phases, forward or back.",
@@ -21,6 +39,7 @@ TIMELINE = Task(
         "phases: phases, counted back from the end | phase, begins, from_distance=distance left, start_speed, "
         "end_speed",
     ),
+    scene=_stopping("", "50 km/h"),
     examples=(
         'dynamics skid timeline --end-speed "8 m/s" --phase "kind=reaction, duration=1.2 s" '
         '--phase "kind=build-up, duration=0.2 s" --phase "kind=braking, distance=14 m, friction=0.7"',
@@ -57,6 +76,7 @@ MEET = Task(
         "moments: both, counted back from the impact | time_left, first_distance=first, first_speed=speed, "
         "first_phase, second_distance=second",
     ),
+    scene={**_stopping("first.", "50 km/h"), **_steady("second.", "1.4 m/s")},
     examples=(
         'dynamics skid meet --first-end-speed "8 m/s" --first-phase "kind=reaction, duration=1.2 s" '
         '--first-phase "kind=build-up, duration=0.2 s" --first-phase "kind=braking, distance=14 m, friction=0.7" '
@@ -89,6 +109,7 @@ FOLLOW = Task(
         "least_gap_time: nearest after",
         "moments | time, gap, leader_speed, follower_speed",
     ),
+    scene={**_stopping("leader.", "70 km/h"), **_stopping("follower.", "72 km/h"), "gap": "25 m"},
     examples=(
         'dynamics skid follow --gap "25 m" --leader-start-speed "20 m/s" --leader-kind braking --leader-speed 0m/s '
         '--leader-acceleration "7 m/s^2" --follower-start-speed "20.5 m/s" '
@@ -120,6 +141,12 @@ SIGHT = Task(
         "sight_line: line of sight",
         "changes: openings and closings",
     ),
+    scene={
+        **_steady("first.", "13 m/s"),
+        **_steady("second.", "1.5 m/s"),
+        "corner_before": "6 m",
+        "corner_aside": "1.8 m",
+    },
     examples=(
         'dynamics skid sight --first-kind constant --first-duration "5 s" --first-end-speed "13 m/s" '
         '--second-kind constant --second-duration "5 s" --second-end-speed "1.5 m/s" --corner-before "6 m" '

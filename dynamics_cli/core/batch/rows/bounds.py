@@ -26,27 +26,53 @@ class BoundPart(Part):
 
 
 def largest_bound(document: "dict[str, Any]", parts: "Sequence[Part]") -> float | None:
-    """The largest error bound that a document states of these results, relative to them; None where one has none."""
+    """The largest error bound that a document states of these results, relative to them; None where one has none.
+
+    A result that its own bound may make zero is zero: it has nothing to be relative to.
+    """
+    bounds = document["numerics"].get("error_bound", {})
     largest = None
-    for keys in dict.fromkeys(part.keys for part in parts):
-        stated = document["numerics"].get("error_bound", {}).get(".".join(keys), {})
+    for name, steps in _places(parts):
+        stated = bounds.get(name, {})
         if stated is None:
             return None
         node: Any = document["results"]
-        for key in keys:
-            node = node.get(key) if isinstance(node, dict) else None
-        size = max(map(abs, _numbers(node.get("value"))), default=0.0) if isinstance(node, dict) else 0.0
-        bound = stated["absolute"] / size if "absolute" in stated and size else stated.get("relative")
+        for step in steps:
+            node = _within(node, step)
+        size = max(map(abs, _numbers(node)), default=0.0)
+        if "absolute" in stated:
+            bound = stated["absolute"] / size if size > stated["absolute"] else None
+        else:
+            bound = stated.get("relative")
         if bound is not None:
             largest = max(bound, largest or 0.0)
     return largest
+
+
+def _places(parts: "Sequence[Part]") -> "Iterator[tuple[str, tuple[str | int, ...]]]":
+    """Every result of a row by name, vectors whole and by component, and the way to it in a document."""
+    seen = set()
+    for part in parts:
+        whole = ".".join(part.keys)
+        if whole not in seen:
+            seen.add(whole)
+            yield whole, (*part.keys, "value")
+        indices = tuple(step for step in part.steps if isinstance(step, int))
+        if indices and part.how == "number":
+            yield whole + "".join(f"[{index}]" for index in indices), (*part.keys, "value", *indices)
+
+
+def _within(node: "Any", step: "str | int") -> "Any":
+    if isinstance(step, int):
+        return node[step] if isinstance(node, list) and step < len(node) else None
+    return node.get(step) if isinstance(node, dict) else None
 
 
 def _numbers(value: "Any") -> "Iterator[float]":
     if isinstance(value, list):
         for item in value:
             yield from _numbers(item)
-    elif value is not None:
+    elif isinstance(value, float | int):
         yield value
 
 

@@ -8,7 +8,7 @@ from dynamics_cli.core.inputs.specification import Field, Leaf, Many
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.core.output.row_layout import Layout, SpreadPart
 from dynamics_cli.core.units.display import Display
-from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
+from dynamics_cli.errors import DynamicsError, InadmissibleError, ManyErrors, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,16 +135,26 @@ class Case:
         """What the row shows; raises what a single call would."""
         bound = self.bind(row, uncertain=True)
         model, _ = choose(self.task, bound, self.asked)
-        values = self.shown(model, bound, call_model(self.task, model, bound))
+        return self.shown(model, bound, self.called(model, bound))
+
+    def called(self, model: "Model", bound: Fields) -> "Any":
+        """The model's record; a judgement that refuses uncertain inputs says what their uncertainty leaves."""
+        try:
+            return call_model(self.task, model, bound)
+        except InadmissibleError as error:
+            if error.judged and self.reader.uncertain:
+                from dynamics_cli.core.uncertainty.undetermined import add_intervals
+
+                add_intervals(error, self.task, bound, self.reader, self.settings, self.layout.display)
+            raise
+
+    def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
+        """What a row shows of a record, with its largest bound, and distributions where inputs are uncertain."""
+        values = self.layout.values(record)
         if self.settings.bounds:
             from dynamics_cli.core.batch.rows.bounds import bound_of
 
             values[-1] = bound_of(self.task, bound, self.asked, self.layout.display, self.layout.parts)
-        return values
-
-    def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
-        """What a row shows of a record, distributions included where inputs are uncertain."""
-        values = self.layout.values(record)
         if not self.reader.uncertain:
             return values
         if not self.layout.spread:

@@ -21,7 +21,8 @@ def error_line(error: DynamicsError) -> str:
     texts = []
     for one in error.all():
         name = f"{one.parameter}: " if one.parameter and not one.message.startswith(one.parameter) else ""
-        texts.append(name + one.message)
+        left = getattr(one, "left", "")
+        texts.append(name + one.message + (f"; {left}" if left else ""))
     text = "; ".join(texts)
     return "".join(character if character.isprintable() else repr(character)[1:-1] for character in text)
 

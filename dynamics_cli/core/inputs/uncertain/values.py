@@ -12,6 +12,7 @@ from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.core.units.names import explain_mismatch
 from dynamics_cli.core.units.unit import NUMBER, conformable
 from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.elementary import tan
 from dynamics_cli.quantities import Angle, Kind
 
 TYPE_CHECKING = False
@@ -44,12 +45,19 @@ LISTS = ("readings", "values")
 
 
 class UncertainValue(Value):
-    """A number with its distribution; its nominal value is the mean."""
+    """A number with its distribution; its nominal value is the mean, or that of the earlier result that it is."""
 
     def __init__(
-        self, address: str, kind: Kind, distribution: d.Distribution, written: d.Distribution, unit: str
+        self,
+        address: str,
+        kind: Kind,
+        distribution: d.Distribution,
+        written: d.Distribution,
+        unit: str,
+        nominal: "tuple[float, float] | None" = None,
     ) -> None:
-        super().__init__(address, kind, distribution.mean, written.mean, unit)
+        si, shown = nominal or (distribution.mean, written.mean)
+        super().__init__(address, kind, si, shown, unit)
         self.distribution = distribution
         self.written = written
 
@@ -120,20 +128,34 @@ def read_uncertain(kind: Kind, raw: "Any", address: str, default_unit: str) -> "
             name, parts = "readings", [[scale.location(_number(item)) for item in raw]]
         else:
             name, parts, scale = _from_text(kind, raw.strip(), default_unit)
-        return _bind(kind, address, name, parts, scale), scale.notes
+        nominal = None
+        if name == "result" and isinstance(raw, dict) and raw.get("value") is not None:
+            nominal = scale.location(_number(raw["value"]))
+        return _bind(kind, address, name, parts, scale, nominal), scale.notes
     except UsageError as error:
         error.hint = error.hint or f"uncertain values are written {FORMS}"
         raise
 
 
-def _bind(kind: Kind, address: str, name: str, parts: "list[Any]", scale: Scale) -> UncertainValue:
+def _bind(
+    kind: Kind,
+    address: str,
+    name: str,
+    parts: "list[Any]",
+    scale: Scale,
+    nominal: "tuple[float, float] | None",
+) -> UncertainValue:
     made = d.KINDS[name]
     si = made(*_column(parts, 0))
     units = set(scale.units)
     shown, unit = si, "rad" if scale.angular else kind.unit
-    if len(units) == 1 and (scale.angular or kind.form != "slope"):
+    if len(units) == 1:
         shown, unit = made(*_column(parts, 1)), units.pop()
-    return UncertainValue(address, kind, d.Tangent(si) if scale.angular else si, shown, unit)
+    distribution = d.Tangent(si) if scale.angular else si
+    if nominal is not None:
+        own = tan(nominal[0]) if scale.angular else nominal[0]
+        nominal = own, nominal[1] if shown is not si else own
+    return UncertainValue(address, kind, distribution, shown, unit, nominal)
 
 
 def _column(parts: "list[Any]", which: int) -> "list[Any]":

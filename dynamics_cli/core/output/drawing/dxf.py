@@ -1,8 +1,11 @@
 """DXF by ezdxf, which only this module imports: LWPOLYLINE with bulges, SPLINE for cubics, the same bytes every time.
 
-R2000, the version most machines read. A cubic is a spline of its own, which every reader draws alike; knots of higher
-multiplicity, which would join several, are read in several ways.
+R2000, the version most machines read. Cubics that follow one another are one spline, clamped at its ends, with a knot
+of multiplicity three at each joint: the control points are those of the cubics, and nothing is fitted again. A curve of
+cubics alone is thus one closed entity.
 """
+
+from itertools import groupby
 
 from dynamics_cli.core.output.drawing.scaled import box, stated
 from dynamics_cli.errors import UsageError
@@ -19,8 +22,7 @@ if TYPE_CHECKING:
     Vertex = tuple[float, float, float]
 
 APPLICATION = "DYNAMICS"
-BEZIER_KNOTS = (0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0)
-PLANAR = 8
+CLOSED, PLANAR = 1, 8
 # Dash, gap, dot and gap of construction lines, as shares of the size of the drawing.
 CENTRE = (0.04, -0.008, 0.008, -0.008)
 # What a layer's name may not hold.
@@ -89,30 +91,30 @@ def _fill(document: "Any", drawing: "Drawing", unit: "FileUnit") -> None:
 
 
 def _entities(space: "Any", outline: "Outline") -> "list[Any]":
-    """Lines and arcs that follow one another as one polyline, each cubic as a spline."""
+    """Lines and arcs that follow one another as one polyline, cubics that do as one spline."""
     made: list[Any] = []
-    vertices: list[Vertex] = []
-
-    def end_run(last: "tuple[float, float] | None", *, closed: bool = False) -> None:
-        if vertices and last is not None:
-            ends = vertices if closed else [*vertices, (*last, 0.0)]
-            made.append(space.add_lwpolyline(ends, format="xyb", close=closed))
-        vertices.clear()
-
-    last = None
-    for piece in outline.pieces:
-        if isinstance(piece, Cubic):
-            end_run(last)
-            spline = space.add_spline(degree=3)
-            spline.dxf.flags = PLANAR
-            spline.control_points = [piece.start, piece.control1, piece.control2, piece.end]
-            spline.knots = BEZIER_KNOTS
-            made.append(spline)
-        else:
-            vertices.extend(_vertices(piece))
-        last = piece.end
-    end_run(last, closed=outline.closed and not made)
+    runs = [(kind, list(run)) for kind, run in groupby(outline.pieces, key=lambda piece: isinstance(piece, Cubic))]
+    for cubic, run in runs:
+        closed = outline.closed and len(runs) == 1
+        if cubic:
+            made.append(_spline(space, run, closed=closed))
+            continue
+        vertices = [vertex for piece in run for vertex in _vertices(piece)]
+        ends = vertices if closed else [*vertices, (*run[-1].end, 0.0)]
+        made.append(space.add_lwpolyline(ends, format="xyb", close=closed))
     return made
+
+
+def _spline(space: "Any", cubics: "list[Any]", *, closed: bool) -> "Any":
+    spline = space.add_spline(degree=3)
+    spline.dxf.flags = PLANAR + (CLOSED if closed else 0)
+    points = [cubics[0].start]
+    for cubic in cubics:
+        points += [cubic.control1, cubic.control2, cubic.end]
+    count = len(cubics)
+    spline.control_points = points
+    spline.knots = [0.0] * 4 + [float(joint) for joint in range(1, count) for _ in range(3)] + [float(count)] * 4
+    return spline
 
 
 def _vertices(piece: "Piece") -> "list[Vertex]":

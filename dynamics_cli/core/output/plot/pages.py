@@ -135,11 +135,14 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
         _head(figure, picture, system)
         return figure
     if picture.title:
-        title = written(picture.title, system).split("\n")
-        figure.suptitle("\n".join(fill(line, int(LETTERS_PER_INCH * wide)) for line in title), fontsize=10.5)
+        lines_ = sentence(written(picture.title, system)).split("\n")
+        text = "\n".join(fill(line, int(LETTERS_PER_INCH * wide)) for line in lines_)
+        title = figure.suptitle(text, fontsize=11.0, fontweight="bold", ha="left")
     if any(shared):
         figure.align_ylabels()
     _settle(figure)
+    if picture.title:
+        title.set_x(figure.axes[0].get_position().x0)
     return figure
 
 
@@ -147,10 +150,15 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
     """Title and subtitle above the left edge of the first panel; the layout is settled with them."""
     layout = figure.get_layout_engine()
     layout.set(h_pad=0.1, w_pad=0.1)
-    title = figure.suptitle(written(picture.title, system), ha="left", fontsize=13.0, fontweight="bold")
+    title = figure.suptitle(sentence(written(picture.title, system)), ha="left", fontsize=13.0, fontweight="bold")
     figure.axes[0].set_title(picture.subtitle, loc="left", fontsize=8.5, color="#555555")
     _settle(figure)
     title.set_x(figure.axes[0].get_position().x0)
+
+
+def sentence(text: str) -> str:
+    """A title, its first letter large where it begins a word."""
+    return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
 
 
 def _settle(figure: "Any") -> None:
@@ -224,10 +232,10 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     if panel.bare:
         axes.set_axis_off()
-    axes.set_xlabel(x.label)
-    axes.set_ylabel(y.label)
+    axes.set_xlabel(written(x.label, system))
+    axes.set_ylabel(written(y.label, system))
     if panel.title:
-        axes.set_title(fill(words(panel.title, system), LONGEST_TITLE // columns))
+        axes.set_title(fill(sentence(words(panel.title, system)), LONGEST_TITLE // columns))
     if x.logarithmic:
         axes.set_xscale("log")
     if y.logarithmic:

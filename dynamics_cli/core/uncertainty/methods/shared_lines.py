@@ -284,8 +284,10 @@ def shared_lines(space: Space, result: int, direction: "Array", across: "Array",
 
 
 def turns(space: Space, result: int, direction: "Array", goal: Goal) -> bool:
-    """Whether a result of a single input turns, jumps or is partly inadmissible."""
+    """Whether a result of a single input turns or jumps; the edge of what is admissible is found exactly elsewhere."""
     values = _lines(space, direction, 1, ALIKE, goal.seed).values[result]
+    if not np.isfinite(values).all():
+        return False
     rise = np.diff(values, axis=1)
     return not ((rise >= 0.0).all() or (rise <= 0.0).all())
 

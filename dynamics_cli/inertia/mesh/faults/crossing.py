@@ -1,64 +1,102 @@
 """Where a surface passes through itself, and where it lies within what it bounds: what closure alone does not see.
 
 A closed surface bounds each point of a solid once: just outside a triangle the winding number is 0 and just inside it
-is 1. On the triangle itself, its own share left out, it is the mean of both; a point that other triangles touch is not
-judged.
+is 1. It is counted along a ray parallel to an axis, by the triangles that the ray leaves and enters; a ray that meets
+an edge or runs along a face is moved aside by less than any number (by ε and ε², in signs alone). A point that other
+triangles touch is not judged.
 """
-
-from math import pi
 
 import numpy as np
 
+from dynamics_cli.inertia.mesh.faults.broad_phase import BoxesAround, MeetingBoxes
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from typing import Any
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
-# Products of points and triangles that are formed at once, and in all.
-_AT_ONCE, MOST = 200_000, 4_000_000
 # Determinants below this share of their terms have no sign that rounding could not have made.
 _ROUNDING = 1e-13
-# A winding number is whole; one further from it than this is of a point on another triangle.
-_NEAR = 0.05
+# The same beside the product of three lengths, which the terms of a determinant do not exceed; with room.
+_APART = 16.0 * _ROUNDING
 
 
-def crossings(points: "Array", faces: "Array") -> "Array":
+class Crossings:
     """Triangles that an edge of another one passes through, which shares no corner with it."""
-    corners = points[faces]
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    found = [np.empty(0, dtype=int)]
-    for one, other in _near_pairs(low, high):
-        apart = ~(faces[one][:, :, None] == faces[other][:, None, :]).any(axis=(1, 2))
-        one, other = one[apart], other[apart]
-        for through, along in ((one, other), (other, one)):
+
+    def __init__(self, points: "Array", faces: "Array") -> None:
+        self.faces = faces
+        self.corners = points[faces]
+        self.boxes = MeetingBoxes(self.corners.min(axis=1), self.corners.max(axis=1)) if len(faces) else None
+
+    @property
+    def cost(self) -> int:
+        """How many pairs of triangles are looked at."""
+        return self.boxes.pairs.count if self.boxes else 0
+
+    def triangles(self) -> "Array":
+        """Their numbers."""
+        found = [np.empty(0, dtype=int)]
+        planes = _Planes(self.corners)
+        columns = [np.ascontiguousarray(self.faces[:, k]) for k in range(3)]
+        for one, other in self.boxes or ():
             for k in range(3):
-                p, q = corners[along, k], corners[along, k - 1]
-                found.append(through[_pierced(p, q, corners[through])])
-    return np.unique(np.concatenate(found))
+                for m in range(3):
+                    apart = columns[k][one] != columns[m][other]
+                    one, other = one[apart], other[apart]
+            near = planes.may_cross(one, other)
+            one, other = one[near], other[near]
+            near = planes.may_cross(other, one)
+            one, other = one[near], other[near]
+            for through, along in ((one, other), (other, one)):
+                for k in range(3):
+                    p, q = self.corners[along, k], self.corners[along, k - 1]
+                    found.append(through[_pierced(p, q, self.corners[through])])
+        return np.unique(np.concatenate(found))
 
 
-def _near_pairs(low: "Array", high: "Array") -> "Iterator[tuple[Array, Array]]":
-    """Pairs of boxes that meet, swept along the axis along which fewest do."""
-    sweeps = []
-    for axis in range(3):
-        order = np.argsort(low[:, axis], kind="stable")
-        ends = np.searchsorted(low[order, axis], high[order, axis], side="right")
-        sweeps.append((int((ends - np.arange(len(order))).sum()), axis, order, ends))
-    _, _, order, ends = min(sweeps, key=lambda sweep: sweep[:2])
-    counts = ends - np.arange(len(order)) - 1
-    total = np.concatenate(([0], np.cumsum(counts)))
-    start = 0
-    while start < len(order):
-        stop = max(int(np.searchsorted(total, total[start] + _AT_ONCE, side="right")) - 1, start + 1)
-        sizes = counts[start:stop]
-        first = np.repeat(np.arange(start, stop), sizes)
-        second = first + 1 + np.arange(len(first)) - np.repeat(total[start:stop] - total[start], sizes)
-        one, other = order[first], order[second]
-        meet = ((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)
-        yield one[meet], other[meet]
-        start = stop
+class _Planes:
+    """The planes of triangles, and how far from them rounding may decide."""
+
+    def __init__(self, corners: "Array") -> None:
+        self.corners = corners
+        u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        self.start = np.ascontiguousarray(corners[:, 0])
+        self.normals = np.cross(u, v)
+        self.lengths = _APART * np.sqrt((u * u).sum(axis=1) * (v * v).sum(axis=1))
+
+    def clear_sides(self, number: "Array", points: "Array") -> "Array":
+        """Which side of the planes points are clearly on; 0 where it takes a closer look."""
+        away = points - self.start[number]
+        height = np.einsum("ij,ij->i", self.normals[number], away)
+        clear = self.lengths[number] * np.sqrt(np.einsum("ij,ij->i", away, away))
+        return np.where(np.abs(height) > clear, np.sign(height), 0.0)
+
+    def sides(self, number: "Array", points: "Array") -> "tuple[Array, Array]":
+        """Which side of the planes points are on, 0 where no triangle can hold one; and which triangles touch one."""
+        sides = self.clear_sides(number, points)
+        flush = np.flatnonzero(sides == 0.0)
+        flush = flush[self._hold(number[flush], points[flush])]
+        sides[flush] = _side(*(self.corners[number[flush], k] for k in range(3)), points[flush])  # type: ignore[call-arg]
+        return sides, flush[sides[flush] == 0.0]
+
+    def _hold(self, number: "Array", points: "Array") -> "Array":
+        """Which points in the planes of triangles are within them, or on their edges as far as rounding goes."""
+        inside = np.arange(len(points))
+        for k in range(3):
+            own = number[inside]
+            start = self.corners[own, k - 1]
+            edge, away, normal = self.corners[own, k] - start, points[inside] - start, self.normals[own]
+            height = np.einsum("ij,ij->i", normal, np.cross(edge, away))
+            lengths = [np.sqrt(np.einsum("ij,ij->i", part, part)) for part in (normal, edge, away)]
+            inside = inside[height >= -_APART * np.prod(lengths, axis=0)]
+        return inside
+
+    def may_cross(self, one: "Array", other: "Array") -> "Array":
+        """Whether the others' corners are not all clearly on one side of the planes of the first."""
+        first, second, third = (self.clear_sides(one, self.corners[other, k]) for k in range(3))
+        return (first == 0.0) | (first != second) | (second != third)  # type: ignore[no-any-return]
 
 
 def _pierced(p: "Array", q: "Array", corners: "Array") -> "Array":
@@ -79,40 +117,86 @@ def _side(a: "Array", b: "Array", c: "Array", d: "Array") -> "Array":
     return np.where(np.abs(value) > _ROUNDING * size, np.sign(value), 0.0)
 
 
-def windings(at: "Array", corners: "Array", without: "Array", label: "Array") -> "Array":
-    """The winding number of triangles about points; for each point the triangles of one label are left out.
+class Windings:
+    """How often a closed surface goes round points, each seen along an axis; triangles of its label are left out."""
 
-    Not a number where a point touches a triangle.
+    def __init__(self, corners: "Array", at: "Array", axis: "Array", without: "Array", label: "Array") -> None:
+        self.corners, self.at, self.without, self.label = corners, at, without, label
+        self.planes = _Planes(corners)
+        low, high = corners.min(axis=1), corners.max(axis=1)
+        self.rays = []
+        for ray in range(3):
+            chosen, plane = np.flatnonzero(axis == ray), (ray - 2, ray - 1)
+            if len(chosen):
+                self.rays.append((chosen, plane, BoxesAround(at[chosen][:, plane], low[:, plane], high[:, plane])))
+
+    @property
+    def cost(self) -> int:
+        """How many pairs of points and triangles are looked at."""
+        return sum(boxes.pairs.count for _, _, boxes in self.rays)
+
+    def numbers(self) -> "Array":
+        """The winding number about each point; not a number where a triangle touches it."""
+        total, touched = np.zeros(len(self.at)), np.zeros(len(self.at), dtype=bool)
+        for chosen, plane, boxes in self.rays:
+            for place, triangle in boxes:
+                point = chosen[place]
+                other = self.without[point] != self.label[triangle]
+                point, triangle = point[other], triangle[other]
+                side, flush = self.planes.sides(triangle, self.at[point])
+                touched[point[flush]] = True
+                turn = -side
+                for k in range(3):
+                    # a triangle that is seen from its inside is left by the ray; it stands before a point there
+                    own = _turn(self.corners[triangle, k - 1], self.corners[triangle, k], self.at[point], plane)
+                    kept = (own == turn) & (own != 0.0)
+                    point, triangle, turn = point[kept], triangle[kept], own[kept]
+                total += np.bincount(point, turn, len(total))
+        return np.where(touched, np.nan, total)
+
+
+def _turn(u: "Array", v: "Array", p: "Array", plane: "tuple[int, int]") -> "Array":
+    """On which side of an edge, seen along an axis, a point is: 1 on the left, −1 on the right.
+
+    The same to both triangles of an edge, whose ends are taken in one order. A point on it is moved by ε and ε²; 0 is
+    of an edge that is seen end on.
     """
-    out = np.empty(len(at))
-    step = max(1, _AT_ONCE // len(corners))
-    for start in range(0, len(at), step):
-        rows = slice(start, start + step)
-        a, b, c = (corners[None, :, k] - at[rows, None] for k in range(3))
-        x, y, z = (np.sqrt((part * part).sum(axis=2)) for part in (a, b, c))
-        size = x * y * z
-        up = (a * np.cross(b, c)).sum(axis=2)
-        down = size + (a * b).sum(axis=2) * z + (b * c).sum(axis=2) * x + (c * a).sum(axis=2) * y
-        left_out = without[rows, None] == label
-        touched = (np.abs(up) <= _ROUNDING * size) & (down <= _ROUNDING * size) & ~left_out
-        angles = np.where(left_out, 0.0, np.arctan2(up, down))
-        out[rows] = np.where(touched.any(axis=1), np.nan, angles.sum(axis=1) / (2.0 * pi))
-    return out
+    i, j = plane
+    swapped = (u[:, i] > v[:, i]) | ((u[:, i] == v[:, i]) & (u[:, j] > v[:, j]))
+    low, high = np.where(swapped[:, None], v, u), np.where(swapped[:, None], u, v)
+    x, y = high[:, i] - low[:, i], high[:, j] - low[:, j]
+    value = np.sign(x * (p[:, j] - low[:, j]) - y * (p[:, i] - low[:, i]))
+    value = np.where(value == 0.0, np.where(y == 0.0, np.sign(x), -np.sign(y)), value)
+    return np.where(swapped, -value, value)  # type: ignore[no-any-return]
 
 
-def misplaced(points: "Array", faces: "Array", piece: "Array") -> "tuple[Array, Array]":
-    """Triangles within what other triangles bound, which counts twice, and triangles that bound from the wrong side.
+class Placement:
+    """Triangles within what other triangles bound, which counts twice, and triangles that bound from the wrong side."""
 
-    Of many triangles only some are looked at, evenly spread, as many as `MOST` products allow.
-    """
-    corners = points[faces]
-    step = -(-(len(faces) ** 2) // MOST)
-    chosen = np.arange(0, len(faces), step)
-    about = windings(corners[chosen].mean(axis=1), corners, chosen, np.arange(len(faces))) - 0.5
-    # corners of one piece against all other pieces: those of a piece that faces inwards lie within another one
-    middle = corners - corners.mean(axis=(0, 1))
-    volumes = np.bincount(piece, weights=(middle[:, 0] * np.cross(middle[:, 1], middle[:, 2])).sum(axis=1))
-    beside = windings(corners[chosen, 0], corners, piece[chosen], piece) - (volumes[piece[chosen]] < 0.0)
-    about, beside = (np.where(np.abs(x - np.round(x)) < _NEAR, np.round(x), 0.0) for x in (about, beside))
-    about = np.where(about == 0.0, beside, about)
-    return chosen[about > 0.0], chosen[about < 0.0]
+    def __init__(self, points: "Array", faces: "Array", piece: "Array") -> None:
+        corners = points[faces]
+        count = np.arange(len(faces))
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        # along the axis that a triangle faces most, its middle is seen well within it
+        axis = np.argmax(np.abs(normal), axis=1)
+        self.inwards = normal[count, axis] < 0.0
+        middle = corners - corners.mean(axis=(0, 1))
+        volumes = np.bincount(piece, weights=(middle[:, 0] * np.cross(middle[:, 1], middle[:, 2])).sum(axis=1))
+        self.hollow = volumes[piece] < 0.0
+        self.middles = Windings(corners, corners.mean(axis=1), axis, count, count)
+        # corners of one piece against all other pieces: those of a piece that faces inwards lie within another one
+        self.corners = Windings(corners, corners[:, 0], axis, piece, piece) if piece.any() else None
+
+    @property
+    def cost(self) -> int:
+        """How many pairs of points and triangles are looked at."""
+        return self.middles.cost + (self.corners.cost if self.corners else 0)
+
+    def triangles(self) -> "tuple[Array, Array]":
+        """The numbers of triangles within, and of triangles against."""
+        # the ray from a triangle begins on the side that the triangle shows it
+        about = np.nan_to_num(self.middles.numbers() - self.inwards)
+        if self.corners:
+            beside = np.nan_to_num(self.corners.numbers() - self.hollow)
+            about = np.where(about == 0.0, beside, about)
+        return np.flatnonzero(about > 0.0), np.flatnonzero(about < 0.0)

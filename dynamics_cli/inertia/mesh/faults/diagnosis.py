@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics_cli.inertia.mesh.faults.closure import vertex_hashes
-from dynamics_cli.inertia.mesh.faults.crossing import crossings, misplaced
+from dynamics_cli.inertia.mesh.faults.crossing import Crossings, Placement
 from dynamics_cli.inertia.mesh.surface import Faults
 
 TYPE_CHECKING = False
@@ -18,8 +18,11 @@ if TYPE_CHECKING:
 NAMED = 3
 
 
-def diagnose(source: "Source", *, closed: bool) -> Faults:
-    """Count and place what keeps a surface from bounding a solid; memory grows with the file, time with its square."""
+def diagnose(source: "Source", *, closed: bool, most: "int | None" = None) -> "Faults | None":
+    """Count and place what keeps a surface from bounding a solid.
+
+    None where more pairs of triangles are near each other than `most`: memory and time grow with their number.
+    """
     corners, flat = _corners(source)
     faces, points = _joined(corners)
     equal = (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
@@ -28,8 +31,13 @@ def diagnose(source: "Source", *, closed: bool) -> Faults:
     edges = _Edges(faces)
     flipped, piece = _turned(edges, len(faces))
     sound = faces[~(equal | flat)]
-    crossing = np.flatnonzero(~(equal | flat))[crossings(points, sound)]
-    within, against = misplaced(points, faces, piece) if closed else (crossing[:0], crossing[:0])
+    crossings = Crossings(points, sound)
+    placement = Placement(points, faces, _joined_pieces(edges, piece)) if closed else None
+    pairs = crossings.cost + (placement.cost if placement else 0)
+    if most is not None and pairs > most:
+        return None
+    crossing = np.flatnonzero(~(equal | flat))[crossings.triangles()]
+    within, against = placement.triangles() if placement else (crossing[:0], crossing[:0])
     places = [
         *(f"open edge {_edge(points, edges, k)} of triangle {edges.owner(k)}" for k in edges.open[:NAMED]),
         *(f"clashing edge {_edge(points, edges, k)} of triangle {edges.owner(k)}" for k in edges.clashing[:NAMED]),
@@ -53,6 +61,7 @@ def diagnose(source: "Source", *, closed: bool) -> Faults:
         crossing=len(crossing),
         within=len(within),
         against=len(against),
+        pairs=pairs,
         places=tuple(places),
     )
 
@@ -142,6 +151,27 @@ def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
     total = np.bincount(piece, minlength=pieces)
     minority = way ^ (2 * turned_count > total)[piece]
     return np.flatnonzero(minority).tolist(), piece
+
+
+def _joined_pieces(edges: _Edges, piece: "Array") -> "Array":
+    """Pieces joined by every edge that they share: of a closed surface each of these is closed."""
+    several = np.flatnonzero(edges.count > 2)
+    sizes = edges.count[several]
+    first = np.repeat(edges.start[several], sizes)
+    place = first + np.arange(len(first)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    links = np.unique(np.stack((piece[edges.face[first]], piece[edges.face[place]])), axis=1)
+    number = list(range(int(piece.max()) + 1))
+    for one, other in links.T.tolist():
+        while number[one] != one:
+            one = number[one]
+        while number[other] != other:
+            other = number[other]
+        number[max(one, other)] = min(one, other)
+    for at, to in enumerate(number):
+        # what a piece was joined to has a lower number, and is known already
+        number[at] = number[to]
+    joined: Array = np.array(number)[piece]
+    return joined
 
 
 def _from_least(faces: "Array") -> "Array":

@@ -1,0 +1,85 @@
+"""A picture of two wheels that roll on one another or share a belt."""
+
+from math import acos, cos, degrees, pi, sin
+
+from dynamics_cli.errors import worded
+from dynamics_cli.gear.section import BLACK, centre_lines, circle
+from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.quantities import Angle, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Torque
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
+STEPS = 72
+# A wheel smaller than this share of the other has its words beside it.
+SMALL = 0.5
+
+
+def wheels(
+    made: "Any", *, first_diameter: float, second_diameter: float, drive: str = "external", **_: "Any"
+) -> Picture:
+    """Both wheels to scale, rolling on one another or with their belt, and the main results."""
+    radii = 0.5 * first_diameter, 0.5 * second_diameter
+    distance, drive = float(made.centre_distance), str(drive)
+    items: list[Any] = []
+    for role, (at, radius) in enumerate(zip(((0.0, 0.0), (distance, 0.0)), radii, strict=True)):
+        edge = circle(at, radius, "", "filled", role)
+        items += [edge, *centre_lines(at, 1.15 * radius), Mark(*at)]
+        name = f"{'driver' if not role else 'driven'}\n"
+        text = worded(name + "d_{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
+        small = radius < SMALL * max(radii)
+        beside = (at[0] - radius - 0.4 * max(radii), at[1]) if small else (at[0] + 0.4 * radius, at[1] + 0.45 * radius)
+        items.append(Label(*beside, text, role))
+    low = -max(radii) * 1.12
+    items.append(Dimension((0.0, distance), (low, low), worded("a = {size:6}", size=(distance, Size))))
+    if drive.endswith("belt"):
+        items.append(_belt(radii, distance, crossed=drive == "crossed-belt"))
+    rows = [
+        (name, symbol, worded("{value:6}", value=(float(value), kind)))
+        for name, symbol, value, kind in (
+            ("ratio", "i", made.ratio, Ratio),
+            ("speed of the driven wheel", "n_2", made.second_speed, ShaftSpeed),
+            ("rim speed", "v", made.rim_speed, Speed),
+            ("belt length", "L", made.belt_length, Size),
+            ("wrap of the driver", "θ_1", made.first_wrap, Angle),
+            ("tight side", "F_1", made.tight_tension, Force),
+            ("slack side", "F_2", made.slack_tension, Force),
+            ("force that presses them together", "F_n", made.normal_force, Force),
+            ("torque on the driven wheel", "T_2", made.second_torque, Torque),
+        )
+        if value is not None
+    ]
+    titles = {
+        "external": "Friction wheels",
+        "internal": "Friction wheels, one inside the other",
+        "open-belt": "Open belt drive",
+        "crossed-belt": "Crossed belt drive",
+    }
+    ratio = worded("{title}, i = {ratio}", title=titles.get(drive, drive), ratio=(float(made.ratio), Ratio))
+    wraps = (made.first_wrap, made.second_wrap)
+    subtitle = "To scale"
+    if all(wrap is not None for wrap in wraps):
+        subtitle += "; the belt wraps " + " and ".join(f"{degrees(float(wrap)):.4g}°" for wrap in wraps)
+    scene = Panel(X, Y, tuple(items), equal=True, bare=True)
+    return Picture((scene, Panel(X, Y, (Rows(tuple(rows)),))), ratio, subtitle=subtitle)
+
+
+def _belt(radii: "tuple[float, float]", distance: float, *, crossed: bool) -> Curve:
+    """The belt as one closed line: a tangent, the wrap of the second wheel, a tangent, the wrap of the first."""
+    one, two = radii
+    far = -two if crossed else two
+    # A tangent's normal leans by acos((r₁ ∓ r₂)/a) from the line of centres.
+    lean = acos((one - far) / distance)
+    span = [(one * cos(lean), one * sin(lean)), (distance + far * cos(lean), far * sin(lean))]
+    turns = [k / STEPS for k in range(1, STEPS)]
+    if crossed:
+        second = [(pi + lean) + (2.0 * pi - 2.0 * lean) * k for k in turns]
+    else:
+        second = [lean - 2.0 * lean * k for k in turns]
+    points = [*span, *((distance + two * cos(t), two * sin(t)) for t in second)]
+    points += [(distance + far * cos(lean), -far * sin(lean)), (one * cos(lean), -one * sin(lean))]
+    points += [(one * cos(t), one * sin(t)) for t in (-lean - (2.0 * pi - 2.0 * lean) * k for k in turns)]
+    points.append(span[0])
+    return Curve([x for x, _ in points], [y for _, y in points], "", "thick", BLACK)

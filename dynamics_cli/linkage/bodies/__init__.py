@@ -1,0 +1,1 @@
+"""Bodies in plane motion, their instant centres, and open chains."""

@@ -1,0 +1,78 @@
+"""Pictures of a body in plane motion and of a chain."""
+
+from itertools import pairwise
+from math import cos, pi, sin
+
+from dynamics_cli.linkage.bodies.body import body_line
+from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Coordinate
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# The longest arrow is this share of the picture.
+ARROW = 0.3
+CIRCLE = [2.0 * pi * k / 120 for k in range(121)]
+
+
+def _arrows(points: "list[tuple[Any, Any, str]]", size: float, role: int, label: str) -> "list[Arrow]":
+    longest = max((abs(complex(*vector)) for _, vector, _ in points), default=0.0)
+    scale = ARROW * size / longest if longest else 0.0
+    return [
+        Arrow(at[0], at[1], scale * vector[0], scale * vector[1], f"{label}{name}", role)
+        for at, vector, name in points
+        if scale and abs(complex(*vector)) > 0.0
+    ]
+
+
+def body_picture(
+    result: "Any", *, point: "Any", velocity: "Any", rest: "Any", acceleration: "Any" = None, **_: "Any"
+) -> Picture:
+    """Points with their velocities, the instant centre with its rays, and the inflection circle."""
+    marks = [(point, velocity, " A")]
+    second = getattr(rest, "second_point", None)
+    if second is not None:
+        marks.append((second, rest.second_velocity, " B"))
+    marks += [(one.position, one.velocity, "") for one in result.points or ()]
+    spots = [at for at, _, _ in marks] + [result.instant_centre or point, result.zero_acceleration or point]
+    size = max(
+        max(at[i] for at in spots) - min(at[i] for at in spots) for i in (0, 1)
+    ) or 0.1  # fmt: skip
+    items: list[Any] = []
+    if result.instant_centre:
+        px, py = result.instant_centre
+        items += [Curve([px, at[0]], [py, at[1]], "", "thin", 6) for at, _, _ in marks]
+        items.append(Mark(px, py, "instant centre"))
+    if result.inflection_diameter and result.inflection_diameter < 10.0 * size:
+        px, py = result.instant_centre
+        radius = 0.5 * result.inflection_diameter
+        cx, cy = (
+            px + radius * cos(result.inflection_direction or 0.0),
+            py + radius * sin(result.inflection_direction or 0.0),
+        )
+        items.append(
+            Curve([cx + radius * cos(t) for t in CIRCLE], [cy + radius * sin(t) for t in CIRCLE], "inflection circle",
+                  "dashed", 5)
+        )  # fmt: skip
+    if result.zero_acceleration:
+        items.append(Mark(result.zero_acceleration[0], result.zero_acceleration[1], "zero acceleration", (5.0, -12.0)))
+    items += [Mark(at[0], at[1], name.strip(), (-12.0, -12.0)) for at, _, name in marks]
+    items += _arrows(marks, size, 0, "v")
+    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((panel,), f"plane motion of a body\n{body_line(result)}")
+
+
+def chain_picture(result: "Any", **_: "Any") -> Picture:
+    """The links with velocity and acceleration of every joint."""
+    joints = [(0.0, 0.0), *(joint.position for joint in result.joints)]
+    size = sum(abs(complex(*b) - complex(*a)) for a, b in pairwise(joints))
+    items: list[Any] = [
+        Curve([a[0], b[0]], [a[1], b[1]], f"link {number}", "thick", number - 1)
+        for number, (a, b) in enumerate(pairwise(joints), 1)
+    ]
+    items += [Mark(at[0], at[1], "") for at in joints]
+    items += _arrows([(joint.position, joint.velocity, "") for joint in result.joints], size, 2, "v")
+    items += _arrows([(joint.position, joint.acceleration, "") for joint in result.joints], size, 3, "a")
+    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((panel,), "open chain; v and a each to one scale")

@@ -1,0 +1,157 @@
+"""Tasks of `dynamics linkage`: the four-bar."""
+
+from dynamics_cli.core.answering.task import Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+RIGID = "rigid links in one plane, pins without play"
+ARM = '--crank "40 mm" --coupler "120 mm" --rocker "80 mm" --ground "100 mm"'
+
+FOUR_BAR = Task(
+    "four-bar",
+    "Position, velocity and acceleration of a four-bar on both branches, or its table over the crank angle.",
+    Model(
+        "two circles",
+        "dynamics_cli.linkage.fourbar.four_bar:four_bar",
+        source=BOOK + "sections 5.3 to 5.5",
+        formula="f² = ({crank|a} − {ground|d})² + 4·{crank|a}·{ground|d}·sin²({crank_angle|θ₂}/2); "
+        "D₁ = ({coupler|b} + {rocker|c})² − f², D₂ = f² − ({coupler|b} − {rocker|c})²; "
+        "{transmission_angle|μ} = 2·atan2(√D₂, √D₁)",
+        assumptions=(RIGID, "no friction where torques are given"),
+    ),
+    headline=(
+        "rocker_angle: rocker angle θ₄",
+        "coupler_angle: coupler angle θ₃",
+        "transmission_angle: transmission angle μ",
+        "rocker_ratio: speed ratio ω₄/ω₂",
+        "rocker_speed: rocker speed ω₄",
+        "coupler_speed: coupler speed ω₃",
+        "rocker_acceleration: rocker acceleration α₄",
+        "coupler_acceleration: coupler acceleration α₃",
+        "crank_torque: crank torque T₂",
+        "position: coupler point P",
+        "velocity: velocity of P",
+        "acceleration: acceleration of P",
+        "other_rocker_angle: θ₄ on the other branch",
+        "kind: class",
+        "side: this assembly",
+        "table: crank turn | crank_angle=θ₂, rocker_angle=θ₄, rocker_ratio=ω₄/ω₂, rocker_change=α₄/ω₂², "
+        "transmission_angle=μ, coupler_angle=θ₃",
+    ),
+    examples=(
+        f'dynamics linkage four-bar {ARM} --crank-angle "40 deg" --speed "10 rad/s"',
+        f'dynamics linkage four-bar {ARM} --crank-angle "40 deg" --speed "95 rpm" --load-torque "12 N*m" '
+        '--point "60, 40 mm"',
+        f"dynamics linkage four-bar {ARM} --steps 12",
+    ),
+    table="table",
+    plot="dynamics_cli.linkage.fourbar.pictures:four_bar_picture",
+    writers={"svg": "dynamics_cli.linkage.fourbar.pictures:moving_four_bar"},
+)
+
+CLASS = Task(
+    "class",
+    "Grashof class of a four-bar on the decimals as typed: limits, swing, time ratio, change points.",
+    Model(
+        "Grashof's rule",
+        "dynamics_cli.linkage.fourbar.grashof:classify",
+        source=BOOK + "section 5.5; Grashof, Theoretische Maschinenlehre, 1883",
+        formula="s + l < p + q; cos φ at O₂ = (({crank|a} ± {coupler|b})² + {ground|d}² − {rocker|c}²)/"
+        "(2·({crank|a} ± {coupler|b})·{ground|d})",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "kind: class",
+        "margin: margin p + q − s − l",
+        "rotates: turns fully",
+        "outer_limit: crank stays within ±",
+        "inner_limit: crank stays beyond ±",
+        "swing: rocker swings through",
+        "rocker_least: smallest rocker angle",
+        "rocker_greatest: largest rocker angle",
+        "time_ratio: time ratio",
+        "least_transmission_angle: smallest transmission angle μ",
+        "greatest_transmission_angle: largest transmission angle μ",
+        "change_points: change point | crank_angle=θ₂, first_rocker_ratio=ω₄/ω₂, second_rocker_ratio=or ω₄/ω₂, "
+        "coupler_angle=θ₃, rocker_angle=θ₄",
+    ),
+    examples=(
+        f"dynamics linkage class {ARM}",
+        'dynamics linkage class --crank "2 in" --coupler "5 in" --rocker "4 in" --ground "3 in" --units us',
+    ),
+    arrays=False,
+    plot="dynamics_cli.linkage.fourbar.pictures:class_picture",
+)
+
+COUPLER = Task(
+    "coupler",
+    "Curve of a coupler point: length, cusps, crossings, cognates; DXF, SVG or CSV with a proved deviation.",
+    Model(
+        "analytic closed motion",
+        "dynamics_cli.linkage.fourbar.coupler:coupler",
+        source=BOOK + "section 5.5; Roberts 1875 for the cognates",
+        formula="P = A + (p + i·q)·(B − A)/{coupler|b}; {length|L} = ∮|P′|du; z = (p + i·q)/{coupler|b}, third pivot "
+        "z·{ground|d}",
+        assumptions=(RIGID,),
+        method="trapezoid rule on an analytic closed curve",
+    ),
+    headline=(
+        "length: length of the curve",
+        "area: area inside",
+        "left: x from",
+        "right: x to",
+        "bottom: y from",
+        "top: y to",
+        "crank_turns: turns of the crank",
+        "kind: class",
+        "deviation: proved deviation",
+        "pieces: pieces of the drawing",
+        "cusps: cusp | crank_angle=θ₂, x, y",
+        "crossings: crossing | crank_angle=θ₂, second_crank_angle=and θ₂, x, y",
+        "cognates: cognate | name, crank, coupler, rocker, ground",
+    ),
+    examples=(
+        f'dynamics linkage coupler {ARM} --point "60, 40 mm"',
+        'dynamics linkage coupler --crank "1 in" --coupler "2.5 in" --rocker "2.5 in" --ground "2 in" '
+        '--point "5, 0 in" --units us',
+    ),
+    table="points",
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.linkage.fourbar.pictures:coupler_picture",
+)
+
+SYNTHESIZE = Task(
+    "synthesize",
+    "Four-bar for three angle pairs, three poses of its coupler, or a swing with a time ratio; with its defects.",
+    Model(
+        "prescribed positions",
+        "dynamics_cli.linkage.fourbar.synthesis:synthesize",
+        source="Freudenstein, Transactions of the ASME 77, 1955",
+        formula="R₁·cos θ₄ − R₂·cos θ₂ + R₃ = cos(θ₂ − θ₄); R₁ = {ground|d}/{crank|a}, R₂ = {ground|d}/{rocker|c}",
+        assumptions=(RIGID,),
+        method="closed form; for a swing the best of a family, by golden section",
+    ),
+    headline=(
+        "crank: crank a",
+        "coupler: coupler b",
+        "rocker: rocker c",
+        "ground: ground d",
+        "crank_pivot: pivot O₂",
+        "rocker_pivot: pivot O₄",
+        "kind: class",
+        "defects: defects",
+        "least_transmission_angle: smallest transmission angle μ",
+        "met: met at | crank_angle=θ₂, rocker_angle=θ₄, branch",
+    ),
+    examples=(
+        'dynamics linkage synthesize --pair "crank_angle=30 deg, rocker_angle=60 deg" '
+        '--pair "crank_angle=60 deg, rocker_angle=75 deg" --pair "crank_angle=90 deg, rocker_angle=95 deg" '
+        '--ground "100 mm"',
+        'dynamics linkage synthesize --swing "60 deg" --time-ratio 1.2 --rocker "80 mm"',
+    ),
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.linkage.fourbar.pictures:synthesis_picture",
+)
+
+TASKS: "tuple[Task, ...]" = (FOUR_BAR, CLASS, COUPLER, SYNTHESIZE)

@@ -1,0 +1,82 @@
+"""Tasks of `dynamics linkage`: linkages from scenes."""
+
+from dynamics_cli.core.answering.task import Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+RIGID = "rigid links in one plane, pins and slides without play"
+SIX_BAR = "examples/six_bar.toml"
+
+SOLVE = Task(
+    "solve",
+    "Any planar linkage from a scene of links, pins, slides and drivers: position, velocity, acceleration, proved.",
+    Model(
+        "dyads, then Newton with a certificate",
+        "dynamics_cli.linkage.scenes.solve:solve",
+        source=BOOK + "sections 5.2 and 5.6; Kantorovich's theorem",
+        formula="½(|P − Q|² − L²) = 0, (R − P)×(Q − P) = 0; J·q̇ = −Φ_t; h = ‖J⁻¹‖·√Σ‖H‖²·‖J⁻¹Φ‖ ≤ ½",
+        assumptions=(RIGID,),
+        method="closed form and Newton–Kantorovich",
+    ),
+    headline=(
+        "assembly: assembly",
+        "pin_error: pins proved to",
+        "motion: motion | driver_angle=driver, angle, speed=ω, acceleration=α, position, velocity, pin_acceleration=a",
+        "links: link | name, angle, speed=ω, acceleration=α",
+        "pins: pin | name, position, velocity, acceleration",
+        "every_assembly: assembly | number, sides, pin, position",
+    ),
+    examples=(f"dynamics linkage solve {SIX_BAR}",),
+    table="motion pins",
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.linkage.scenes.pictures:scene_picture",
+    writers={"svg": "dynamics_cli.linkage.scenes.pictures:moving_scene"},
+)
+
+CENTRES = Task(
+    "centres",
+    "Instant centres of every two links of a linkage, centres at infinity among them.",
+    Model(
+        "velocities of the links",
+        "dynamics_cli.linkage.scenes.centres:centres",
+        source=BOOK + "sections 5.4 and 5.7",
+        formula="I_ij = i·(v_j − v_i)/(ω_j − ω_i), v of the links' points at the origin",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "count: instant centres",
+        "centres: centre | first, second, position, direction, ratio=ω/ω",
+    ),
+    examples=(f"dynamics linkage centres {SIX_BAR}",),
+    table="centres",
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.linkage.scenes.pictures:centres_picture",
+)
+
+MOBILITY = Task(
+    "mobility",
+    "Degrees of freedom of a linkage: counted, and true at its pose; conditions that repeat others.",
+    Model(
+        "Grübler's count and the rank of the Jacobian",
+        "dynamics_cli.linkage.scenes.mobility:mobility",
+        source=BOOK + "section 5.2",
+        formula="{counted|M} = 3·({links|n} − 1) − 2·{pins|j₁} − {slides|j₂}",
+        assumptions=(RIGID,),
+        method="singular values",
+    ),
+    headline=(
+        "freedom: degrees of freedom",
+        "counted: counted 3(n − 1) − 2j₁ − j₂",
+        "links: links n",
+        "pins: pins j₁",
+        "slides: slides j₂",
+        "repeated: repeated conditions",
+        "named: in them take part",
+    ),
+    examples=(f"dynamics linkage mobility {SIX_BAR}",),
+    arrays=False,
+    tracked=False,
+)
+
+TASKS: "tuple[Task, ...]" = (CENTRES, MOBILITY, SOLVE)

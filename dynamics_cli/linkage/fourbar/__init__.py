@@ -1,0 +1,1 @@
+"""The four-bar linkage: closure, class, coupler curves."""

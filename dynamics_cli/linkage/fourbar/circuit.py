@@ -1,0 +1,169 @@
+"""One whole motion of a four-bar over a parameter in which it is analytic, through toggles and change points too.
+
+A crank that turns fully is its own parameter. Between limits θ₂ runs to and fro: with sin(θ₂/2) = S sin u the root that
+vanishes at the limits is 2√(ad)·S·cos u exactly, so that both branches are one smooth closed curve in u.
+"""
+
+import numpy as np
+
+from dynamics_cli.linkage.fourbar.closure import Frame
+from dynamics_cli.linkage.fourbar.grashof import limits
+from dynamics_cli.linkage.fourbar.jets import Jet, wave
+from dynamics_cli.numerics.discs import Disc
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+FULL = 2.0 * np.pi
+
+
+class Circuit:
+    """A closed motion over u from 0 to 2π.
+
+    `side` is the branch of a crank that turns fully, else the side of the ground link on which the crank swings where
+    there are two limits; elsewhere both branches belong to one motion.
+    """
+
+    def __init__(self, links: Frame, side: float) -> None:
+        self.links = links
+        self.side = side
+        self.outer, self.inner = limits(links)
+        # a motion through one change point closes after two turns of the crank
+        self.turns = 2 if self.full and (links.outer == 0.0) != (links.inner == 0.0) else 1
+
+    @property
+    def full(self) -> bool:
+        """Whether the crank turns fully."""
+        return self.outer is None and self.inner is None
+
+    def crank(self, u: "Any") -> "tuple[Jet, Jet, Jet]":
+        """Cosine and sine of θ₂, and the signed √(D₁D₂)."""
+        if self.full:
+            return self._turning(u)
+        links, (cosine, sine) = self.links, wave(u)
+        a, b, c, d = links.lengths
+        ad = links.product
+        if self.outer is not None and self.inner is not None:
+            far, near = np.cos(self.inner), np.cos(self.outer)
+            middle, half = 0.5 * (far + near), 0.5 * (far - near)
+            turn = sine * half + middle
+            return turn, (Jet(1.0) - turn * turn).root() * self.side, cosine * (2.0 * ad * half)
+        reach = np.sin(0.5 * self.outer) if self.outer is not None else np.cos(0.5 * self.inner)  # type: ignore[operator]
+        share = sine * reach
+        square = share * share
+        other = (Jet(1.0) - square).root()
+        turn, across = Jet(1.0) - square * 2.0, share * other * 2.0
+        root = cosine * (2.0 * np.sqrt(ad) * reach)
+        gap = abs(links.slim)
+        if self.outer is not None:
+            if links.inner == 0.0:
+                return turn, across, root * share * (2.0 * np.sqrt(ad))
+            return turn, across, root * (square * (4.0 * ad) + links.inner * (links.apart + gap)).root()
+        if links.outer == 0.0:
+            return -turn, -across, root * share * (2.0 * np.sqrt(ad))
+        return -turn, -across, root * (square * (4.0 * ad) + links.outer * (a + b + c + d)).root()
+
+    def _turning(self, u: "Any") -> "tuple[Jet, Jet, Jet]":
+        links = self.links
+        b, c, ad = links.b, links.c, links.product
+        if self.turns == 2:
+            half_cosine, half_sine = wave(u)
+            turn, across = half_cosine * half_cosine * 2.0 - 1.0, half_cosine * half_sine * 2.0
+            square = half_sine * half_sine * (4.0 * ad)
+        else:
+            turn, across = wave(u)
+            square = (Jet(1.0) - turn) * (2.0 * ad)
+        gap = abs(links.slim)
+        first = (b + c - links.apart) * (b + c + links.apart) - square
+        second = square + links.inner * (links.apart + gap)
+        if links.outer == 0.0 and links.inner == 0.0:
+            return turn, across, across * (2.0 * ad * self.side)
+        if links.outer == 0.0:
+            return turn, across, half_cosine * second.root() * (2.0 * np.sqrt(ad) * self.side)
+        if links.inner == 0.0:
+            return turn, across, half_sine * first.root() * (2.0 * np.sqrt(ad) * self.side)
+        return turn, across, (first * second).root() * self.side
+
+    def place(self, u: "Any", point: complex) -> "tuple[Jet, Jet]":
+        """A coupler point's coordinates as jets over u; the point is given from A along and left of AB."""
+        links = self.links
+        along, aside = point.real / links.b, point.imag / links.b
+        if links.apart == 0.0 and links.slim == 0.0:
+            (ax, ay), (bx, by) = self._kite(u)
+            return ax + bx * along - by * aside, ay + by * along + bx * aside
+        turn, across, area = self.crank(u)
+        ax, ay = turn * links.a, across * links.a
+        fx, fy = -ax + links.d, -ay
+        square = (Jet(1.0) - turn) * (2.0 * links.product) + links.apart * links.apart
+        twice = (square * 2.0).inverse()
+        ahead, left = (square + links.excess) * twice, area * twice
+        bx, by = ahead * fx - left * fy, ahead * fy + left * fx
+        return ax + bx * along - by * aside, ay + by * along + bx * aside
+
+    def _kite(self, u: "Any") -> "tuple[tuple[Jet, Jet], tuple[Jet, Jet]]":
+        """Crank and coupler of a kite, a = d and b = c, whose pin A may pass O₄: b⃗ = ½f⃗ + ½√D₁·e^{iθ₂/2}."""
+        links, (cosine, sine) = self.links, wave(u)
+        a, b = links.a, links.b
+        if links.outer == 0.0:
+            # a rhombus, √D₁ = 2a·cos(θ₂/2), with θ₂ for the parameter
+            ax, ay = cosine * a, sine * a
+            leanx, leany = (cosine + 1.0) * (0.5 * a * self.side), sine * (0.5 * a * self.side)
+        else:
+            half, root = (cosine, sine), None
+            if self.outer is not None:
+                reach = np.sin(0.5 * self.outer)
+                share = sine * reach
+                half, root = ((Jet(1.0) - share * share).root(), share), cosine * (2.0 * a * reach)
+            if root is None:
+                root = (Jet(4.0 * b * b) - half[1] * half[1] * (4.0 * a * a)).root() * self.side
+            ax, ay = (half[0] * half[0] * 2.0 - 1.0) * a, half[0] * half[1] * (2.0 * a)
+            leanx, leany = root * half[0] * 0.5, root * half[1] * 0.5
+        return (ax, ay), ((Jet(links.d) - ax) * 0.5 + leanx, -ay * 0.5 + leany)
+
+
+class CouplerPath:
+    """A coupler curve as fitting and its proof ask for it: over u, cut where it has cusps."""
+
+    parameter = "parameter"
+    sharp = "the point nearly stops there: allow a wider tolerance, or draw lines"
+    turn = 1.0
+
+    def __init__(self, circuit: Circuit, point: complex, cuts: "Sequence[float]" = ()) -> None:
+        self.circuit = circuit
+        self.point = point
+        self.starts = np.array(sorted(cuts) or [0.0])
+        self.ends = np.append(self.starts[1:], self.starts[0] + FULL)
+        self.still = np.zeros(self.starts.size, dtype=bool)
+
+    def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":
+        """Point, unit direction of travel and speed."""
+        del piece
+        x, y = self.circuit.place(theta, self.point)
+        speed = np.hypot(x.first, y.first)
+        over = 1.0 / np.where(speed > 0.0, speed, 1.0)
+        return x.value, y.value, x.first * over, y.first * over, speed
+
+    def on(self, piece: int) -> "Any":
+        """The curve seen from within its piece."""
+        from dynamics_cli.numerics.fitting.path import OnPiece
+
+        return OnPiece(self, piece)
+
+    def points(self, theta: "Any", piece: int) -> "tuple[Disc, Disc]":
+        """Discs that hold the coordinates."""
+        del piece
+        x, y = self.circuit.place(Disc(theta, np.zeros_like(theta)), self.point)
+        return x.value, y.value
+
+    def acceleration(self, theta: "Any", half: "Any", piece: int) -> "tuple[Any, Any]":
+        """Bounds of the second and the first derivative on cells."""
+        del piece
+        with np.errstate(all="ignore"):
+            x, y = self.circuit.place(Disc(theta, half), self.point)
+            return (np.hypot(part.size, other.size) * (1.0 + 2.0**-49) for part, other in _pairs(x, y))  # type: ignore[return-value]
+
+
+def _pairs(x: Jet, y: Jet) -> "tuple[tuple[Any, Any], tuple[Any, Any]]":
+    return (x.second, y.second), (x.first, y.first)

@@ -1,0 +1,221 @@
+"""Closing the loop of a four-bar: two circles, without arc cosines or quotients of tangents, smooth at change points.
+
+O₂ = (0, 0), O₄ = (d, 0), A = a·e^{iθ₂}, B from A by the coupler b and from O₄ by the rocker c. With f = |A O₄|,
+D₁ = (b + c)² − f² and D₂ = f² − (b − c)², B lies at ±√(D₁D₂)/2f from the line A O₄. Where b + c = a + d exactly, √D₁ is
+the signed 2√(ad)·cos(θ₂/2), where |b − c| = |a − d| exactly √D₂ is 2√(ad)·sin(θ₂/2): the motion runs on smoothly.
+"""
+
+from dynamics_cli.linkage.fourbar.lengths import margin
+from dynamics_cli.numerics.elementary import absolute, maximum, sqrt, where
+from dynamics_cli.numerics.number import single
+from dynamics_cli.records import Choice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+class Branch(Choice):
+    """The side on which the pin of coupler and rocker lies, seen from the crank's pin towards the rocker's pivot."""
+
+    names = ("open", "crossed")
+    aliases = {"+": "open", "left": "open", "-": "crossed", "−": "crossed", "right": "crossed"}  # noqa: RUF012
+
+
+OPEN = Branch("open")
+
+
+@record
+class Frame:
+    """What the four lengths alone decide.
+
+    `outer` is b + c − a − d and `inner` |a − d| − |b − c|, both exact for decimals; they are zero at change points and
+    negative where the crank has limits.
+    """
+
+    a: float
+    b: float
+    c: float
+    d: float
+    longer: float
+    apart: float
+    slim: float
+    outer: float
+    inner: float
+    product: float
+    excess: float
+
+    @property
+    def lengths(self) -> "tuple[float, float, float, float]":
+        """Crank, coupler, rocker, ground."""
+        return self.a, self.b, self.c, self.d
+
+
+def frame(a: float, b: float, c: float, d: float) -> Frame:
+    """The four lengths with their differences and margins."""
+    apart, slim = margin((1, -1), (a, d)), margin((1, -1), (b, c))
+    # |a − d| − |b − c| as one sum of the four lengths
+    alike, unlike = margin((1, -1, 1, -1), (a, b, c, d)), margin((1, 1, -1, -1), (a, b, c, d))
+    inner = where((apart >= 0.0) == (slim >= 0.0), alike, unlike)
+    inner = where(apart >= 0.0, inner, -inner)
+    outer = margin((-1, 1, 1, -1), (a, b, c, d))
+    return Frame(a, b, c, d, apart, absolute(apart), slim, outer, inner, a * d, slim * (b + c))
+
+
+@record
+class Closed:
+    """The loop at one crank angle: f² and f⃗ from A to O₄, b⃗ and c⃗, the two roots, and how the angles respond.
+
+    `response` is K = a·d·sin θ₂/(√D₁·√D₂) and `change` its derivative by θ₂, both finite at change points.
+    """
+
+    square: float
+    fx: float
+    fy: float
+    first: float
+    second: float
+    bx: float
+    by: float
+    cx: float
+    cy: float
+    response: float
+    change: float
+    along: float
+    moment: float
+
+
+def discriminants(links: Frame, half: "tuple[float, float]") -> "tuple[float, float]":
+    """D₁ and D₂ at a crank angle whose half has this cosine and sine: negative where the loop does not close."""
+    cosine, sine = half
+    four = 4.0 * links.product
+    a, b, c, d = links.lengths
+    gap = absolute(links.slim)
+    first = _either(
+        links.outer >= 0.0,
+        lambda: links.outer * (a + b + c + d) + four * (cosine * cosine),
+        lambda: (b + c - links.apart) * (b + c + links.apart) - four * (sine * sine),
+    )
+    second = _either(
+        links.inner >= 0.0,
+        lambda: links.inner * (links.apart + gap) + four * (sine * sine),
+        lambda: (a + d - gap) * (a + d + gap) - four * (cosine * cosine),
+    )
+    return first, second
+
+
+def _either(condition: bool, yes: "Callable[[], float]", no: "Callable[[], float]") -> float:
+    """One of the two, and only one calculated where one condition holds for all."""
+    if single(condition):
+        return yes() if condition else no()
+    return where(condition, yes(), no())
+
+
+def close(
+    links: Frame,
+    turn: "tuple[float, float]",
+    half: "tuple[float, float]",
+    side: float,
+    drop: "tuple[Any, Any] | None" = None,
+) -> Closed:
+    """Close the loop at a crank angle.
+
+    Parameters
+    ----------
+    links : Frame
+        The lengths.
+    turn, half : tuple
+        Cosine and sine of the crank angle, and of its half.
+    side : float
+        +1 for the open branch, −1 for the crossed one.
+    drop : tuple, optional
+        D₁ and D₂ where they are known.
+
+    Returns
+    -------
+    Closed
+        The loop. Where a root vanishes away from a change point (a toggle) the response is infinite.
+    """
+    sine, (half_cosine, half_sine) = turn[1], half
+    first, second = drop or discriminants(links, half)
+    a, ad = links.a, links.product
+    smooth_first, smooth_second = links.outer == 0.0, links.inner == 0.0
+    root = sqrt(ad)
+    # a change point's own root may be the square root of what rounding left below zero
+    one = _either(smooth_first, lambda: 2.0 * root * half_cosine, lambda: sqrt(_kept(first)))
+    two = _either(smooth_second, lambda: 2.0 * root * half_sine, lambda: sqrt(_kept(second)))
+    square = links.apart * links.apart + 4.0 * ad * (half_sine * half_sine)
+    fx, fy = 2.0 * a * (half_sine * half_sine) - links.longer, -(a * sine)
+    area, twice = side * (one * two), 0.5 / square
+    ahead, behind = (square + links.excess) * twice, (square - links.excess) * twice
+    across = area * twice
+    response, change = _response(links, turn, half, (one, two), (smooth_first, smooth_second))
+    return Closed(
+        square, fx, fy, one, two,
+        ahead * fx - across * fy, ahead * fy + across * fx,
+        -(behind * fx) - across * fy, across * fx - behind * fy,
+        side * response, side * change, -(a * links.longer) - 2.0 * ad * (half_sine * half_sine), ad * sine,
+    )  # fmt: skip
+
+
+def _kept(x: float) -> float:
+    """Zero for what is below it."""
+    return maximum(x, 0.0 * x) if single(x) else x.clip(0.0)  # type: ignore[attr-defined]
+
+
+def _response(
+    links: Frame, turn: "tuple[float, float]", half: "tuple[float, float]", roots: "tuple[Any, Any]",
+    smooth: "tuple[Any, Any]",
+) -> "tuple[float, float]":  # fmt: skip
+    """K and its derivative; a root of zero that is no change point is taken as one, and refused by the caller."""
+    one, two = roots
+    if not single(one, two):
+        return _responses(links, turn, half, roots, smooth)
+    moment = links.product * turn[1]
+    if smooth[0] and smooth[1]:
+        return 0.5 + 0.0 * moment, 0.0 * moment
+    if smooth[0] or smooth[1]:
+        root = sqrt(links.product)
+        if smooth[0]:
+            over = 1.0 / where(two > 0.0, two, 1.0)
+            return root * half[1] * over, root * over * (0.5 * half[0] - half[1] * moment * (over * over))
+        over = 1.0 / where(one > 0.0, one, 1.0)
+        return root * half[0] * over, root * over * (half[0] * moment * (over * over) - 0.5 * half[1])
+    both = one * two
+    over = 1.0 / where(both > 0.0, both, 1.0)
+    response = moment * over
+    return response, (links.product * turn[0] - response * response * ((one - two) * (one + two))) * over
+
+
+def _responses(links: Frame, turn: "Any", half: "Any", roots: "Any", smooth: "Any") -> "tuple[Any, Any]":
+    """The same over arrays."""
+    import numpy as np
+
+    moment, (one, two) = links.product * turn[1], roots
+    if not (np.any(smooth[0]) or np.any(smooth[1])):
+        both = one * two
+        over = 1.0 / np.where(both > 0.0, both, 1.0)
+        response = moment * over
+        return response, (links.product * turn[0] - response * response * ((one - two) * (one + two))) * over
+    cells = np.broadcast_arrays(one, two, moment, turn[0], *half, *smooth, links.product)
+    out = np.empty((2, cells[0].size))
+    plain = [cell.ravel().tolist() for cell in cells]
+    for index, (r1, r2, _, cosine, half_cosine, half_sine, first, second, product) in enumerate(
+        zip(*plain, strict=True)
+    ):
+        sine = plain[2][index] / product
+        small = Frame(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, product, 0.0)
+        out[:, index] = _response(small, (cosine, sine), (half_cosine, half_sine), (r1, r2), (first, second))
+    return out[0].reshape(cells[0].shape), out[1].reshape(cells[0].shape)
+
+
+def ratios(links: Frame, loop: Closed) -> "tuple[float, float, float, float]":
+    """ω₃/ω₂, ω₄/ω₂ and their derivatives by the crank angle."""
+    over = 1.0 / loop.square
+    excess, twice = links.excess, 2.0 * loop.moment
+    coupler = -((loop.response * (loop.square - excess) + loop.along) * over)
+    rocker = (loop.response * (loop.square + excess) - loop.along) * over
+    grown = loop.response * twice
+    coupler_change = -((loop.change * (loop.square - excess) + grown - loop.moment + coupler * twice) * over)
+    rocker_change = (loop.change * (loop.square + excess) + grown + loop.moment - rocker * twice) * over
+    return coupler, rocker, coupler_change, rocker_change

@@ -1,0 +1,167 @@
+"""Properties of a coupler curve over its analytic parameter."""
+
+import numpy as np
+
+from dynamics_cli.linkage.fourbar.circuit import FULL, Circuit, CouplerPath
+from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
+from dynamics_cli.numerics.fitting.outline import outlined
+from dynamics_cli.records import Columns
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.outlines import Outline
+
+START, MOST = 72, 36_864
+SETTLED = 1e-13
+# A point slower than this share of its mean speed stands still: the rest is rounding.
+STILL = 1e-7
+SAMPLES = 1440
+# Newton's method ends where it moves no more than rounding.
+NEAREST = 2.0**-52
+SEGMENTS = 360
+STEPS = 8
+
+
+def measures(circuit: Circuit, point: complex) -> "tuple[float, float, float]":
+    """Length of the closed curve, an estimate of its error, and the area it goes round, anticlockwise positive."""
+    count, before = START, np.inf
+    while True:
+        u = np.arange(count) * (FULL / count)
+        x, y = circuit.place(u, point)
+        length = float(np.hypot(x.first, y.first).mean()) * FULL
+        area = 0.5 * FULL * float((x.value * y.first - y.value * x.first).mean())
+        error = abs(length - before)
+        if error <= SETTLED * length or count >= MOST:
+            return length, max(error, 4e-16 * length), area
+        count, before = 2 * count, length
+
+
+def _roots(function: "Any", u: "Any") -> "Any":
+    """Places between samples where a function that gives value and slope changes sign, by guarded Newton."""
+    value = function(u)[0]
+    change = np.flatnonzero(np.sign(value) * np.sign(np.roll(value, -1)) <= 0.0)
+    step = FULL / u.size
+    low, high = u[change], u[change] + step
+    sign = np.sign(function(low)[0])
+    place = 0.5 * (low + high)
+    for _ in range(60):
+        own, slope = function(place)
+        low, high = np.where(np.sign(own) == sign, place, low), np.where(np.sign(own) == sign, high, place)
+        with np.errstate(all="ignore"):
+            newton = place - own / slope
+        inside = (newton >= low) & (newton <= high)
+        before, place = place, np.where(inside, newton, 0.5 * (low + high))
+        if np.all(np.abs(place - before) <= NEAREST * FULL):
+            break
+    return place
+
+
+def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tuple[float, float]]":
+    """Smallest and largest coordinates."""
+    u = np.arange(SAMPLES) * (FULL / SAMPLES)
+    ends = []
+    for which in (0, 1):
+
+        def slope(place: "Any", which: int = which) -> "tuple[Any, Any]":
+            own = circuit.place(place, point)[which]
+            return own.first, own.second
+
+        places = np.concatenate((_roots(slope, u), u))
+        values = circuit.place(places, point)[which].value
+        ends.append((float(values.min()), float(values.max())))
+    return ends[0], ends[1]
+
+
+def angle_at(circuit: Circuit, u: "Any") -> "Any":
+    """Crank angles, from 0 to 360 degrees, or twice that where the motion takes two turns."""
+    if circuit.full:
+        return np.mod(u, FULL) * circuit.turns
+    turn, across, _ = circuit.crank(u)
+    angle = np.arctan2(across.value, turn.value)
+    return angle if circuit.inner is None or circuit.outer is not None else np.mod(angle, FULL)
+
+
+def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]":
+    """Where over the parameter the point stops: minima of its speed that are zero but for rounding."""
+    u = np.arange(SAMPLES) * (FULL / SAMPLES)
+    h = 1e-6
+
+    def slope(place: "Any") -> "tuple[Any, Any]":
+        (x, y), (x_, y_) = circuit.place(place, point), circuit.place(place + h, point)
+        own = x.first * x.second + y.first * y.second
+        return own, (x_.first * x_.second + y_.first * y_.second - own) / h
+
+    x, y = circuit.place(u, point)
+    if not np.ptp(np.hypot(x.first, y.first)) > SETTLED * length:
+        return []
+    places = _roots(slope, u)
+    x, y = circuit.place(places, point)
+    speed = np.hypot(x.first, y.first)
+    specials: list[float] = []
+    for place in sorted(places[speed <= STILL * length / FULL].tolist()):
+        if not specials or place - specials[-1] > FULL / SAMPLES:
+            specials.append(place)
+    return specials
+
+
+def cusps(circuit: Circuit, point: complex, places: "list[float]") -> "tuple[Special, ...]":
+    """The cusps at these places."""
+    specials = []
+    for place in places:
+        x, y = circuit.place(place, point)
+        specials.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
+    return tuple(specials)
+
+
+def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
+    """Points that the curve passes twice: crossings of its chords, then Newton."""
+    u = np.arange(SEGMENTS) * (FULL / SEGMENTS)
+    x, y = circuit.place(u, point)
+    z = x.value + 1j * y.value
+    step = np.roll(z, -1) - z
+    apart = z[None, :] - z[:, None]
+    cross = (np.conj(step[:, None]) * step[None, :]).imag
+    with np.errstate(all="ignore"):
+        one = (np.conj(apart) * step[None, :]).imag / cross
+        other = (np.conj(apart) * step[:, None]).imag / cross
+    i, j = np.nonzero((one >= 0.0) & (one < 1.0) & (other >= 0.0) & (other < 1.0))
+    far = (j - i > 1) & (i - j + SEGMENTS > 1)
+    specials: list[Special] = []
+    for first, second in zip(u[i[far]] + one[i, j][far] * u[1], u[j[far]] + other[i, j][far] * u[1], strict=True):
+        pair = _crossing(circuit, point, first, second)
+        if pair is None:
+            continue
+        (ax, ay), angles = circuit.place(pair[0], point), (angle_at(circuit, pair[0]), angle_at(circuit, pair[1]))
+        specials.append(Special(float(angles[0]), float(angles[1]), float(ax.value), float(ay.value)))
+    return tuple(specials)
+
+
+def _crossing(circuit: Circuit, point: complex, first: float, second: float) -> "tuple[float, float] | None":
+    for _ in range(STEPS):
+        (ax, ay), (bx, by) = circuit.place(first, point), circuit.place(second, point)
+        determinant = ax.first * by.first - ay.first * bx.first
+        if determinant == 0.0:
+            return None
+        ex, ey = bx.value - ax.value, by.value - ay.value
+        first += (ex * by.first - ey * bx.first) / determinant
+        second += (ex * ay.first - ey * ax.first) / determinant
+    return (first, second) if abs(first - second) > FULL / SEGMENTS else None
+
+
+def columns(circuit: Circuit, point: complex, count: int) -> "Columns[CurvePoint]":
+    """The table."""
+    u = np.arange(count) * (FULL / count)
+    x, y = circuit.place(u, point)
+    speed = np.hypot(x.first, y.first)
+    still = speed <= STILL * speed.mean()
+    tangent = np.arctan2(np.where(still, y.second, y.first), np.where(still, x.second, x.first))
+    return Columns(CurvePoint, crank_angle=angle_at(circuit, u), x=x.value, y=y.value, tangent_angle=tangent)
+
+
+def drawn(circuit: Circuit, point: complex, form: str, tolerance: float, sharp: "list[float]") -> "Outline":
+    """The curve as an outline whose deviation is proved; at cusps it is cut."""
+    path = CouplerPath(circuit, point, sharp)
+    start = np.stack(path.at(path.starts)[:2], axis=1)
+    return outlined(path, form, tolerance, start, "coupler curve")

@@ -1,0 +1,271 @@
+"""A four-bar in one pose, with velocities and accelerations, or its table over the crank angles it reaches."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
+from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of, limits
+from dynamics_cli.linkage.fourbar.lengths import require_links
+from dynamics_cli.linkage.fourbar.records import FourBar
+from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, where
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.turns import turned
+from dynamics_cli.quantities import (
+    Angle,
+    AngularAcceleration,
+    Annotated,
+    Count,
+    PartPoint,
+    Size,
+    Torque,
+    TurnRate,
+)
+from dynamics_cli.records import Advice, Check
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    Pair = tuple[float, float]
+
+MANY = 1_000_000
+# What rounding may leave of a loop that closes, by the sum of its lengths.
+CLOSES = 1e-12
+# Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
+POOR = 0.6981317007977318
+
+
+def four_bar(
+    *,
+    crank: Annotated[Size, "Length a of the driving link, from O₂ to A, e.g. 40 mm."],
+    coupler: Annotated[Size, "Length b of the link between the pins A and B, e.g. 120 mm."],
+    rocker: Annotated[Size, "Length c of the driven link, from O₄ to B, e.g. 80 mm."],
+    ground: Annotated[Size, "Distance d of the pivots O₂ and O₄, e.g. 100 mm."],
+    crank_angle: Annotated[
+        Angle | None, "Crank angle θ₂ from the line O₂–O₄, counter-clockwise; without it a table, e.g. 40 deg."
+    ] = None,
+    branch: Annotated[Branch, "The side of the line from A to O₄ where B lies: left (open) or right (crossed)."] = OPEN,
+    speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
+    angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,
+    load_torque: Annotated[Torque | None, "Torque that the rocker delivers, e.g. 20 N*m."] = None,
+    point: Annotated[PartPoint | None, "A coupler point P from A, along AB and to its left, e.g. 60, 40 mm."] = None,
+    steps: Annotated[Count, "Steps of the table over the crank angles that can be reached."] = 24,
+) -> FourBar:
+    """Position, velocity and acceleration of a four-bar linkage on both branches, or its table over the crank angle.
+
+    Equation
+    --------
+    f² = (a − d)² + 4ad·sin²(θ₂/2), D₁ = (b + c)² − f², D₂ = f² − (b − c)²; B = A + (f⃗(f² + b² − c²) ± √(D₁D₂) k×f⃗)/2f²;
+    μ = 2 atan2(√D₂, √D₁); ω₃, ω₄ from ω₂ k×a⃗ + ω₃ k×b⃗ = ω₄ k×c⃗; T₂ = T₄·ω₄/ω₂.
+
+    Returns
+    -------
+    FourBar
+        The pose, or the table where no crank angle is given.
+
+    Raises
+    ------
+    InadmissibleError
+        When a length is not above zero, the links cannot be closed at all or not at this crank angle, when crank pin
+        and rocker pivot coincide, or at a toggle, where no speed of the crank moves the rocker.
+
+    Notes
+    -----
+    A branch is a side, not the pose nearest to the last one: every row stands for itself. At an exact change point the
+    branch is a whole smooth motion, named by its side at small positive crank angles: a parallelogram stays one.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 5.3 to 5.5.
+
+    Examples
+    --------
+    >>> pose = four_bar(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, crank_angle=0.6981317007977318)
+    >>> round(pose.rocker_angle, 12)
+    1.000507900539
+    """
+    require_links(crank, coupler, rocker, ground)
+    lengths = (crank, coupler, rocker, ground)
+    links = frame(*lengths)
+    alone = single(*lengths, crank_angle)
+    kind = kind_of(lengths) if alone else None
+    side = 1.0 if branch == OPEN else -1.0
+    if crank_angle is None:
+        from dynamics_cli.linkage.fourbar.table import table
+
+        require(
+            alone,
+            "rows need a crank angle: a table is of one linkage",
+            code="no-angle",
+            hint="add a column crank_angle",
+        )
+        return FourBar(kind=kind, table=table(links, side, steps), advice=closeness(lengths, kind or ""))
+    turn, half = turned(crank_angle), turned(0.5 * crank_angle)
+    both = discriminants(links, half)
+    require_closed(links, both, crank_angle)
+    loop, other = (close(links, turn, half, sign * side, both) for sign in (1.0, -1.0))
+    if speed is not None or load_torque is not None:
+        _require_movable(loop, links)
+    shown = _shown(loop, links) if alone else True
+    speeds = ratios(links, loop)
+    transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
+    pin = (crank * turn[0], crank * turn[1])
+    return FourBar(
+        rocker_angle=_angle(loop.cy, loop.cx),
+        coupler_angle=_angle(loop.by, loop.bx),
+        transmission_angle=transmission,
+        rocker_ratio=speeds[1] if shown else None,
+        coupler_ratio=speeds[0] if shown else None,
+        crank_torque=None if load_torque is None else load_torque * speeds[1],
+        other_rocker_angle=_angle(other.cy, other.cx),
+        other_coupler_angle=_angle(other.by, other.bx),
+        other_rocker_ratio=ratios(links, other)[1] if shown else None,
+        crank_pin=pin,
+        rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
+        **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
+        kind=kind,
+        side=_side(kind, side, plain(turn[1])) if alone and kind else None,
+        checks=_checks(links, loop, pin, speeds) if alone and shown else (),
+        advice=(*closeness(lengths, kind), *_poor(transmission, shown)) if alone and kind else (),
+    )
+
+
+def _moving(
+    links: Frame,
+    loop: Closed,
+    pin: "Pair",
+    speeds: "tuple[float, ...]",
+    crank: "tuple[float | None, float]",
+    point: "Pair | None",
+) -> "dict[str, Any]":
+    """What the crank's motion makes of coupler, rocker and coupler point."""
+    place = None if point is None else _carried(links, loop, pin, point)
+    speed, bend = crank
+    if speed is None:
+        return {"position": place}
+    square = speed * speed
+    bends = (speeds[0] * bend + speeds[2] * square, speeds[1] * bend + speeds[3] * square)
+    motion = None if place is None else _motion(pin, place, (speed, bend), (speeds[0] * speed, bends[0]))
+    return {
+        "position": place,
+        "velocity": motion and motion[0],
+        "acceleration": motion and motion[1],
+        "rocker_speed": speeds[1] * speed,
+        "coupler_speed": speeds[0] * speed,
+        "rocker_acceleration": bends[1],
+        "coupler_acceleration": bends[0],
+    }
+
+
+def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
+    """Refuse a crank angle that the links cannot reach: the gap, what closes it, and the nearest angle that can be."""
+    b, c = links.b, links.c
+    sine = turned(0.5 * crank_angle)[1]
+    reach = sqrt(links.apart * links.apart + 4.0 * links.product * (sine * sine))
+    outer, inner = limits(links) if single(*links.lengths) else (None, None)
+    for share, limit, words, gap, change in (
+        (both[0], outer, "stretched", reach - (b + c), "lengthen coupler or rocker"),
+        (both[1], inner, "folded", where(b >= c, b - c, c - b) - reach, "bring coupler and rocker nearer in length"),
+    ):
+        nearest = limit if limit is not None else 0.0 * crank_angle
+        require(
+            share >= 0.0,
+            f"at a crank angle of {{angle:6}} coupler and rocker, {words}, leave a gap of {{gap}}",
+            angle=(crank_angle, Angle),
+            gap=(gap, Size),
+            nearest=(nearest, Angle),
+            code="unreachable",
+            hint=f"the nearest crank angle that can be reached is ±{{nearest:8}}; or {change} by {{gap}}",
+        )
+    require(
+        reach > 0.0,
+        "the crank's pin lies on the rocker's pivot: coupler and rocker turn about it freely",
+        code="free",
+        hint="give a crank angle beside it",
+    )
+
+
+def _require_movable(loop: Closed, links: Frame) -> None:
+    require(
+        (loop.first * loop.second != 0.0) | (links.outer == 0.0) | (links.inner == 0.0),
+        "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can drive",
+        code="toggle",
+        hint="give a crank angle beside it, or let the rocker drive",
+    )
+
+
+def _shown(loop: Closed, links: Frame) -> bool:
+    return bool(loop.first * loop.second != 0.0 or links.outer == 0.0 or links.inner == 0.0)
+
+
+def _size(x: float) -> float:
+    return where(x < 0.0, -x, x)
+
+
+def _angle(y: float, x: float) -> float:
+    """An angle in (−180°, 180°]: a negative zero is none."""
+    return atan2(where(y == 0.0, y * y + y, y), x)
+
+
+def _carried(links: Frame, loop: Closed, pin: "Pair", point: "Pair") -> "Pair":
+    """A point given along and left of the coupler, in the fixed frame."""
+    ex, ey = loop.bx / links.b, loop.by / links.b
+    return pin[0] + point[0] * ex - point[1] * ey, pin[1] + point[0] * ey + point[1] * ex
+
+
+def _motion(pin: "Pair", place: "Pair", crank: "Pair", coupler: "Pair") -> "tuple[Pair, Pair]":
+    """Velocity and acceleration of a coupler point: that of A and the turn about it."""
+    rx, ry = place[0] - pin[0], place[1] - pin[1]
+    (w2, a2), (w3, a3) = crank, coupler
+    velocity = (-(w2 * pin[1]) - w3 * ry, w2 * pin[0] + w3 * rx)
+    acceleration = (
+        -(a2 * pin[1]) - w2 * w2 * pin[0] - a3 * ry - w3 * w3 * rx,
+        a2 * pin[0] - w2 * w2 * pin[1] + a3 * rx - w3 * w3 * ry,
+    )
+    return velocity, acceleration
+
+
+def _side(kind: str, side: float, sine: float) -> str:
+    """The circuit in words: poses of one circuit are joined without taking the linkage apart."""
+    name = "open" if side > 0.0 else "crossed"
+    if kind in ("crank-rocker", "double crank"):
+        return f"{name}, a circuit of its own"
+    if kind in ("double rocker", "rocker-crank"):
+        return f"{name}, on the circuit with the crank {'above' if sine >= 0.0 else 'below'} the ground link"
+    if kind.startswith("change"):
+        return f"{name}, joined to the other at the change points"
+    return f"{name}, joined to the other at the toggles"
+
+
+def _checks(links: Frame, loop: Closed, pin: "Pair", speeds: "Any") -> "tuple[Check, ...]":
+    size = plain(links.a + links.b + links.c + links.d)
+    bx, by, cx, cy = (plain(x) for x in (loop.bx, loop.by, loop.cx, loop.cy))
+    ax, ay = plain(pin[0]), plain(pin[1])
+    gap = hypot(ax + bx - cx - plain(links.d), ay + by - cy) / size
+    w3, w4 = plain(speeds[0]), plain(speeds[1])
+    slip = hypot(-ay - w3 * by + w4 * cy, ax + w3 * bx - w4 * cx) / (size * (1.0 + abs(w3) + abs(w4)))
+    return (
+        Check("the loop closes", gap <= CLOSES, gap, CLOSES),
+        Check("B has one velocity (power in = power out)", slip <= CLOSES, slip, CLOSES),
+    )
+
+
+def _poor(transmission: float, shown: bool) -> "tuple[Advice, ...]":
+    if not shown:
+        return (
+            Advice(
+                "toggle",
+                "coupler and rocker are in line (a toggle): the crank's speed does not determine the rocker's",
+                remedy="give a crank angle beside it",
+                result="rocker_ratio",
+            ),
+        )
+    angle = plain(transmission)
+    if POOR <= angle <= 3.141592653589793 - POOR:
+        return ()
+    return (
+        Advice(
+            "poor-transmission",
+            "the transmission angle is more than 50 deg from square: friction may lock the linkage here",
+            severity="note",
+            remedy="keep it between 40 and 140 deg where force is passed on",
+        ),
+    )

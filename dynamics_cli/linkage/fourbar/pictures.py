@@ -1,0 +1,230 @@
+"""Pictures of a four-bar: poses with the curve of a coupler point, speeds, transmission angle, and a moving SVG."""
+
+from cmath import exp
+from math import pi
+
+from dynamics_cli.errors import worded
+from dynamics_cli.linkage.animation import animated
+from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
+from dynamics_cli.linkage.fourbar.grashof import kind_of
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Coordinate, Size
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+FRAMES = 120
+GHOSTS = 8
+SAMPLES = 361
+# The pose drawn out where none is asked for: an eighth of the motion on.
+SHOWN = 45
+# Beyond this a speed ratio near a toggle only squeezes the rest of its curve.
+STEEP = 8.0
+ENDS = (0.001, 0.999)
+
+
+def _title(lengths: "tuple[float, ...]", words: str) -> str:
+    a, b, c, d = lengths
+    return worded(
+        "{words}\ncrank {a}, coupler {b}, rocker {c}, ground {d}",
+        words=words, a=(a, Size), b=(b, Size), c=(c, Size), d=(d, Size),
+    )  # fmt: skip
+
+
+def _frames(lengths: "tuple[float, ...]", side: float, point: "complex | None", count: int) -> "list[Any]":
+    """Pins A, B and the coupler point over the whole motion, evenly in its parameter."""
+    import numpy as np
+
+    from dynamics_cli.linkage.fourbar.circuit import FULL, Circuit
+
+    circuit = Circuit(frame(*lengths), side)
+    u = np.arange(count) * (FULL / count)
+    tracks = []
+    for place in (0j, complex(lengths[1]), 0.5 * lengths[1] + 0j if point is None else point):
+        x, y = circuit.place(u, place)
+        tracks.append((x.value + 1j * y.value).tolist())
+    return list(zip(*tracks, strict=True))
+
+
+def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
+    points = list(points)
+    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)
+
+
+def linkage_items(
+    lengths: "tuple[float, ...]", side: float, point: "complex | None", shown: "tuple[complex, complex] | None"
+) -> "list[Any]":
+    """Ghosts, the path of B and of the coupler point, and one pose drawn out."""
+    d = lengths[3]
+    every = _frames(lengths, side, point, SAMPLES - 1)
+    items: list[Any] = []
+    for index in range(0, SAMPLES - 1, (SAMPLES - 1) // GHOSTS):
+        a, b, _ = every[index]
+        items.append(_line((0j, a, b, complex(d)), "", "dots", 6))
+    items.append(_line([frame_[1] for frame_ in every], "", "thin", 2))
+    if point is not None:
+        items.append(_line([*(frame_[2] for frame_ in every), every[0][2]], "path of P", "solid", 3))
+    pins = shown or every[SHOWN][:2]
+    turn = (pins[1] - pins[0]) / lengths[1]
+    items += [
+        _line((0j, pins[0]), "crank", "thick", 0),
+        _line((pins[0], pins[1]), "coupler", "thick", 1),
+        _line((complex(d), pins[1]), "rocker", "thick", 2),
+    ]
+    if point is not None:
+        tip = pins[0] + turn * point
+        items.append(_line((pins[0], tip, pins[1]), "", "solid", 1))
+        items.append(Mark(tip.real, tip.imag, "P"))
+    items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(d, 0.0, "O₄", (5.0, -12.0))]
+    items += [Mark(pins[0].real, pins[0].imag, "A", (-12.0, 5.0)), Mark(pins[1].real, pins[1].imag, "B")]
+    return items
+
+
+def four_bar_picture(
+    result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: "float | None" = None,
+    branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
+    """The linkage in several poses, and speed, acceleration and transmission angle over the crank angle."""
+    lengths = (crank, coupler, rocker, ground)
+    side = 1.0 if branch == OPEN else -1.0
+    place = None if point is None else complex(*point)
+    now = None
+    if result.crank_pin is not None:
+        now = complex(*result.crank_pin), complex(*result.rocker_pin)
+    items = linkage_items(lengths, _circuit_side(lengths, side, crank_angle), place, now)
+    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((scene, *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
+
+
+def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> float:
+    """The side that names the circuit: of the crank where that swings on either side of the ground link."""
+    links = frame(*lengths)
+    if links.outer < 0.0 and links.inner < 0.0 and crank_angle is not None:
+        from math import sin
+
+        return 1.0 if sin(crank_angle) >= 0.0 else -1.0
+    return side
+
+
+def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> "tuple[Panel, ...]":
+    import numpy as np
+
+    from dynamics_cli.linkage.fourbar.table import poses, reachable
+
+    links = frame(*lengths)
+    ranges = reachable(links)
+    low, high = next((one for one in ranges if crank_angle is not None and one[0] <= crank_angle <= one[1]), ranges[-1])
+    inset = (0.0, 1.0) if links.outer >= 0.0 and links.inner >= 0.0 else ENDS
+    theta = np.linspace(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES)
+    with np.errstate(all="ignore"):
+        loop, tracks = poses(links, theta, side)
+    clipped = [np.where(np.abs(part) <= STEEP, part, np.nan).tolist() for part in tracks]
+    way = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
+    here = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
+    mu = (2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))).tolist()
+    angles = theta.tolist()
+    return (
+        Panel(
+            way, Axis("speed ratio"),
+            (Curve(angles, clipped[1], "ω₄/ω₂", role=2), Curve(angles, clipped[0], "ω₃/ω₂", "dashed", 1),
+             Band(0.0, 0.0, vertical=False), *here), "speeds of rocker and coupler over that of the crank",
+        ),
+        Panel(
+            way, Axis("α/ω₂²"),
+            (Curve(angles, clipped[3], "α₄/ω₂²", role=2), Curve(angles, clipped[2], "α₃/ω₂²", "dashed", 1),
+             Band(0.0, 0.0, vertical=False), *here), "accelerations, crank at uniform speed",
+        ),
+        Panel(
+            way, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
+            (Curve(angles, mu, role=0), Band(2.0 * pi / 9.0, 7.0 * pi / 9.0, "good", vertical=False), *here),
+            "transmission angle; between 40 and 140 deg force is passed on well",
+        ),
+    )  # fmt: skip
+
+
+def coupler_picture(
+    result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, point: "tuple[float, float]",
+    branch: Branch = OPEN, **_: "Any",
+) -> Picture:  # fmt: skip
+    """The coupler curve with its linkage, and its cognates."""
+    lengths = (crank, coupler, rocker, ground)
+    side, place = (1.0 if branch == OPEN else -1.0), complex(*point)
+    items = linkage_items(lengths, side, place, None)
+    for name, group in (("cusp", result.cusps), ("crossing", result.crossings)):
+        items += [Mark(one.x, one.y, name) for one in group or ()]
+    first = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    every = _frames(lengths, side, place, SAMPLES - 1)
+    a, b, tip = every[SHOWN]
+    share = place / coupler
+    third = share * ground
+    left, right = tip - a, complex(ground) + tip - b
+    second_left, second_right = left + share * a, right + (1.0 - share) * (b - ground)
+    second = Panel(
+        Axis("x", Coordinate),
+        Axis("y", Coordinate),
+        (
+            _line([*(one[2] for one in every), every[0][2]], "one curve", "solid", 3),
+            _line((0j, a, b, complex(ground)), "linkage", "thick", 0),
+            _line((a, tip, b), "", "thin", 0),
+            _line((0j, left, second_left, third), "left cognate", "solid", 1),
+            _line((left, tip, second_left), "", "thin", 1),
+            _line((complex(ground), right, second_right, third), "right cognate", "dashed", 2),
+            _line((right, tip, second_right), "", "thin", 2),
+            Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄", (5.0, -12.0)),
+            Mark(third.real, third.imag, "C₀"), Mark(tip.real, tip.imag, "P"),
+        ),
+        "three linkages that trace the same curve",
+        equal=True,
+    )  # fmt: skip
+    return Picture((first, second), _title(lengths, "coupler curve"), columns=2)
+
+
+def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any") -> Picture:
+    """The linkage in several poses with its limits."""
+    lengths = (crank, coupler, rocker, ground)
+    items = linkage_items(lengths, 1.0, None, None)
+    for limit, word in ((result.outer_limit, "outer limit"), (result.inner_limit, "inner limit")):
+        if limit is not None:
+            for sign in (1.0, -1.0):
+                tip = 1.25 * crank * exp(1j * sign * limit)
+                items.append(_line((0j, tip), word if sign > 0.0 else "", "centre", 5))
+    for angle in (result.rocker_least, result.rocker_greatest):
+        if angle is not None:
+            tip = ground + 1.15 * rocker * exp(1j * angle)
+            items.append(_line((complex(ground), tip), "", "centre", 6))
+    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((scene,), _title(lengths, str(result.kind)))
+
+
+def synthesis_picture(result: "Any", **_: "Any") -> Picture:
+    """The linkage at every pair or pose that it meets, or over its motion."""
+    lengths = (result.crank, result.coupler, result.rocker, result.ground)
+    d = complex(result.ground)
+    items: list[Any] = []
+    if not result.met:
+        items = linkage_items(lengths, 1.0, None, None)
+    for index, one in enumerate(result.met or ()):
+        a, b = result.crank * exp(1j * one.crank_angle), d + result.rocker * exp(1j * one.rocker_angle)
+        items += [_line((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index), Mark(b.real, b.imag, "")]
+    if result.met:
+        items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(result.ground, 0.0, "O₄", (5.0, -12.0))]
+    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    return Picture((scene,), _title(lengths, str(result.kind)))
+
+
+def moving_four_bar(
+    result: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
+    crank_angle: "float | None" = None, branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
+) -> str:  # fmt: skip
+    """One whole motion of the linkage as an SVG that moves by itself."""
+    del result
+    lengths = (crank, coupler, rocker, ground)
+    place = None if point is None else complex(*point)
+    side = _circuit_side(lengths, 1.0 if branch == OPEN else -1.0, crank_angle)
+    every = _frames(lengths, side, place, FRAMES)
+    o4 = complex(ground)
+    frames = [((0j, a), (a, b) if place is None else (a, p, b, a), (o4, b)) for a, b, p in every]
+    tips = [one[2] for one in every] if place is not None else [one[1] for one in every]
+    pins = [(a, b, p) if place is not None else (a, b) for a, b, p in every]
+    return animated("One motion of a four-bar", frames, [[*tips, tips[0]]], (0j, o4), pins)

@@ -1,0 +1,302 @@
+"""Four-bars from what they should do: three angle pairs, three poses of a body, or swing and time ratio."""
+
+from itertools import pairwise
+
+from dynamics_cli.errors import require
+from dynamics_cli.linkage.fourbar.closure import frame
+from dynamics_cli.linkage.fourbar.grashof import kind_of, transmission
+from dynamics_cli.numerics.elementary import absolute, acos, atan2, cos, hypot, sin, sqrt
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, PartPoint, Positive, Size, Text
+from dynamics_cli.records import Advice, Check, record
+
+PI = 3.141592653589793
+# Places tried along the circle of pivots, and the steps of the golden section about the best.
+PLACES = 720
+STEPS = 60
+GOLDEN = 0.6180339887498949
+CLOSES = 1e-9
+POOR = 0.6981317007977318
+# No link of a crank-rocker for a swing is longer than so many rockers: in line, longer ones are always a little better.
+LONGEST = 3.0
+
+
+@record
+class Pair:
+    """A crank angle with the rocker angle that belongs to it."""
+
+    crank_angle: Annotated[Angle, "Crank angle θ₂, e.g. 40 deg."]
+    rocker_angle: Annotated[Angle, "Rocker angle θ₄, e.g. 70 deg."]
+
+
+@record
+class AnglePairs:
+    """Three pairs of angles (Freudenstein)."""
+
+    pairs: Annotated[tuple[Pair, ...], "The three pairs, in order."]
+    ground: Annotated[Size, "Distance of the pivots, e.g. 100 mm."]
+
+
+@record
+class Pose:
+    """Where a body should be."""
+
+    x: Annotated[Coordinate, "Its reference point, e.g. 100 mm."]
+    y: Annotated[Coordinate, "The same, upwards, e.g. 40 mm."]
+    angle: Annotated[Angle, "Its angle, e.g. 30 deg."]
+
+
+@record
+class Poses:
+    """Three poses of a body that is the coupler, and its two pins."""
+
+    poses: Annotated[tuple[Pose, ...], "The three poses, in order."]
+    first_pin: Annotated[PartPoint, "Pin A in the body's own axes, e.g. 0, 0 mm."]
+    second_pin: Annotated[PartPoint, "Pin B in the body's own axes, e.g. 60, 10 mm."]
+
+
+@record
+class QuickSwing:
+    """A crank-rocker by what its rocker should do."""
+
+    swing: Annotated[Angle, "Angle through which the rocker swings, e.g. 60 deg."]
+    time_ratio: Annotated[Positive, "Time of the slow stroke over that of the quick one, e.g. 1.2."]
+    rocker: Annotated[Size, "Length of the rocker, e.g. 80 mm."]
+
+
+@record
+class Met:
+    """One pair or pose as the linkage meets it."""
+
+    crank_angle: Annotated[Angle, "Crank angle from the line of the pivots [rad]."]
+    rocker_angle: Annotated[Angle, "Rocker angle from it [rad]."]
+    branch: Annotated[Text, "The branch on which it is met."]
+
+
+@record
+class Synthesis:
+    """A four-bar for the task, and its defects."""
+
+    crank: Annotated[Size, "Length a [m]."]
+    coupler: Annotated[Size, "Length b [m]."]
+    rocker: Annotated[Size, "Length c [m]."]
+    ground: Annotated[Size, "Length d [m]."]
+    kind: Annotated[Text, "Class by Grashof's rule."]
+    defects: Annotated[Text, "What is wrong with it for this task."]
+    least_transmission_angle: Annotated[Angle, "Smallest transmission angle over the whole motion [rad]."]
+    crank_pivot: Annotated[PartPoint | None, "Pivot O₂, where poses were given [m]."] = None
+    rocker_pivot: Annotated[PartPoint | None, "Pivot O₄ [m]."] = None
+    met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it meets them."] = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def synthesize(
+    *,
+    task: Annotated[AnglePairs | Poses | QuickSwing, "Three angle pairs, three poses, or swing and time ratio."],
+) -> Synthesis:
+    """Four-bar for three pairs of angles, three poses of its coupler, or a swing with a time ratio; with its defects.
+
+    Equation
+    --------
+    Freudenstein: R₁ cos θ₄ − R₂ cos θ₂ + R₃ = cos(θ₂ − θ₄), R₁ = d/a, R₂ = d/c, R₃ = (a² − b² + c² + d²)/2ac; poses:
+    each pivot is the centre of the circle through the three places of its pin; swing: O₂ sees the rocker's ends under
+    π(Q − 1)/(Q + 1), a and b half the difference and the sum of its distances, best smallest |sin μ|.
+
+    Returns
+    -------
+    Synthesis
+        Lengths, class, and whether all is met on one branch and in order.
+
+    Raises
+    ------
+    InadmissibleError
+        When there are not three pairs or poses, they have no linkage, or no crank-rocker has such a swing.
+
+    References
+    ----------
+    Freudenstein, Approximate synthesis of four-bar linkages, Transactions of the ASME 77 (1955).
+
+    Examples
+    --------
+    >>> pairs = (Pair(0.5, 1.0), Pair(1.0, 1.25), Pair(1.5, 1.6))
+    >>> synthesize(task=AnglePairs(pairs, 0.1)).defects
+    'none'
+    """
+    if isinstance(task, QuickSwing):
+        return _by_swing(task)
+    count = len(task.pairs if isinstance(task, AnglePairs) else task.poses)
+    require(count == 3, "{count} given; three are wanted", count=count, code="count")
+    return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
+
+
+def _by_angles(task: AnglePairs) -> Synthesis:
+    rows = [
+        (cos(pair.rocker_angle), -cos(pair.crank_angle), cos(pair.crank_angle - pair.rocker_angle))
+        for pair in task.pairs
+    ]
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    # differences take R₃ out
+    one, two = (a - d, b - e, c - f), (a - g, b - h, c - i)
+    determinant = one[0] * two[1] - one[1] * two[0]
+    require(
+        absolute(determinant) > 1e-12,
+        "these pairs have no linkage: two of them say the same",
+        code="no-linkage",
+        hint="take pairs farther apart",
+    )
+    first = (one[2] * two[1] - one[1] * two[2]) / determinant
+    second = (one[0] * two[2] - one[2] * two[0]) / determinant
+    third = c - a * first - b * second
+    require(
+        (first != 0.0) & (second != 0.0),
+        "these pairs want a link of infinite length",
+        code="no-linkage",
+        hint="change a pair a little",
+    )
+    crank, rocker, ground = task.ground / first, task.ground / second, task.ground
+    square = crank * crank + rocker * rocker + ground * ground - 2.0 * crank * rocker * third
+    require(square > 0.0, "these pairs want a coupler without length", code="no-linkage", hint="change a pair a little")
+    # a negative length is one turned by half a turn
+    met = [(pair.crank_angle, pair.rocker_angle) for pair in task.pairs]
+    met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
+    words = "crank or rocker measured from its other end; " if crank < 0.0 or rocker < 0.0 else ""
+    return _judged((absolute(crank), sqrt(square), absolute(rocker), ground), met, words)
+
+
+def _centre(places: "list[complex]") -> complex:
+    """Centre of the circle through three places."""
+    one, two = places[1] - places[0], places[2] - places[0]
+    across = 2.0 * (one.conjugate() * two).imag
+    require(
+        abs(across) > 1e-9 * abs(one) * abs(two),
+        "three places of a pin lie on a line: its pivot would be at infinity",
+        code="no-pivot",
+        hint="move the pin on the body, or use a slide",
+    )
+    return places[0] - 1j * (two * abs(one) ** 2 - one * abs(two) ** 2) / across
+
+
+def _by_poses(task: Poses) -> Synthesis:
+    turns = [complex(cos(pose.angle), sin(pose.angle)) for pose in task.poses]
+    ends = [
+        [complex(pose.x, pose.y) + turn * complex(*pin) for pose, turn in zip(task.poses, turns, strict=True)]
+        for pin in (task.first_pin, task.second_pin)
+    ]
+    pivots = [_centre(places) for places in ends]
+    base = pivots[1] - pivots[0]
+    require(abs(base) > 0.0, "both pivots fall on one point", code="no-pivot", hint="move a pin on the body")
+    way = base / abs(base)
+    met = []
+    for one, other in zip(*ends, strict=True):
+        arms = (one - pivots[0]) / way, (other - pivots[1]) / way
+        met.append((atan2(arms[0].imag, arms[0].real), atan2(arms[1].imag, arms[1].real)))
+    lengths = (abs(ends[0][0] - pivots[0]), abs(ends[1][0] - ends[0][0]), abs(ends[1][0] - pivots[1]), abs(base))
+    result = _judged(lengths, met, "")
+    places = [(pivot.real, pivot.imag) for pivot in pivots]
+    given = {name: getattr(result, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
+    return Synthesis(**given | {"crank_pivot": places[0], "rocker_pivot": places[1]})
+
+
+def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float, float]]", words: str) -> Synthesis:
+    """The record, with the branch of every pair and the defects."""
+    a, b, c, d = lengths
+    rows, sides, worst = [], [], 0.0
+    for theta, angle in met:
+        ax, ay, bx, by = a * cos(theta), a * sin(theta), d + c * cos(angle), c * sin(angle)
+        sides.append((bx - ax) * (-ay) - (by - ay) * (d - ax) < 0.0)
+        worst = max(worst, absolute(hypot(bx - ax, by - ay) - b) / (a + b + c + d))
+        rows.append(Met(theta, angle, "open" if sides[-1] else "crossed"))
+    kind = kind_of(lengths)
+    faults = [words.strip("; ")] if words else []
+    if len(set(sides)) > 1:
+        faults.append("branch: it must be taken apart between the pairs")
+    turns = [(later[0] - first[0] + PI) % (2.0 * PI) - PI for first, later in pairwise(met)]
+    if turns[0] * turns[1] < 0.0:
+        faults.append("order: the crank turns back between the pairs")
+    crank_sides = {sin(theta) >= 0.0 for theta, _ in met}
+    if kind in ("double rocker", "rocker-crank") and len(crank_sides) > 1:
+        faults.append("circuit: it must be taken apart between the pairs")
+    least = _least(lengths)
+    return Synthesis(
+        a, b, c, d, kind, "; ".join(faults) or "none", least, met=tuple(rows),
+        checks=(Check("every pair is met", worst <= CLOSES, worst, CLOSES),),
+        advice=_poor(least),
+    )  # fmt: skip
+
+
+def _least(lengths: "tuple[float, float, float, float]") -> float:
+    least, greatest = transmission(frame(*lengths))
+    return min(least, PI - greatest)
+
+
+def _poor(least: float) -> "tuple[Advice, ...]":
+    if least >= POOR:
+        return ()
+    return (
+        Advice(
+            "poor-transmission",
+            "the transmission angle comes within 40 deg of 0 or 180 deg: friction may lock the linkage there",
+            severity="note",
+            remedy="try other lengths or pairs, or keep the crank away from there",
+        ),
+    )
+
+
+def _by_swing(task: QuickSwing) -> Synthesis:
+    require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle))
+    require(task.time_ratio >= 1.0, "a time ratio is of the slow stroke over the quick one: at least 1", code="ratio")
+    lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
+    count = range(1, PLACES)
+    best = max(count, key=lambda k: _quality(task, lag, k / PLACES))
+    low, high = (best - 1) / PLACES, (best + 1) / PLACES
+    for _ in range(STEPS):
+        one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        if _quality(task, lag, one) < _quality(task, lag, two):
+            low = one
+        else:
+            high = two
+    share = 0.5 * (low + high)
+    require(
+        _quality(task, lag, share) > 0.0,
+        "no crank-rocker swings through {swing} with a time ratio of {ratio}",
+        swing=(task.swing, Angle),
+        ratio=(task.time_ratio, Positive),
+        code="no-linkage",
+        hint="take a smaller swing or time ratio",
+    )
+    lengths = _lengths(task, lag, share)
+    least = _least(lengths)
+    return Synthesis(
+        *lengths, kind=kind_of(lengths), defects="none", least_transmission_angle=least, advice=_poor(least)
+    )
+
+
+def _lengths(task: QuickSwing, lag: float, share: float) -> "tuple[float, float, float, float]":
+    """Links with O₂ at a place of the circle from which the rocker's ends are seen under the lag."""
+    c, half = task.rocker, 0.5 * task.swing
+    ends = c * complex(sin(half), cos(half)), c * complex(-sin(half), cos(half))
+    chord = abs(ends[0] - ends[1])
+    if lag < 1e-12:
+        # in line with the ends, beyond one of them
+        crank_pivot = ends[1] - chord * share / (1.0 - share)
+    else:
+        radius = 0.5 * chord / sin(lag)
+        middle = complex(0.0, ends[0].imag - 0.5 * chord * cos(lag) / sin(lag))
+        # the arc below the chord, seen from its centre
+        angle = -0.5 * PI - (PI - lag) * (1.0 - 2.0 * share)
+        crank_pivot = middle + radius * complex(cos(angle), sin(angle))
+    one, two = abs(ends[0] - crank_pivot), abs(ends[1] - crank_pivot)
+    return 0.5 * absolute(one - two), 0.5 * (one + two), c, abs(crank_pivot)
+
+
+def _quality(task: QuickSwing, lag: float, share: float) -> float:
+    """The smallest |sin μ| of a crank-rocker with this swing; nothing else counts."""
+    lengths = _lengths(task, lag, share)
+    a, b, c, d = lengths
+    if not 1e-9 * c < min(lengths) <= max(lengths) <= LONGEST * c or kind_of(lengths) != "crank-rocker":
+        return 0.0
+    far = (c * c + d * d - (a + b) * (a + b)) / (2.0 * c * d)
+    near = (c * c + d * d - (b - a) * (b - a)) / (2.0 * c * d)
+    if abs(far) >= 1.0 or abs(near) >= 1.0 or absolute(acos(far) - acos(near) - task.swing) > 1e-6:
+        return 0.0
+    return _least(lengths)

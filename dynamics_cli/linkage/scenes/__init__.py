@@ -1,0 +1,1 @@
+"""Linkages from scenes: assemblies, motion, mobility."""

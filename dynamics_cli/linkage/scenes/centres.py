@@ -1,0 +1,133 @@
+"""Instant centres of every two links of a linkage, those at infinity among them."""
+
+from itertools import combinations
+
+from dynamics_cli.linkage.scenes.records import GROUND, Scene
+from dynamics_cli.quantities import Angle, Annotated, Count, PartPoint, Ratio, Text
+from dynamics_cli.records import Check, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.linkage.scenes.solve import Solution
+
+# A difference of angular velocities below this share of the largest is none: the centre is at infinity.
+PARALLEL = 1e-12
+
+
+@record
+class Centre:
+    """The instant centre of two links."""
+
+    first: Annotated[Text, "One link."]
+    second: Annotated[Text, "The other."]
+    position: Annotated[PartPoint | None, "The point that moves alike on both; none at infinity [m]."]
+    direction: Annotated[Angle | None, "Direction in which it lies at infinity [rad]."]
+    ratio: Annotated[Ratio | None, "Angular velocity of the second over that of the first; of ground none."]
+
+
+@record
+class Centres:
+    """All instant centres."""
+
+    count: Annotated[Count, "How many, n(n − 1)/2."]
+    centres: Annotated[tuple[Centre, ...], "The centres."]
+    kennedy: Annotated[Ratio | None, "How far any three centres of three links are from one line, of their distances."]
+    checks: tuple[Check, ...] = ()
+
+
+def centres(
+    scene: Annotated[Scene, "The linkage, from a file."],
+    /,
+) -> Centres:
+    """Instant centres of every pair of links; any three of three links lie on one line (Kennedy).
+
+    Equation
+    --------
+    v_i + ω_i k×(p − r_i) = v_j + ω_j k×(p − r_j); homogeneous, so that equal angular velocities give a direction.
+
+    Returns
+    -------
+    Centres
+        The centres, with the speed ratios that they stand for.
+
+    Raises
+    ------
+    InadmissibleError
+        As of `solve`, and at a pose where velocities are not determined or no driver moves.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 5.4 and 5.7.
+    """
+    from dynamics_cli.errors import require
+    from dynamics_cli.linkage.scenes.solve import solve
+
+    solved = solve(_moving(scene))
+    require(
+        solved.links[0].speed is not None,
+        "velocities are not determined at this pose: it has no instant centres",
+        code="singular",
+        hint="move the driver a little",
+    )
+    motions = _motions(scene, solved)
+    fastest = max(abs(speed) for speed, _ in motions.values())
+    rows = []
+    places: dict[frozenset[str], complex | None] = {}
+    for one, other in combinations(motions, 2):
+        (first, start), (second, end) = motions[one], motions[other]
+        apart, drift = second - first, end - start
+        ratio = second / first if abs(first) > PARALLEL * fastest and abs(second) > PARALLEL * fastest else None
+        if abs(apart) > PARALLEL * fastest:
+            place = 1j * drift / apart
+            places[frozenset((one, other))] = place
+            rows.append(Centre(one, other, (place.real, place.imag), None, ratio))
+        else:
+            from cmath import phase
+
+            places[frozenset((one, other))] = None
+            # square to the common translation
+            rows.append(Centre(one, other, None, phase(1j * drift) if drift else None, ratio))
+    worst = _kennedy(list(motions), places)
+    return Centres(
+        len(rows), tuple(rows), worst,
+        checks=() if worst is None else (Check("centres of three links lie on a line", worst <= 1e-9, worst, 1e-9),),
+    )  # fmt: skip
+
+
+def _moving(scene: Scene) -> Scene:
+    """The scene with its first driver moving, where none does: centres do not depend on how fast."""
+    from dynamics_cli.linkage.scenes.records import Driver
+
+    if any(driver.speed or driver.velocity for driver in scene.drivers):
+        return scene
+    drivers = list(scene.drivers)
+    given = {name: getattr(drivers[0], name) for name in Driver.fields}  # type: ignore[attr-defined]
+    given |= {"velocity": 1.0} if drivers[0].point else {"speed": 1.0}
+    drivers[0] = Driver(**given)
+    return Scene(scene.links, tuple(drivers), scene.slides, scene.sides, scene.near)
+
+
+def _motions(scene: Scene, solved: "Solution") -> "dict[str, tuple[float, complex]]":
+    """Every link's angular velocity, and the velocity of its point at the origin."""
+    pins = {pin.name: pin for pin in solved.pins}
+    motions: dict[str, tuple[float, complex]] = {GROUND: (0.0, 0j)}
+    names = {link.name: link.points[0].name for link in scene.links}
+    for link in solved.links:
+        pin = pins[names[link.name]]
+        speed = link.speed or 0.0
+        motions[link.name] = (speed, complex(*(pin.velocity or (0.0, 0.0))) - 1j * speed * complex(*pin.position))
+    return motions
+
+
+def _kennedy(names: "list[str]", places: "dict[frozenset[str], complex | None]") -> "float | None":
+    worst = None
+    for one, two, three in combinations(names, 3):
+        corners = [places[frozenset(pair)] for pair in ((one, two), (two, three), (one, three))]
+        if any(corner is None for corner in corners):
+            continue
+        a, b, c = (corner or 0j for corner in corners)
+        size = max(abs(b - a), abs(c - a), abs(c - b))
+        if size:
+            off = abs(((b - a).conjugate() * (c - a)).imag) / (size * size)
+            worst = off if worst is None else max(worst, off)
+    return worst

@@ -1,0 +1,268 @@
+"""All assemblies of a scene: dyads in closed form, each on what is placed before it, and the rest by Newton."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from dynamics_cli.linkage.scenes.records import GROUND, Scene, Slide
+from dynamics_cli.linkage.scenes.system import Shape, System
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+    Pins = dict[str, complex]
+    # the pin or link that has places, and each place with the word for it
+    Choices = tuple[str, list[tuple[str, Pins]]]
+
+# Newton from these many starts looks for the assemblies of what no dyads make.
+STARTS = 240
+STEPS = 60
+SETTLED = 1e-13
+SAME = 1e-7
+# What rounding may make of a square root's argument, relatively: a toggle is still closed.
+TOUCH = 1e-13
+
+
+class Assembly:
+    """One way to put the linkage together."""
+
+    def __init__(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> None:
+        self.at = at
+        self.words = words
+        self.dyads = dyads
+
+    @property
+    def text(self) -> str:
+        """The decisions in words."""
+        return ", ".join(f"{pin} {word}" for pin, word in self.words) or "the only one"
+
+
+class Assembler:
+    """Walks through the decisions."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.scene: Scene = system.scene
+        # the smallest gap met, with what could not be joined
+        self.gap: tuple[float, str] = (np.inf, "")
+        self.newton = False
+
+    def all(self) -> "list[Assembly]":
+        """Every assembly, in order."""
+        solutions: list[Assembly] = []
+        for one in self._walk(dict(self.system.known), (), 0):
+            if all(max(abs(one.at[p] - other.at[p]) for p in one.at) > SAME for other in solutions):
+                solutions.append(one)
+        return solutions
+
+    def _walk(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> "Iterator[Assembly]":
+        at = dict(at)
+        while self._carry(at):
+            pass
+        if all(pin in at for pin in self.system.unknown):
+            yield from self._closed(at, words, dyads)
+            return
+        choices = next(self._choices(at), None)
+        if choices is None:
+            self.newton = True
+            for solution in self._by_newton(at):
+                yield Assembly(solution, words, dyads)
+            return
+        name, places = choices
+        for word, more in places:
+            yield from self._walk(at | more, (*words, (name, word)) if word else words, dyads + 1)
+
+    def _closed(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> "Iterator[Assembly]":
+        """The assembly, if what was not used to place its pins holds too."""
+        q = self.system.vector(at)
+        gaps = np.abs(self.system.residuals(q))
+        worst = float(gaps.max(initial=0.0))
+        if worst <= SAME:
+            yield Assembly(at, words, dyads)
+        elif worst < self.gap[0]:
+            self.gap = (worst, self.system.names[int(np.argmax(gaps))])
+
+    def _direction(self, shape: Shape, at: "Pins") -> "complex | None":
+        """The unit direction of a link's own x axis where it is known."""
+        if shape.name == GROUND:
+            return 1.0 + 0j
+        known = [pin for pin in shape.points if pin in at]
+        for one, other in pairwise(known):
+            apart = shape.points[other] - shape.points[one]
+            if apart:
+                turn = (at[other] - at[one]) / apart
+                return turn / abs(turn) if turn else None
+        return None
+
+    def _carry(self, at: "Pins") -> bool:
+        """Place what follows without a decision; whether there was any."""
+        for driver in self.scene.drivers:
+            if driver.point:
+                slide = next(one for one in self.scene.slides if one.point == driver.point)
+                if driver.point not in at and slide.start in at and slide.end in at:
+                    line = at[slide.end] - at[slide.start]
+                    at[driver.point] = at[slide.start] + line / abs(line) * driver.position / self.system.scale
+                    return True
+                continue
+            shape, other = self.system.shapes[driver.link], self.system.shapes[driver.against]
+            way = self._direction(other, at)
+            if way is not None and self._fill(shape, at, way * np.exp(1j * driver.angle)):
+                return True
+            way = self._direction(shape, at)
+            if way is not None and self._fill(other, at, way * np.exp(-1j * driver.angle)):
+                return True
+        for shape in self.system.shapes.values():
+            way = self._direction(shape, at)
+            if way is not None and self._fill(shape, at, way):
+                return True
+        return False
+
+    def _fill(self, shape: Shape, at: "Pins", way: complex) -> bool:
+        """Place all points of a link of known direction that has one placed."""
+        start = next((pin for pin in shape.points if pin in at), None)
+        missing = [pin for pin in shape.points if pin not in at]
+        if start is None or not missing:
+            return False
+        for pin in missing:
+            at[pin] = at[start] + way * (shape.points[pin] - shape.points[start])
+        return True
+
+    def _choices(self, at: "Pins") -> "Iterator[Choices]":
+        """Decisions that can be taken now."""
+        for pin in self.system.unknown:
+            if pin in at:
+                continue
+            circles = []
+            for shape in self.system.shapes.values():
+                start = next((own for own in shape.points if own in at), None)
+                if pin in shape.points and start is not None:
+                    circles.append((at[start], abs(shape.points[pin] - shape.points[start]), shape.name))
+            lines = [one for one in self.scene.slides if one.point == pin and one.start in at and one.end in at]
+            if len(circles) >= 2:
+                yield pin, self._circles(pin, circles[0], circles[1])
+            elif circles and lines:
+                yield pin, self._circle_line(pin, circles[0], lines[0], at)
+            elif len(lines) >= 2:
+                yield pin, self._lines(pin, lines[0], lines[1], at)
+        for slide in self.scene.slides:
+            shape = self.system.shapes[slide.link]
+            pivot = next((own for own in shape.points if own in at), None)
+            if slide.point in at and pivot is not None and self._direction(shape, at) is None:
+                yield slide.link, self._slot(shape, slide, pivot, at)
+
+    def _missed(self, gap: float, what: str) -> "list[tuple[str, Pins]]":
+        if gap < self.gap[0]:
+            self.gap = (gap, what)
+        return []
+
+    def _circles(self, pin: str, one: "Any", other: "Any") -> "list[tuple[str, Pins]]":
+        (centre, radius, name), (second, reach, second_name) = one, other
+        way = second - centre
+        f = abs(way)
+        what = f"{pin} on {name} and {second_name}"
+        first, last = (radius + reach - f) * (radius + reach + f), (f - abs(radius - reach)) * (f + abs(radius - reach))
+        size = (radius + reach) ** 2
+        if f == 0.0 or first < -TOUCH * size or last < -TOUCH * size:
+            return self._missed(max(f - radius - reach, abs(radius - reach) - f), what)
+        root = max(first, 0.0) ** 0.5 * max(last, 0.0) ** 0.5
+        along = f * f + (radius - reach) * (radius + reach)
+        places = [
+            (word, {pin: centre + way * complex(along, sign * root) / (2.0 * f * f)})
+            for word, sign in (("left", 1.0), ("right", -1.0))
+        ]
+        return places if root else [("", places[0][1])]
+
+    def _circle_line(self, pin: str, one: "Any", slide: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
+        centre, radius, name = one
+        line = at[slide.end] - at[slide.start]
+        line = line / abs(line)
+        away = (centre - at[slide.start]) * line.conjugate()
+        room = (radius - abs(away.imag)) * (radius + abs(away.imag))
+        if room < -TOUCH * radius * radius:
+            return self._missed(abs(away.imag) - radius, f"{pin} on {name} and its slide")
+        root = max(room, 0.0) ** 0.5
+        places = [
+            (word, {pin: at[slide.start] + line * (away.real + sign * root)})
+            for word, sign in (("ahead", 1.0), ("behind", -1.0))
+        ]
+        return places if root else [("", places[0][1])]
+
+    def _lines(self, pin: str, one: Slide, other: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
+        line, second = at[one.end] - at[one.start], at[other.end] - at[other.start]
+        across = (line.conjugate() * second).imag
+        if across == 0.0:
+            return self._missed(np.inf, f"{pin} on two parallel slides")
+        share = ((at[other.start] - at[one.start]).conjugate() * second).imag / across
+        return [("", {pin: at[one.start] + share * line})]
+
+    def _slot(self, shape: Shape, slide: Slide, pivot: str, at: "Pins") -> "list[tuple[str, Pins]]":
+        """A link that hangs on one pin and whose line passes through another."""
+        start, line = shape.points[slide.start], shape.points[slide.end] - shape.points[slide.start]
+        line = line / abs(line)
+        # the line as seen from the pivot, in the link's own axes along the line
+        height = ((start - shape.points[pivot]) * line.conjugate()).imag
+        way = at[slide.point] - at[pivot]
+        room = (abs(way) - abs(height)) * (abs(way) + abs(height))
+        if abs(way) == 0.0 or room < -TOUCH * abs(way) ** 2:
+            return self._missed(abs(height) - abs(way), f"{slide.point} on the line of {shape.name}")
+        places = []
+        for word, sign in (("ahead", 1.0), ("behind", -1.0)):
+            own = complex(sign * max(room, 0.0) ** 0.5, height) * line
+            turn = way / own
+            turn = turn / abs(turn)
+            places.append((
+                word, {pin: at[pivot] + turn * (shape.points[pin] - shape.points[pivot]) for pin in shape.points}
+            ))  # fmt: skip
+        return places
+
+    def _by_newton(self, at: "Pins") -> "Iterator[Pins]":
+        """Assemblies of what no dyad makes, by Newton from sketches and from spread starts."""
+        system = self.system
+        rest = [pin for pin in system.unknown if pin not in at]
+        sketch = {near.pin: complex(*near.at) / system.scale for near in self.scene.near}
+        middle = sum(at.values()) / max(1, len(at))
+        golden = 0.6180339887498949
+        solutions: list[Any] = []
+        best = np.inf
+        for start in range(STARTS):
+            guess = dict(at)
+            for index, pin in enumerate(rest):
+                phase = (start * golden * (index + 1) + 0.37 * index) % 1.0
+                radius = 2.0 * ((start * 0.7548776662466927 + 0.29 * index) % 1.0)
+                guess[pin] = middle + radius * np.exp(2j * np.pi * phase)
+            if start == 0:
+                guess |= {pin: place for pin, place in sketch.items() if pin in guess}
+            q, gap = refined(system, system.vector(guess))
+            best = min(best, gap)
+            if gap <= 1e3 * SETTLED and all(np.abs(q - other).max() > SAME for other in solutions):
+                solutions.append(q)
+        if not solutions:
+            self._missed(best, "the links that hang on each other")
+        solutions.sort(key=lambda q: q.round(9).tolist())
+        for q in solutions:
+            places = system.positions(q)
+            # the dyads that stand already keep their side
+            if all(abs(places[pin] - at[pin]) < SAME for pin in at):
+                yield places
+
+
+def refined(system: System, q: "Any") -> "tuple[Any, float]":
+    """Newton's method with halved steps; the solution and its largest residual."""
+    gap = float(np.abs(system.residuals(q)).max(initial=0.0))
+    for _ in range(STEPS):
+        if gap <= SETTLED * 0.01:
+            break
+        step = np.linalg.lstsq(system.jacobian(q), -system.residuals(q))[0]
+        share = 1.0
+        while share > 0.02:
+            new = q + share * step
+            left = float(np.abs(system.residuals(new)).max())
+            if left < gap:
+                break
+            share *= 0.5
+        else:
+            break
+        q, gap = new, left
+    return q, gap

@@ -1,0 +1,168 @@
+"""Pictures of a linkage from a scene: poses over the driver's range, paths of the pins, and a moving SVG."""
+
+from math import pi
+
+from dynamics_cli.linkage.animation import animated
+from dynamics_cli.linkage.scenes.following import driven
+from dynamics_cli.linkage.scenes.records import GROUND, Driver, Scene
+from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, Coordinate, TurnRate
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    Pins = dict[str, complex]
+
+FRAMES = 90
+GHOSTS = 8
+ARROW = 0.25
+# A pin that jumps by this share of the linkage from one frame to the next has changed its assembly.
+JUMP = 0.35
+# Centres this near one another have their labels on different sides.
+CLOSE = 0.12
+ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
+
+
+def _driven(scene: Scene, share: float) -> Scene:
+    """The scene with its first driver moved on by a share of a turn, or of its position."""
+    first = scene.drivers[0]
+    given = {name: getattr(first, name) for name in Driver.fields}  # type: ignore[attr-defined]
+    if first.point:
+        given["position"] = first.position * (1.0 + 0.5 * share)
+    else:
+        return driven(scene, first.angle + 2.0 * pi * share)
+    return Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
+
+
+def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
+    """Poses over a turn of the first driver, or as far as it goes either way, each by Newton from the one before."""
+    forward = _run(scene, start, count, 1)
+    if len(forward) == count:
+        return forward
+    back = _run(scene, start, count, -1)
+    there = [*back[:0:-1], *forward]
+    return there + there[-2:0:-1] if len(there) > 2 else there
+
+
+def _run(scene: Scene, start: "Pins", count: int, sense: int) -> "list[Pins]":
+    import numpy as np
+
+    from dynamics_cli.linkage.scenes.dyads import SAME, refined
+    from dynamics_cli.linkage.scenes.system import System
+
+    poses = [start]
+    for index in range(1, count):
+        system = System(_driven(scene, sense * index / count))
+        before = {pin: at / system.scale for pin, at in poses[-1].items()}
+        if len(poses) > 1:
+            last = {pin: at / system.scale for pin, at in poses[-2].items()}
+            before = {pin: 2.0 * at - last[pin] for pin, at in before.items()}
+        q, gap = refined(system, system.vector(before))
+        step = float(
+            np.abs(q - system.vector({pin: at / system.scale for pin, at in poses[-1].items()})).max(initial=0)
+        )
+        if gap > SAME or step > JUMP:
+            break
+        poses.append({pin: at * system.scale for pin, at in system.positions(q).items()})
+    return poses
+
+
+def _shape(scene: Scene, name: str, at: "Pins") -> "list[complex]":
+    """A link as a line, or as a polygon through its points."""
+    names = [pin.name for link in scene.links if link.name == name for pin in link.points]
+    points = [at[pin] for pin in names]
+    return [*points, points[0]] if len(points) > 2 else points
+
+
+def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
+    """The linkage, ghosts of it over the driver's range, the paths of its pins, and their velocities."""
+    at = {pin.name: complex(*pin.position) for pin in result.pins}
+    poses = motion(scene, at, FRAMES)
+    moving = [link.name for link in scene.links if link.name != GROUND]
+    items: list[Any] = []
+    for pose in poses[:: max(1, len(poses) // GHOSTS)]:
+        items += [_line(_shape(scene, name, pose), "", "dots", 6) for name in moving]
+    fixed = {pin.name for link in scene.links if link.name == GROUND for pin in link.points}
+    closed = [*poses, poses[0]]
+    items += [_line([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
+    items += [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    for slide in scene.slides:
+        items.append(_line((at[slide.start], at[slide.end]), "", "centre", 5))
+    size = max(abs(one - other) for one in at.values() for other in at.values())
+    speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
+    longest = max((abs(speed) for speed in speeds.values()), default=0.0)
+    for pin, place in at.items():
+        items.append(Mark(place.real, place.imag, pin))
+        if longest and abs(speeds.get(pin, 0j)) > 0.0:
+            way = speeds[pin] * (ARROW * size / longest)
+            items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
+    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    words = "with velocities" if longest else "paths of its pins"
+    return Picture((panel, *_curves(result)), f"linkage of {len(scene.links)} links, {words}")
+
+
+def _curves(result: "Any") -> "tuple[Panel, ...]":
+    """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
+    if not result.motion:
+        return ()
+    way = Axis(
+        "driver angle", Angle, ends=(result.motion[0].driver_angle, result.motion[-1].driver_angle), step=pi / 6.0
+    )
+    at = [row.driver_angle for row in result.motion]
+    if result.motion[0].angle is None:
+        x, y = ([row.position[i] for row in result.motion] for i in (0, 1))
+        curves = (Curve(at, x, "x", role=0), Curve(at, y, "y", "dashed", 1))
+        return (Panel(way, Axis("position", Coordinate), curves, "the pin that was followed"),)
+    angles, speeds = [row.angle for row in result.motion], [row.speed for row in result.motion]
+    panels = [Panel(way, Axis("angle", Angle), (Curve(at, angles, role=0),), "the link that was followed")]
+    if None not in speeds and any(speeds):
+        panels.append(Panel(way, Axis("angular velocity ω", TurnRate), (Curve(at, speeds, role=1),)))
+    return tuple(panels)
+
+
+def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
+    """The linkage with its instant centres."""
+    from dynamics_cli.linkage.scenes.solve import solve
+
+    solved = solve(scene)
+    at = {pin.name: complex(*pin.position) for pin in solved.pins}
+    size = max(abs(one - other) for one in at.values() for other in at.values())
+    middle = sum(at.values()) / len(at)
+    moving = [link.name for link in scene.links if link.name != GROUND]
+    items: list[Any] = [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
+    far = []
+    taken: list[tuple[complex, int]] = []
+    for one in result.centres:
+        label = f"I({names[one.first]},{names[one.second]})"
+        if one.position is None or abs(complex(*one.position) - middle) > 4.0 * size:
+            far.append(label)
+        else:
+            place = complex(*one.position)
+            beside = sum(abs(place - other) < CLOSE * size for other, _ in taken)
+            taken.append((place, beside))
+            items.append(Mark(place.real, place.imag, label, ASIDE[beside % len(ASIDE)]))
+    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+    order = ", ".join(f"{number} {name}" for name, number in names.items())
+    title = f"instant centres: {order}" + (f"\nfar away: {', '.join(far)}" if far else "")
+    return Picture((panel,), title)
+
+
+def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
+    """The linkage over its driver's range as an SVG that moves by itself."""
+    at = {pin.name: complex(*pin.position) for pin in result.pins}
+    poses = motion(scene, at, FRAMES)
+    moving = [link.name for link in scene.links if link.name != GROUND]
+    fixed = [pin.name for link in scene.links if link.name == GROUND for pin in link.points]
+    free = [pin for pin in at if pin not in fixed]
+    frames = [[_shape(scene, name, pose) for name in moving] for pose in poses]
+    traces = [[pose[pin] for pose in [*poses, poses[0]]] for pin in free]
+    traces += [[at[slide.start], at[slide.end]] for slide in scene.slides if slide.link == GROUND]
+    pins = [[pose[pin] for pin in free] for pose in poses]
+    return animated("A linkage in motion", frames, traces, [at[pin] for pin in fixed], pins)
+
+
+def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
+    points = list(points)
+    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)

@@ -1,0 +1,1 @@
+"""Slider-cranks and quick returns."""

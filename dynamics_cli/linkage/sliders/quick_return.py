@@ -1,0 +1,153 @@
+"""Quick returns: a crank whose pin slides along a lever, oscillating (crank shorter) or turning (Whitworth)."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, atan2, hypot, pi_beside, sqrt
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.turns import turned
+from dynamics_cli.quantities import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    Annotated,
+    PartPoint,
+    PartVelocity,
+    Ratio,
+    Size,
+    Speed,
+    Text,
+    TurnRate,
+)
+from dynamics_cli.records import Check, record
+
+CLOSES = 1e-12
+
+
+@record
+class QuickReturn:
+    """A quick return in one pose, and its time ratio."""
+
+    lever_angle: Annotated[Angle | None, "Angle θ₄ of the lever, from the line of the pivots on [rad]."] = None
+    lever_ratio: Annotated[Ratio | None, "ω₄/ω₂."] = None
+    lever_speed: Annotated[TurnRate | None, "Angular velocity ω₄ of the lever [rad/s]."] = None
+    lever_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration α₄ [rad/s^2]."] = None
+    reach: Annotated[Size | None, "Distance of the crank's pin from the lever's pivot [m]."] = None
+    slip: Annotated[Speed | None, "Speed of the pin along the lever, outwards [m/s]."] = None
+    coriolis: Annotated[Acceleration | None, "Coriolis acceleration 2ω₄·slip of the pin [m/s^2]."] = None
+    tip: Annotated[PartPoint | None, "The lever's tip [m]."] = None
+    tip_velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."] = None
+    time_ratio: Annotated[Ratio | None, "Time of the working stroke over that of the return."] = None
+    swing: Annotated[Angle | None, "Angle through which an oscillating lever swings [rad]."] = None
+    stroke: Annotated[Size | None, "Chord of the tip's path, of an oscillating lever [m]."] = None
+    kind: Annotated[Text | None, "Oscillating lever, or Whitworth's turning one."] = None
+    checks: tuple[Check, ...] = ()
+
+
+def quick_return(
+    *,
+    crank: Annotated[Size, "Length a of the crank, e.g. 50 mm."],
+    ground: Annotated[Size, "Distance d of the crank's pivot from the lever's, e.g. 120 mm."],
+    crank_angle: Annotated[Angle | None, "Crank angle θ₂ from the line to the lever's pivot, e.g. 75 deg."] = None,
+    speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
+    angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,
+    lever: Annotated[Size | None, "Length of the lever from its pivot to its tip, e.g. 250 mm."] = None,
+) -> QuickReturn:
+    """Lever of a quick return: angle, speed, acceleration, slip of the pin, time ratio.
+
+    Equation
+    --------
+    r⃗ = a⃗ − d⃗; ω₄ = ω₂ a⃗·r⃗/r², slip ṙ = ω₂ a⃗×r⃗/r, α₄ = (a⃗_A·n − 2ṙω₄)/r; time ratio (π + 2γ)/(π − 2γ) with
+    sin γ = a/d of an oscillating lever, d/a of Whitworth's.
+
+    Returns
+    -------
+    QuickReturn
+        The pose and the time ratio.
+
+    Raises
+    ------
+    InadmissibleError
+        When a length is not above zero, or the crank's pin passes through the lever's pivot.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 5.3.
+
+    Examples
+    --------
+    >>> round(quick_return(crank=0.05, ground=0.12).time_ratio, 12)
+    1.753317372194
+    """
+    for name, length in (("crank", crank), ("ground link", ground)):
+        require(
+            length > 0.0,
+            f"the {name} has a length of {{length}}: a link needs more than zero",
+            length=(length, Size),
+            code="no-length",
+        )
+    known = _ratio(crank, ground, lever)
+    if crank_angle is None:
+        require(speed is None, "a speed needs a crank angle", code="no-angle", hint="give --crank-angle")
+        return QuickReturn(**known)  # type: ignore[arg-type]
+    turn, half = turned(crank_angle), turned(0.5 * crank_angle)
+    apart = crank - ground
+    # a cos θ − d without cancellation where the pin passes near the lever's pivot
+    rx = apart - 2.0 * crank * (half[1] * half[1])
+    ax, ay = crank * turn[0], crank * turn[1]
+    reach = hypot(rx, ay)
+    require(
+        reach > 0.0,
+        "the crank's pin lies on the lever's pivot: the lever has no direction",
+        code="free",
+        hint="give a crank angle beside it, or lengths that differ",
+    )
+    ex, ey = rx / reach, ay / reach
+    ratio = (ax * ex + ay * ey) / reach
+    sliding = ax * ey - ay * ex
+    rate = 0.0 * crank_angle if speed is None else speed
+    lever_speed, slip = ratio * rate, sliding * rate
+    across = -(angular_acceleration * ay + rate * rate * ax) * -ey + (angular_acceleration * ax - rate * rate * ay) * ex
+    coriolis = 2.0 * slip * lever_speed
+    moving = speed is not None
+    size = lever if lever is not None else 0.0 * reach
+    given = moving and lever is not None
+    alone = single(crank, ground, crank_angle)
+    return QuickReturn(
+        **known,  # type: ignore[arg-type]
+        lever_angle=atan2(ay, rx),
+        lever_ratio=ratio,
+        lever_speed=lever_speed if moving else None,
+        lever_acceleration=(across - coriolis) / reach if moving else None,
+        reach=reach,
+        slip=slip if moving else None,
+        coriolis=coriolis if moving else None,
+        tip=None if lever is None else (ground + size * ex, size * ey),
+        tip_velocity=(-(size * ey) * lever_speed, size * ex * lever_speed) if given else None,
+        checks=_checks(ax, ay, (ex, ey), reach, ratio, sliding) if alone else (),
+    )
+
+
+def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, object]":
+    if not single(crank, ground) or crank == ground:
+        return {}
+    pi = pi_beside(crank, ground)
+    short, long = (crank, ground) if crank < ground else (ground, crank)
+    leg = sqrt((long - short) * (long + short))
+    angle, rest = 2.0 * atan2(short, leg), 2.0 * atan2(leg, short)
+    if crank < ground:
+        stroke = None if lever is None else 2.0 * lever * (crank / ground)
+        known: dict[str, object] = {"swing": angle, "stroke": stroke, "kind": "oscillating lever"}
+    else:
+        known = {"kind": "turning lever (Whitworth)"}
+    return {"time_ratio": (pi + angle) / rest, **known}
+
+
+def _checks(
+    ax: float, ay: float, along: "tuple[float, float]", reach: float, ratio: float, sliding: float
+) -> "tuple[Check, ...]":
+    """The pin's velocity is that of the lever there and the slip along it."""
+    ex, ey = (plain(x) for x in along)
+    x, y = plain(ax), plain(ay)
+    turning = plain(ratio) * plain(reach)
+    gap = hypot(-y - plain(sliding) * ex + turning * ey, x - plain(sliding) * ey - turning * ex)
+    gap = gap / (absolute(x) + absolute(y))
+    return (Check("the pin has one velocity", gap <= CLOSES, gap, CLOSES),)

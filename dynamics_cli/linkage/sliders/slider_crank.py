@@ -1,0 +1,264 @@
+"""The slider-crank, in line or offset: one pose with velocity and acceleration, its stroke, or a table."""
+
+from math import isfinite
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.turns import turned
+from dynamics_cli.quantities import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    Annotated,
+    CamVelocity,
+    Coordinate,
+    Count,
+    Force,
+    Ratio,
+    Size,
+    Speed,
+    Torque,
+    TurnRate,
+)
+from dynamics_cli.records import Check, Choice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MANY = 20_000
+CLOSES = 1e-12
+
+
+class End(Choice):
+    """On which side of the crank's pin the slider is."""
+
+    names = ("right", "left")
+    aliases = {"+": "right", "-": "left", "−": "left"}  # noqa: RUF012
+
+
+RIGHT = End("right")
+
+
+@record
+class SliderStep:
+    """One crank angle of the table."""
+
+    crank_angle: Annotated[Angle, "Crank angle θ [rad]."]
+    position: Annotated[Coordinate, "Slider position x from the crank's pivot [m]."]
+    slope: Annotated[CamVelocity | None, "dx/dθ: the velocity over that of the crank [m/rad]."]
+    bend: Annotated[Coordinate | None, "d²x/dθ²: the acceleration over ω² of a crank at uniform speed [m]."]
+    rod_angle: Annotated[Angle, "Angle of the rod to the slide [rad]."]
+
+
+@record
+class SliderCrank:
+    """A slider-crank in one pose, its stroke, or its table."""
+
+    position: Annotated[Coordinate | None, "Slider position x from the crank's pivot along the slide [m]."] = None
+    travel: Annotated[Coordinate | None, "Distance from the outer dead centre [m]."] = None
+    velocity: Annotated[Speed | None, "Velocity of the slider [m/s]."] = None
+    acceleration: Annotated[Acceleration | None, "Acceleration of the slider [m/s^2]."] = None
+    slope: Annotated[CamVelocity | None, "dx/dθ [m/rad]."] = None
+    rod_angle: Annotated[Angle | None, "Angle of the rod to the slide: the pressure angle [rad]."] = None
+    rod_speed: Annotated[TurnRate | None, "Angular velocity ω₃ of the rod [rad/s]."] = None
+    rod_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration α₃ [rad/s^2]."] = None
+    crank_torque: Annotated[
+        Torque | None, "Torque at the crank that balances the force of the slider, without friction [N*m]."
+    ] = None
+    stroke: Annotated[Size | None, "Distance between the dead centres; none unless the crank turns fully [m]."] = None
+    time_ratio: Annotated[Ratio | None, "Time of the slow stroke over that of the quick one."] = None
+    outer_at: Annotated[Angle | None, "Crank angle at the outer dead centre [rad]."] = None
+    inner_at: Annotated[Angle | None, "Crank angle at the inner dead centre [rad]."] = None
+    largest_rod_angle: Annotated[Angle | None, "Largest angle of the rod to the slide [rad]."] = None
+    table: Annotated[tuple[SliderStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
+    checks: tuple[Check, ...] = ()
+
+
+def slider_crank(
+    *,
+    crank: Annotated[Size, "Length a of the crank, e.g. 50 mm."],
+    rod: Annotated[Size, "Length b of the connecting rod, e.g. 150 mm."],
+    offset: Annotated[Coordinate, "Height e of the slide above the crank's pivot, e.g. 20 mm."] = 0.0,
+    crank_angle: Annotated[Angle | None, "Crank angle θ from the slide's direction; without it a table."] = None,
+    end: Annotated[End, "The side of the crank's pin on which the slider is."] = RIGHT,
+    speed: Annotated[TurnRate | None, "Angular velocity ω of the crank, e.g. 3000 rpm."] = None,
+    angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α of the crank [rad/s^2]."] = 0.0,
+    load_force: Annotated[Force | None, "Force that the slider delivers along x, e.g. 500 N."] = None,
+    steps: Annotated[Count, "Steps of the table over a full turn."] = 24,
+) -> SliderCrank:
+    """Position, velocity and acceleration of a slider-crank, its stroke and time ratio, or its table.
+
+    Equation
+    --------
+    x = a cos θ ± √((b − h)(b + h)), h = e − a sin θ; ω₃ = −aω cos θ/b_x, v = −aω sin θ − ω₃h; stroke
+    4ab/(√((b + a)² − e²) + √((b − a)² − e²)); from dead centre in line 2a sin²(θ/2) + a² sin²θ/(b + √(b² − a² sin²θ)).
+
+    Returns
+    -------
+    SliderCrank
+        The pose and the stroke, or the table.
+
+    Raises
+    ------
+    InadmissibleError
+        When a length is not above zero, the rod does not reach the slide at this angle, or stands square to it where a
+        velocity is asked for.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 5.3.
+
+    Examples
+    --------
+    >>> round(slider_crank(crank=0.05, rod=0.15, offset=0.02, crank_angle=1.0471975511965976).position, 9)
+    0.173179117
+    """
+    for name, length in (("crank", crank), ("rod", rod)):
+        require(
+            length > 0.0,
+            f"the {name} has a length of {{length}}: a link needs more than zero",
+            length=(length, Size),
+            code="no-length",
+        )
+    stroke = _stroke(crank, rod, offset)
+    if crank_angle is None:
+        require(
+            single(crank, rod, offset),
+            "rows need a crank angle: a table is of one mechanism",
+            code="no-angle",
+            hint="add a column crank_angle",
+        )
+        return SliderCrank(**stroke, table=_table(crank, rod, offset, end, steps))
+    turn, half = turned(crank_angle), turned(0.5 * crank_angle)
+    rise, along = crank * turn[1], crank * turn[0]
+    height = offset - rise
+    require(
+        absolute(height) <= rod,
+        "at a crank angle of {angle:6} the rod of {rod} does not reach the slide: it is {gap} too short",
+        angle=(crank_angle, Angle),
+        rod=(rod, Size),
+        gap=(absolute(height) - rod, Size),
+        code="unreachable",
+        hint="lengthen the rod by {gap}, or bring the slide nearer to the crank's pivot",
+    )
+    across = sqrt((rod - height) * (rod + height))
+    side = 1.0 if end == RIGHT else -1.0
+    reach = side * across
+    if speed is not None or load_force is not None:
+        require(
+            across > 0.0,
+            "the rod stands square to the slide: the crank cannot move the slider through this pose",
+            code="toggle",
+            hint="give a crank angle beside it",
+        )
+    position = along + reach
+    alone = single(crank, rod, offset, crank_angle)
+    return SliderCrank(
+        **stroke,
+        position=position,
+        travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
+        rod_angle=atan2(height, across),
+        **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
+        checks=_checks(crank, rod, offset, turn, position) if alone else (),
+    )
+
+
+def _travel(
+    lengths: "tuple[float, float, float]",
+    arm: "tuple[float, float]",
+    half: float,
+    side: float,
+    position: float,
+) -> float:
+    """Distance from the outer dead centre; in line without cancellation."""
+    (crank, rod, offset), (across, height) = lengths, arm
+    far = (crank + rod - absolute(offset)) * (crank + rod + absolute(offset))
+    outer = sqrt(where(far > 0.0, far, 0.0 * far))
+    dropped = 2.0 * crank * (half * half) + height * height / (rod + across)
+    return where((offset == 0.0) & (side > 0.0), dropped, outer - side * position)
+
+
+def _moving(
+    pin: "tuple[float, float]",
+    arm: "tuple[float, float]",
+    across: float,
+    speed: "float | None",
+    bend: float,
+    load_force: "float | None",
+) -> "dict[str, Any]":
+    """Velocities and accelerations of slider and rod, the rod's ends apart by `arm`."""
+    (along, rise), (reach, height) = pin, arm
+    safe = where(across > 0.0, reach, 1.0)
+    lean = -(along / safe)
+    slope = -rise - lean * height
+    torque = {"slope": slope, "crank_torque": None if load_force is None else load_force * slope}
+    if speed is None:
+        return torque
+    turning = lean * speed
+    square = speed * speed
+    bending = (rise * square - along * bend + turning * turning * height) / safe
+    return torque | {
+        "velocity": slope * speed,
+        "acceleration": -(along * square) - rise * bend - turning * turning * reach - bending * height,
+        "rod_speed": turning,
+        "rod_acceleration": bending,
+    }
+
+
+def _stroke(a: float, b: float, e: float) -> "dict[str, Any]":
+    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does."""
+    size = absolute(e)
+    full = b > a + size
+    if not (bool(full.all()) if getattr(full, "ndim", 0) else bool(full)):  # type: ignore[attr-defined]
+        return {}
+    pi = pi_beside(a, b, e)
+    far = sqrt((b + a - size) * (b + a + size))
+    near = sqrt((b - a - size) * (b - a + size))
+    stroke = 4.0 * a * b / (far + near)
+    lead = atan2(size * stroke, far * near + e * e)
+    return {
+        "stroke": stroke,
+        "time_ratio": (pi + lead) / (pi - lead),
+        "outer_at": atan2(e, far),
+        "inner_at": pi + atan2(e, near),
+        "largest_rod_angle": asin((a + size) / b),
+    }
+
+
+def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float) -> "tuple[Check, ...]":
+    along, up = plain(x) - plain(a * turn[0]), plain(e) - plain(a * turn[1])
+    rod = plain(b)
+    gap = abs(along * along + up * up - rod * rod) / (rod * rod)
+    return (Check("the rod keeps its length", gap <= CLOSES, gap, CLOSES),)
+
+
+def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderStep, ...]":
+    import numpy as np
+
+    require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
+    a, b, e = plain(a), plain(b), plain(e)
+    theta: Any = np.linspace(0.0, 2.0 * np.pi, steps + 1)
+    theta = theta[np.abs(e - a * turned(theta)[1]) <= b]
+    require(
+        theta.size > 0,
+        "the rod of {rod} reaches the slide at no crank angle",
+        rod=(b, Size),
+        code="unreachable",
+        hint="lengthen the rod, or bring the slide nearer to the crank's pivot",
+    )
+    cosine, sine = turned(theta)
+    height = e - a * sine
+    side = 1.0 if end == RIGHT else -1.0
+    reach = side * np.sqrt((b - height) * (b + height))
+    with np.errstate(all="ignore"):
+        lean = -a * cosine / reach
+        bend = (a * sine + lean * lean * height) / reach
+        slope = -a * sine - lean * height
+        curved = -a * cosine - lean * lean * reach - bend * height
+    still = reach == 0.0
+    shown = (np.where(still, np.nan, part) for part in (slope, curved))
+    columns = (theta, a * cosine + reach, *shown, np.arctan2(height, np.abs(reach)))
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)  # type: ignore[arg-type]

@@ -1,0 +1,29 @@
+"""Doubles that know the decimals they were typed as, for sums that are formed in exact ratios."""
+
+from math import gcd
+
+
+class TypedNumber(float):
+    """The double nearest to an exact ratio, which keeps the ratio; arithmetic gives plain doubles.
+
+    >>> TypedNumber(1, 10).as_integer_ratio(), (0.1).as_integer_ratio()[1] == 2**55
+    ((1, 10), True)
+    """
+
+    __slots__ = ("ratio",)
+    ratio: tuple[int, int]
+
+    def __new__(cls, numerator: int, denominator: int) -> "TypedNumber":
+        """Reduce the ratio and round it."""
+        common = gcd(numerator, denominator)
+        made = super().__new__(cls, numerator / denominator)
+        made.ratio = numerator // common, denominator // common
+        return made
+
+    def __getnewargs__(self) -> tuple[int, int]:  # type: ignore[override]
+        """The ratio, for copies."""
+        return self.ratio
+
+    def as_integer_ratio(self) -> tuple[int, int]:
+        """The ratio that was typed, not that of the double."""
+        return self.ratio

@@ -1,0 +1,250 @@
+"""Linkages from scenes: assemblies, motion, certificate, centres, mobility, and scenes that are refused."""
+
+from math import atan2, cos, degrees, radians, sin
+from typing import Any
+
+import pytest
+from harness import answer, run
+from mpmath import findroot, mp, mpf
+
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.linkage.bodies.body import TwoPoints, body
+from dynamics_cli.linkage.fourbar.four_bar import four_bar
+from dynamics_cli.linkage.scenes.centres import centres
+from dynamics_cli.linkage.scenes.mobility import mobility
+from dynamics_cli.linkage.scenes.pictures import motion, moving_scene, scene_picture
+from dynamics_cli.linkage.scenes.records import Driver, Link, Near, Pin, Scene, Side, Slide, Way
+from dynamics_cli.linkage.scenes.solve import Solution, solve
+
+SIX = "examples/six_bar.toml"
+
+
+def link(name: str, **points: tuple[float, float]) -> Link:
+    return Link(name, tuple(Pin(pin, at) for pin, at in points.items()))
+
+
+LINKS = (
+    link("ground", O2=(0.0, 0.0), O4=(0.1, 0.0), O6=(0.18, -0.02)),
+    link("crank", O2=(0.0, 0.0), A=(0.04, 0.0)),
+    link("coupler", A=(0.0, 0.0), B=(0.12, 0.0), P=(0.06, 0.04)),
+    link("rocker", O4=(0.0, 0.0), B=(0.08, 0.0)),
+    link("five", P=(0.0, 0.0), Q=(0.13, 0.0)),
+    link("six", O6=(0.0, 0.0), Q=(0.09, 0.0)),
+)
+LEFT = (Side("B", Way("left")), Side("Q", Way("left")))
+
+
+def six_bar(**driver: Any) -> Scene:
+    own: dict[str, Any] = {"link": "crank", "angle": radians(40.0), "speed": 1.0} | driver
+    return Scene(LINKS, (Driver(**own),), (), LEFT)
+
+
+def pins(made: Solution) -> dict[str, Any]:
+    return {pin.name: pin for pin in made.pins}
+
+
+def links(made: Solution) -> dict[str, Any]:
+    return {one.name: one for one in made.links}
+
+
+def test_a_six_bar_against_more_digits() -> None:
+    made = solve(six_bar())
+    found = pins(made)
+    assert found["P"].position == pytest.approx((0.07303984320093256612552, 0.08404163419940446960643), abs=1e-16)
+    assert found["Q"].position == pytest.approx((0.201954866490798350234, 0.06728106230661505722907), abs=1e-16)
+    six = links(made)["six"]
+    assert degrees(six.angle) == pytest.approx(75.88062537690188583313, rel=1e-14)
+    assert six.speed == pytest.approx(0.212699348117265, rel=1e-12)
+    assert six.acceleration == pytest.approx(0.677924813782, rel=1e-11)
+    rocker = four_bar(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, crank_angle=radians(40.0), speed=1.0)
+    assert links(made)["rocker"].acceleration == pytest.approx(rocker.rocker_acceleration, rel=1e-12)
+
+
+def test_the_certificate_holds() -> None:
+    made = solve(six_bar())
+    mp.dps = 40
+    values = [findroot(_closure, [mpf(one) for pin in ("B", "P", "Q") for one in pins(made)[pin].position])]
+    exact = [float(x) for x in values[0]]
+    found = [one for pin in ("B", "P", "Q") for one in pins(made)[pin].position]
+    off = sum((one - other) ** 2 for one, other in zip(exact, found, strict=True)) ** 0.5
+    assert (made.kantorovich or 1.0) < 1e-6
+    assert off <= (made.pin_error or 0.0) <= 1e-12
+    assert 0.0 < (made.nearest_other or 0.0) < 0.12
+
+
+def _closure(bx: Any, by: Any, px: Any, py: Any, qx: Any, qy: Any) -> list[Any]:
+    angle = mpf(radians(40.0))
+    ax, ay = mpf(0.04) * mp.cos(angle), mpf(0.04) * mp.sin(angle)
+    share = (mpf(0.06) / mpf(0.12), mpf(0.04) / mpf(0.12))
+    return [
+        (bx - ax) ** 2 + (by - ay) ** 2 - mpf(0.12) ** 2,
+        (bx - mpf(0.1)) ** 2 + by**2 - mpf(0.08) ** 2,
+        px - ax - share[0] * (bx - ax) + share[1] * (by - ay),
+        py - ay - share[1] * (bx - ax) - share[0] * (by - ay),
+        (qx - px) ** 2 + (qy - py) ** 2 - mpf(0.13) ** 2,
+        (qx - mpf(0.18)) ** 2 + (qy + mpf(0.02)) ** 2 - mpf(0.09) ** 2,
+    ]
+
+
+def test_all_assemblies_of_dyads_and_of_a_triad() -> None:
+    made = solve(Scene(LINKS, six_bar().drivers), assemblies=True)
+    assert made.assemblies == 4
+    triad = Scene(LINKS, (Driver("six", angle=radians(80.0)),), near=(Near("A", (0.04, 0.001)),))
+    done = solve(triad, assemblies=True)
+    rows = [row for row in done.every_assembly or () if row.pin == "A"]
+    found = sorted(degrees(atan2(row.position[1], row.position[0])) % 360.0 for row in rows)
+    wanted = [1.2926973343870897818, 48.360861795906456992, 54.370436095725611545, 308.19640021039030333]
+    assert found == pytest.approx(wanted, rel=1e-12)
+    near = pins(solve(triad))["A"].position
+    assert degrees(atan2(near[1], near[0])) == pytest.approx(wanted[0], rel=1e-12)
+
+
+def test_an_open_choice_is_refused_with_the_list() -> None:
+    with pytest.raises(InadmissibleError, match=r"4 assemblies .* B left, Q left; B left, Q right"):
+        solve(Scene(LINKS, six_bar().drivers))
+
+
+SLIDER = (link("ground", O=(0.0, 0.0), S=(0.0, 0.02), T=(0.1, 0.02)), link("crank", O=(0.0, 0.0), A=(0.05, 0.0)),
+          link("rod", A=(0.0, 0.0), B=(0.15, 0.0)))  # fmt: skip
+RAIL = (Slide("B", "ground", "S", "T"),)
+
+
+def test_a_slider_driven_by_the_crank_and_a_crank_driven_by_the_slider() -> None:
+    crank = Scene(SLIDER, (Driver("crank", angle=radians(60.0), speed=100.0),), RAIL, (Side("B", Way("ahead")),))
+    made = solve(crank)
+    assert pins(made)["B"].velocity[0] == pytest.approx(-4.72325377341707114, rel=1e-12)
+    assert pins(made)["B"].acceleration[0] == pytest.approx(-225.130116956498698, rel=1e-12)
+    assert links(made)["rod"].acceleration == pytest.approx(2877.46399181974955, rel=1e-12)
+    push = Driver(point="B", position=pins(made)["B"].position[0], velocity=-4.72325377341707114,
+                  acceleration=-225.130116956498698)  # fmt: skip
+    back = solve(Scene(SLIDER, (push,), RAIL, (Side("A", Way("left")),)))
+    assert links(back)["crank"].speed == pytest.approx(100.0, rel=1e-12)
+    assert links(back)["crank"].acceleration == pytest.approx(0.0, abs=1e-8)
+    assert mobility(crank).freedom == mobility(crank).counted == 1
+    far = centres(crank).centres
+    assert [one.position is None for one in far] == [False] * 3
+
+
+def test_a_slotted_lever() -> None:
+    scene = Scene(
+        (link("ground", O2=(0.0, 0.0), O4=(0.12, 0.0)), link("crank", O2=(0.0, 0.0), A=(0.05, 0.0)),
+         link("lever", O4=(0.0, 0.0), E=(0.25, 0.0))),
+        (Driver("crank", angle=radians(75.0), speed=10.0),), (Slide("A", "lever", "O4", "E"),),
+        (Side("lever", Way("ahead")),),
+    )  # fmt: skip
+    lever = links(solve(scene))["lever"]
+    assert degrees(lever.angle) == pytest.approx(155.718995016940526)
+    assert (lever.speed, lever.acceleration) == pytest.approx((0.686583991083247245, 36.2452208310856967))
+
+
+def test_relative_drivers_and_velocities_against_differences() -> None:
+    chain = (
+        link("ground", O=(0.0, 0.0)),
+        link("one", O=(0.0, 0.0), A=(0.3, 0.0)),
+        link("two", A=(0.0, 0.0), E=(0.2, 0.0)),
+    )
+
+    def at(time: float) -> Solution:
+        upper = Driver("one", angle=0.5 + 2.0 * time + 1.5 * time**2, speed=2.0 + 3.0 * time, angular_acceleration=3.0)
+        lower = Driver("two", "one", 0.8 - time - 2.0 * time**2, -1.0 - 4.0 * time, -4.0)
+        return solve(Scene(chain, (upper, lower)))
+
+    made, ahead, behind = at(0.0), at(1e-5), at(-1e-5)
+    for i in (0, 1):
+        velocity = (pins(ahead)["E"].position[i] - pins(behind)["E"].position[i]) / 2e-5
+        change = (pins(ahead)["E"].velocity[i] - pins(behind)["E"].velocity[i]) / 2e-5
+        assert pins(made)["E"].velocity[i] == pytest.approx(velocity, abs=1e-7)
+        assert pins(made)["E"].acceleration[i] == pytest.approx(change, abs=1e-6)
+    assert links(made)["two"].speed == pytest.approx(1.0)
+
+
+PARALLEL = (
+    link("ground", a=(0.0, 0.0), b=(1.0, 0.0), c=(2.0, 0.0)), link("one", a=(0.0, 0.0), d=(0.5, 0.0)),
+    link("two", b=(0.0, 0.0), e=(0.5, 0.0)), link("three", c=(0.0, 0.0), f=(0.5, 0.0)),
+    link("bar", d=(0.0, 0.0), e=(1.0, 0.0), f=(2.0, 0.0)),
+)  # fmt: skip
+
+
+def test_an_over_constrained_linkage_that_moves_is_known_as_one() -> None:
+    scene = Scene(PARALLEL, (Driver("one", angle=1.0, speed=2.0),))
+    made = mobility(scene)
+    assert (made.freedom, made.counted, made.repeated) == (1, 0, 1)
+    assert "three" in str(made.named)
+    assert [one.speed for one in solve(scene).links] == pytest.approx([2.0, 2.0, 2.0, 0.0], abs=1e-12)
+    bent = (*PARALLEL[:3], link("three", c=(0.0, 0.0), f=(0.51, 0.0)), PARALLEL[4])
+    with pytest.raises(InadmissibleError, match=r"miss by .* more conditions than it can keep"):
+        solve(Scene(bent, scene.drivers))
+    flat = solve(Scene(PARALLEL, (Driver("one", angle=0.0, speed=2.0),)))
+    assert [one.code for one in flat.advice] == ["singular"]
+    assert flat.links[1].speed is None
+
+
+def test_centres_give_the_speeds_and_lie_on_lines() -> None:
+    made = centres(six_bar())
+    assert made.count == 15
+    assert made.kennedy == pytest.approx(0.0, abs=1e-12)
+    known = {(one.first, one.second): one for one in made.centres}
+    assert known["ground", "coupler"].position == pytest.approx((0.216533637130032315, 0.1816932950532851))
+    x = (known["crank", "rocker"].position or (0.0, 0.0))[0]
+    assert x == pytest.approx(-0.0388733446579118351)
+    # ω₄/ω₂ from the centre on the line of the pivots
+    assert known["crank", "rocker"].ratio == pytest.approx(x / (x - 0.1))
+
+
+def test_body_agrees_with_the_solved_coupler() -> None:
+    made = solve(six_bar(speed=10.0, angular_acceleration=5.0))
+    found = pins(made)
+    one, two = found["A"], found["B"]
+    coupler = body(
+        point=one.position, velocity=one.velocity, acceleration=one.acceleration,
+        rest=TwoPoints(two.position, two.velocity, two.acceleration),
+    )  # fmt: skip
+    assert coupler.angular_velocity == pytest.approx(-1.6483657661390795785)
+    assert coupler.angular_acceleration == pytest.approx(46.945695808693474690)
+    assert coupler.zero_acceleration == pytest.approx((0.0780518240103239481, -0.0450415973354378932))
+
+
+@pytest.mark.parametrize(
+    ("scene", "words"),
+    [
+        (Scene(LINKS[1:], six_bar().drivers), "ground"),
+        (Scene((*LINKS, LINKS[1]), six_bar().drivers), "two links are called"),
+        (Scene((*LINKS[:1], link("crank", O2=(0.0, 0.0), A=(0.0, 0.0))), six_bar().drivers), "length of zero"),
+        (Scene(LINKS, ()), "1 more drivers"),
+        (Scene(LINKS, (Driver("crank"), Driver("six"))), "miss by"),
+        (Scene(LINKS, (Driver("wheel"),)), "driver of 'wheel'"),
+        (Scene(SLIDER, (Driver("crank"),), (Slide("C", "ground", "S", "T"),)), "slide of 'C'"),
+        (Scene(LINKS, six_bar().drivers, (), (Side("B", Way("ahead")),)), "there is: B left"),
+        (Scene(LINKS, six_bar().drivers, (), (Side("X", Way("left")),)), "'X'"),
+    ],
+)
+def test_scenes_that_do_not_fit_are_refused(scene: Scene, words: str) -> None:
+    with pytest.raises(InadmissibleError, match=words):
+        solve(scene)
+
+
+def test_a_driver_out_of_reach_names_the_gap() -> None:
+    with pytest.raises(InadmissibleError, match=r"Q on five and six miss by 0\.16"):
+        solve(Scene((*LINKS[:4], link("five", P=(0.0, 0.0), Q=(0.4, 0.0)), LINKS[5]), six_bar().drivers))
+
+
+def test_the_example_from_its_file_and_over_a_turn() -> None:
+    made = answer("linkage", "solve", SIX, "--follow", "six", "--steps", "4")["results"]
+    assert len(made["motion"]) == 5
+    assert made["assembly"] == "B left, Q left"
+    assert run("linkage", "centres", SIX).status == run("linkage", "mobility", SIX).status == 0
+
+
+def test_pictures_follow_the_linkage() -> None:
+    made = solve(six_bar())
+    at = {pin.name: complex(*pin.position) for pin in made.pins}
+    poses = motion(six_bar(), at, 90)
+    assert len(poses) == 90
+    assert all(abs(abs(pose["A"]) - 0.04) < 1e-12 for pose in poses)
+    # the crank comes round a quarter of a turn after as many frames
+    assert abs(poses[45]["A"] + 0.04 * complex(cos(radians(40.0)), sin(radians(40.0)))) < 1e-12
+    assert len(scene_picture(made, six_bar()).panels) == 1
+    assert moving_scene(made, six_bar()).count("<animate ") >= 5
+    swinging = Scene(LINKS, (Driver("rocker", angle=1.2),), (), (Side("A", Way("left")), LEFT[1]))
+    there = motion(swinging, {pin.name: complex(*pin.position) for pin in solve(swinging).pins}, 90)
+    assert 4 < len(there) < 180
