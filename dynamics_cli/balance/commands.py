@@ -147,7 +147,7 @@ ENGINE = Task(
         "dynamics_cli.balance.engines.engine:engine",
         source=BOOK + "sections 15.5 to 15.10",
         formula="forward ½·{reciprocating_mass|m}·{crank_radius|r}·{speed|ω}²·ΣA_n·e^{i(n(φ − β) + β)}, "
-        "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {ratio|λ}",
+        "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {crank_radius|r}/{rod_length|l}",
         assumptions=(
             DRAWN_ROD,
             "crank and bank angles are counted in the sense of rotation; a piston is on top where both agree",

@@ -39,6 +39,7 @@ REFUSED = {
     "two holes": ('split --mass "1 g" --angle "9 deg" --holes 2', "holes"),
     "at rest": ('grade --grade "6.3 mm/s" --speed "0 rpm" --mass "3 kg"', "at-rest"),
     "short rod": ("engine --preset inline-4 " + CRANK.replace("150 mm", "40 mm"), "rod"),
+    "engine at rest": ("engine --preset inline-4 " + CRANK.replace("3000", "0"), "at-rest"),
     "no engine": ("engine " + CRANK, "engine"),
     "bank of a line": ('engine --preset inline-4 --bank-angle "60 deg" ' + CRANK, "no-bank"),
     "odd order": ("lanchester --order 3 " + CRANK, "order"),

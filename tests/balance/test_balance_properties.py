@@ -32,7 +32,7 @@ def test_a_balanced_rotor_has_no_residue(rows: list[tuple[float, float, float]],
     assert abs(sum(cmath.rect(u, a) * z for u, a, z in whole)) <= 1e-13 * scale
 
 
-def pair(z: complex) -> tuple[float, float]:
+def pair(z: complex) -> Any:
     return z.real, z.imag
 
 
@@ -61,7 +61,7 @@ def test_trial_runs_of_a_known_rotor_give_its_unbalance(z: list[complex], one: f
             )
             assert made.second_mass is not None
             assert made.second_angle is not None
-            assert abs(cmath.rect(made.first_mass, made.first_angle) + unbalance[0]) < 1e-11
+            assert abs(cmath.rect(made.first_mass, made.first_angle or 0.0) + unbalance[0]) < 1e-11
             assert abs(cmath.rect(made.second_mass, made.second_angle) + unbalance[1]) < 1e-11
 
 
@@ -106,7 +106,8 @@ def test_holes_hold_the_correction(mass: float, angle: float, holes: int) -> Non
 
 def test_a_correction_at_a_hole_is_put_there_alone() -> None:
     made = split(mass=3.0, angle=math.pi / 3.0, places=Holes(12))
-    assert (made.first_hole, made.first_mass, made.second_mass) == (3, pytest.approx(3.0, rel=1e-15), 0.0)
+    assert (made.first_hole, made.second_mass) == (3, 0.0)
+    assert made.first_mass == pytest.approx(3.0, rel=1e-15)
 
 
 @few

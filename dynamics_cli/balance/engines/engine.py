@@ -105,8 +105,8 @@ def engine(
     Raises
     ------
     InadmissibleError
-        When neither or both of preset and cylinders are given, the crank is too long for the rod, or the highest order
-        is not within 1 to 40.
+        When neither or both of preset and cylinders are given, the speed is zero, the crank is too long for the rod, or
+        the highest order is not within 1 to 40.
 
     References
     ----------
@@ -126,6 +126,7 @@ def engine(
         hint='for example --preset inline-4, or --cylinder "crank=0 deg, bank=0 deg, position=0 mm" for each',
     )
     require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders go from 1 to 40", code="order")
+    require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
     ratio = crank_radius / rod_length
     require_rod(ratio)
@@ -181,7 +182,6 @@ def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "An
     ]
     square = n * n * speed * speed
     sizes, turns = [one.size for one in force], [one.size for one in couple]
-    still = plain(speed) == 0.0
     return Order(
         order=n,
         force=sizes[0] + sizes[1],
@@ -196,10 +196,10 @@ def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "An
         backward_couple_angle=_angle(couple[1]),
         force_remedy=_remedy(n, sizes),
         couple_remedy=_remedy(n, turns),
-        forward_shaft=0.0 if still else sizes[0] / square,
-        backward_shaft=0.0 if still else sizes[1] / square,
-        forward_couple_shaft=0.0 if still else turns[0] / square,
-        backward_couple_shaft=0.0 if still else turns[1] / square,
+        forward_shaft=sizes[0] / square,
+        backward_shaft=sizes[1] / square,
+        forward_couple_shaft=turns[0] / square,
+        backward_couple_shaft=turns[1] / square,
     )
 
 
