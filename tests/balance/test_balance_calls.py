@@ -4,8 +4,7 @@ import shlex
 from pathlib import Path
 
 import pytest
-
-from tests.harness import answer, run
+from harness import answer, run
 
 ONE = '--first-trial-mass "1 g" --first-trial-angle "0 deg"'
 TWO = ONE + ' --second-trial-mass "1 g" --second-trial-angle "0 deg"'

@@ -3,6 +3,7 @@
 import cmath
 import itertools
 import math
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
