@@ -121,7 +121,7 @@ def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
     )
     if ellipses:
         panels.append(tips)
-    if any(row.couple > 0.0 for row in made.orders):
+    if any(row.couple for row in made.orders):
         couples: list[Any] = [
             Curve(angles, [_couple(row, angle) for angle in angles], name, role=nth)
             for nth, (row, name) in enumerate(zip(made.orders, names, strict=True))

@@ -114,3 +114,12 @@ def test_pictures_are_drawn(command: str, tmp_path: Path) -> None:
     outcome = run("balance", *shlex.split(command), "--plot", str(picture))
     assert outcome.status == 0, outcome.err
     assert "<svg" in picture.read_text(encoding="utf-8")
+
+
+def test_couples_are_not_counted_without_places() -> None:
+    document = answer("balance", "engine", "--preset", "inline-3", *shlex.split(CRANK))
+    assert document["results"].get("primary_couple") is None
+    assert [one["code"] for one in document["warnings"]] == ["no-spacing"]
+    assert answer("balance", "engine", "--preset", "radial-3", *shlex.split(CRANK))["results"]["primary_couple"] == {
+        "value": 0.0, "unit": "N·m"
+    }  # fmt: skip

@@ -88,8 +88,8 @@ def test_orders_sum_to_the_exact_force(rows: list[tuple[float, float, float]], r
     for row in made.orders:
         orders += cmath.rect(row.forward, (row.forward_angle or 0.0) + row.order * turn)
         orders += cmath.rect(row.backward, (row.backward_angle or 0.0) - row.order * turn)
-        forces += cmath.rect(row.forward_couple, (row.forward_couple_angle or 0.0) + row.order * turn)
-        forces += cmath.rect(row.backward_couple, (row.backward_couple_angle or 0.0) - row.order * turn)
+        forces += cmath.rect(row.forward_couple or 0.0, (row.forward_couple_angle or 0.0) + row.order * turn)
+        forces += cmath.rect(row.backward_couple or 0.0, (row.backward_couple_angle or 0.0) - row.order * turn)
     assert abs(orders - force) < 1e-10
     assert abs(forces - couple) < 1e-10
 

@@ -50,17 +50,17 @@ class Order:
     forward_angle: Annotated[Angle | None, "Where that part stands at crank angle zero [rad]."]
     backward: Annotated[Force, "Its part that turns against the crankshaft [N]."]
     backward_angle: Annotated[Angle | None, "Where that part stands at crank angle zero [rad]."]
-    couple: Annotated[Torque, "Largest couple over a turn, about the middle [N·m]."]
-    forward_couple: Annotated[Torque, "Its part that turns with the crankshaft [N·m]."]
+    couple: Annotated[Torque | None, "Largest couple over a turn, about the middle; none without places [N·m]."]
+    forward_couple: Annotated[Torque | None, "Its part that turns with the crankshaft [N·m]."]
     forward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
-    backward_couple: Annotated[Torque, "Its part that turns against the crankshaft [N·m]."]
+    backward_couple: Annotated[Torque | None, "Its part that turns against the crankshaft [N·m]."]
     backward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
     force_remedy: Annotated[Text, "What takes the force away."]
-    couple_remedy: Annotated[Text, "What takes the couple away."]
+    couple_remedy: Annotated[Text | None, "What takes the couple away."]
     forward_shaft: Annotated[Unbalance, "Unbalance that takes the forward force away, turning at this order [kg·m]."]
     backward_shaft: Annotated[Unbalance, "Unbalance that takes the backward force away, turning at it [kg·m]."]
-    forward_couple_shaft: Annotated[CoupleUnbalance, "The same for the forward couple [kg·m²]."]
-    backward_couple_shaft: Annotated[CoupleUnbalance, "The same for the backward couple [kg·m²]."]
+    forward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the forward couple [kg·m²]."]
+    backward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the backward couple [kg·m²]."]
 
 
 @record
@@ -71,8 +71,8 @@ class EngineBalance:
     ratio: Annotated[Ratio, "Crank radius over rod length λ [-]."]
     primary_force: Annotated[Force, "Largest force of order 1 [N]."]
     secondary_force: Annotated[Force, "Largest force of order 2 [N]."]
-    primary_couple: Annotated[Torque, "Largest couple of order 1 [N·m]."]
-    secondary_couple: Annotated[Torque, "Largest couple of order 2 [N·m]."]
+    primary_couple: Annotated[Torque | None, "Largest couple of order 1 [N·m]."]
+    secondary_couple: Annotated[Torque | None, "Largest couple of order 2 [N·m]."]
     orders: Annotated[tuple[Order, ...], "Forces and couples by order."]
     advice: tuple[Advice, ...] = ()
 
@@ -135,9 +135,13 @@ def engine(
     else:
         places = layout(preset, bank_angle, spacing)
     unit = crank_radius * speed * speed
+    advice = _advice(places, preset)
+    counted = not advice
     numbers = [1, *range(2, highest_order + 1, 2)]
     orders = [
-        _order(n, places, reciprocating_mass * unit * order_factor(ratio, n), rotating_mass * unit, speed)
+        _order(
+            n, places, reciprocating_mass * unit * order_factor(ratio, n), rotating_mass * unit, speed, counted=counted
+        )
         for n in numbers
     ]
     second = orders[1] if len(orders) > 1 else None
@@ -147,9 +151,9 @@ def engine(
         primary_force=orders[0].force,
         secondary_force=second.force if second else 0.0,
         primary_couple=orders[0].couple,
-        secondary_couple=second.couple if second else 0.0,
+        secondary_couple=second.couple if second else (0.0 if counted else None),
         orders=tuple(orders),
-        advice=_advice(places, preset),
+        advice=advice,
     )
 
 
@@ -162,7 +166,7 @@ def _advice(places: "list[Any]", preset: "Preset | None") -> "tuple[Advice, ...]
     return (Advice("no-spacing", message, severity="note", remedy="give --spacing"),)
 
 
-def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "Any") -> Order:
+def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "Any", *, counted: bool) -> Order:
     """The phasors of one order, of the size that one cylinder has."""
     ways = [
         (polar(1.0, n * (crank - bank) + bank), polar(1.0, -n * (crank - bank) + bank), crank)
@@ -189,17 +193,17 @@ def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "An
         forward_angle=_angle(force[0]),
         backward=sizes[1],
         backward_angle=_angle(force[1]),
-        couple=turns[0] + turns[1],
-        forward_couple=turns[0],
+        couple=turns[0] + turns[1] if counted else None,
+        forward_couple=turns[0] if counted else None,
         forward_couple_angle=_angle(couple[0]),
-        backward_couple=turns[1],
+        backward_couple=turns[1] if counted else None,
         backward_couple_angle=_angle(couple[1]),
         force_remedy=_remedy(n, sizes),
-        couple_remedy=_remedy(n, turns),
+        couple_remedy=_remedy(n, turns) if counted else None,
         forward_shaft=sizes[0] / square,
         backward_shaft=sizes[1] / square,
-        forward_couple_shaft=turns[0] / square,
-        backward_couple_shaft=turns[1] / square,
+        forward_couple_shaft=turns[0] / square if counted else None,
+        backward_couple_shaft=turns[1] / square if counted else None,
     )
 
 
