@@ -197,6 +197,11 @@ if TYPE_CHECKING:
     SpeedSlope = float
     Damping = float
     Temperature = float
+    Unbalance = float
+    CoupleUnbalance = float
+    Eccentricity = float
+    BalanceGrade = float
+    BalanceMass = float
     # read in a way of their own
     Slope = float
     Count = int
@@ -433,6 +438,22 @@ else:
     )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")
+    # balancing
+    Unbalance = Kind(
+        "unbalance", "kg*m", si="g*mm", us="oz*in", low=0.0, example="240 g*mm", about="a mass times its radius"
+    )
+    CoupleUnbalance = Kind(
+        "couple unbalance", "kg*m^2", si="g*mm*m", us="oz*in^2", low=0.0, example="50 g*mm*m",
+        about="an unbalance times its distance from the opposite one",
+    )  # fmt: skip
+    Eccentricity = Kind(
+        "eccentricity", "m", si="um", us="mil", low=0.0, example="20 um", about="a centre of mass off the axis"
+    )
+    BalanceGrade = Kind(
+        "balance grade", "m/s", si="mm/s", us="mm/s", above=0.0, example="6.3 mm/s",
+        about="eccentricity times angular velocity: G 6.3 is 6.3 mm/s",
+    )  # fmt: skip
+    BalanceMass = Kind("mass", "kg", si="g", us="oz", low=0.0, example="20 g", about="a small mass")
     # read in a way of their own
     Slope = Kind(
         "slope", "", form="slope", si="%", us="%", example="-3 %", about="rise over run, or an angle; uphill positive"

@@ -1,7 +1,10 @@
 """The families: the one list that the command line, help, accuracy, import contracts and documents read."""
 
 # The trades that families are listed by in `dynamics --help`, in this order.
-GROUPS = ("Units and coordinates", "Crash reconstruction", "Bodies", "Kinematics", "Machine parts", "About the program")
+GROUPS = (
+    "Units and coordinates", "Crash reconstruction", "Bodies", "Kinematics", "Machine parts", "Machine dynamics",
+    "About the program",
+)  # fmt: skip
 
 
 class Entry:
@@ -97,7 +100,12 @@ FAMILIES: "dict[str, Entry]" = {
         references=("gear_geometry.json", "gear_trains.json", "gear_meshes.json"),
         questions="dynamics_cli.accuracy.alternatives.gear.questions",
     ),
+    "balance": Entry(
+        "dynamics_cli.balance.commands",
+        GROUPS[5],
+        "Balancing of rotors and engines, balance grades, flywheels.",
+    ),
     "accuracy": Entry(
-        "dynamics_cli.accuracy.commands", GROUPS[5], "Speed against error of every method, measured here and now."
+        "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."
     ),
 }

@@ -1,0 +1,1 @@
+"""Balancing of rotors and engines."""

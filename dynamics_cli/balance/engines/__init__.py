@@ -1,0 +1,1 @@
+"""Piston engines: their inertia forces by order, and balance shafts."""

@@ -1,0 +1,226 @@
+"""Inertia forces and couples of piston engines by order, and what counterweights and balance shafts take away."""
+
+from dynamics_cli.balance.engines.crank import order_factor, require_rod
+from dynamics_cli.balance.engines.layouts import Preset, layout
+from dynamics_cli.balance.phasors import Phasor, polar, total
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Count,
+    CoupleUnbalance,
+    Force,
+    Length,
+    Mass,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Text,
+    Torque,
+    Unbalance,
+)
+from dynamics_cli.records import Advice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# What is left of cylinders that cancel, beside what they would add up to.
+CANCELLED = 1e-12
+MOST_ORDER = 40
+
+
+@record
+class Cylinder:
+    """One cylinder."""
+
+    crank: Annotated[Angle, "Where its throw stands on the crankshaft, e.g. 120 deg."]
+    bank: Annotated[Angle, "Where it points, in the sense of rotation, e.g. 30 deg."] = 0.0
+    position: Annotated[Length, "Its place along the crankshaft, e.g. 90 mm."] = 0.0
+
+
+@record
+class Order:
+    """One order of the inertia forces and couples: two rotating parts, one with the crankshaft and one against it."""
+
+    order: Annotated[int, "Multiple of the crankshaft's speed [-]."]
+    force: Annotated[Force, "Largest force over a turn [N]."]
+    forward: Annotated[Force, "Its part that turns with the crankshaft [N]."]
+    forward_angle: Annotated[Angle | None, "Where that part stands at crank angle zero [rad]."]
+    backward: Annotated[Force, "Its part that turns against the crankshaft [N]."]
+    backward_angle: Annotated[Angle | None, "Where that part stands at crank angle zero [rad]."]
+    couple: Annotated[Torque | None, "Largest couple over a turn, about the middle; none without places [N·m]."]
+    forward_couple: Annotated[Torque | None, "Its part that turns with the crankshaft [N·m]."]
+    forward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
+    backward_couple: Annotated[Torque | None, "Its part that turns against the crankshaft [N·m]."]
+    backward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
+    force_remedy: Annotated[Text, "What takes the force away."]
+    couple_remedy: Annotated[Text | None, "What takes the couple away."]
+    forward_shaft: Annotated[Unbalance, "Unbalance that takes the forward force away, turning at this order [kg·m]."]
+    backward_shaft: Annotated[Unbalance, "Unbalance that takes the backward force away, turning at it [kg·m]."]
+    forward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the forward couple [kg·m²]."]
+    backward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the backward couple [kg·m²]."]
+
+
+@record
+class EngineBalance:
+    """Forces and couples of an engine."""
+
+    cylinders: Annotated[int, "Number of cylinders [-]."]
+    ratio: Annotated[Ratio, "Crank radius over rod length λ [-]."]
+    primary_force: Annotated[Force, "Largest force of order 1 [N]."]
+    secondary_force: Annotated[Force, "Largest force of order 2 [N]."]
+    primary_couple: Annotated[Torque | None, "Largest couple of order 1 [N·m]."]
+    secondary_couple: Annotated[Torque | None, "Largest couple of order 2 [N·m]."]
+    orders: Annotated[tuple[Order, ...], "Forces and couples by order."]
+    advice: tuple[Advice, ...] = ()
+
+
+def engine(
+    *,
+    reciprocating_mass: Annotated[Mass, "Piston, pin and small-end share of the rod, of one cylinder, e.g. 0.5 kg."],
+    crank_radius: Annotated[Size, "Half the stroke, e.g. 43 mm."],
+    rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 150 mm."],
+    speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
+    preset: Annotated[Preset | None, "A usual engine, e.g. inline-4."] = None,
+    cylinders: Annotated[tuple[Cylinder, ...], "The cylinders, where it is none of these."] = (),
+    bank_angle: Annotated[Angle | None, "Angle between the banks of a V, e.g. 90 deg."] = None,
+    spacing: Annotated[Size, "From one cylinder (of a V: pair) to the next, e.g. 90 mm; without it no couples."] = 0.0,
+    rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
+    highest_order: Annotated[Count, "Orders above this are left out."] = 6,
+) -> EngineBalance:
+    """Inertia forces and couples of an engine by order, turning with and against the crankshaft.
+
+    Equation
+    --------
+    Order n: forward ½·m·r·ω²·ΣA_n·e^{i(n(φ−β)+β)}, backward ½·m·r·ω²·ΣA_n·e^{i(−n(φ−β)+β)}; the force runs round an
+    ellipse of half-axes |f| ± |b|.
+
+    Returns
+    -------
+    EngineBalance
+        Forces and couples by order, and the unbalances that take them away.
+
+    Raises
+    ------
+    InadmissibleError
+        When neither or both of preset and cylinders are given, the speed is zero, the crank is too long for the rod, or
+        the highest order is not within 1 to 40.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 15.5 to 15.10.
+
+    Examples
+    --------
+    >>> made = engine(reciprocating_mass=0.5, crank_radius=0.043, rod_length=0.172, speed=628.3185307179587,
+    ...               preset=Preset("inline-4"))
+    >>> round(made.secondary_force, 4)
+    8624.5158
+    """
+    require(
+        (preset is None) != (len(cylinders) == 0),
+        "an engine is given by --preset or by its cylinders" if preset is None else "--preset has its cylinders",
+        code="engine",
+        hint='for example --preset inline-4, or --cylinder "crank=0 deg, bank=0 deg, position=0 mm" for each',
+    )
+    require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders go from 1 to 40", code="order")
+    require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
+    require(rod_length > 0.0, "the rod has no length", code="rod")
+    ratio = crank_radius / rod_length
+    require_rod(ratio)
+    if preset is None:
+        places = [(one.crank, one.bank, one.position) for one in cylinders]
+    else:
+        places = layout(preset, bank_angle, spacing)
+    unit = crank_radius * speed * speed
+    advice = _advice(places, preset)
+    counted = not advice
+    numbers = [1, *range(2, highest_order + 1, 2)]
+    orders = [
+        _order(
+            n, places, reciprocating_mass * unit * order_factor(ratio, n), rotating_mass * unit, speed, counted=counted
+        )
+        for n in numbers
+    ]
+    second = orders[1] if len(orders) > 1 else None
+    return EngineBalance(
+        cylinders=len(places),
+        ratio=ratio,
+        primary_force=orders[0].force,
+        secondary_force=second.force if second else 0.0,
+        primary_couple=orders[0].couple,
+        secondary_couple=second.couple if second else (0.0 if counted else None),
+        orders=tuple(orders),
+        advice=advice,
+    )
+
+
+def _advice(places: "list[Any]", preset: "Preset | None") -> "tuple[Advice, ...]":
+    if preset is None or len(places) < 2 or preset.startswith("radial") or any(plain(z) != 0.0 for _, _, z in places):
+        return ()
+    if preset == "v2":
+        return ()
+    message = "without the spacing of the cylinders their couples are not counted"
+    return (Advice("no-spacing", message, severity="note", remedy="give --spacing"),)
+
+
+def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "Any", *, counted: bool) -> Order:
+    """The phasors of one order, of the size that one cylinder has."""
+    ways = [
+        (polar(1.0, n * (crank - bank) + bank), polar(1.0, -n * (crank - bank) + bank), crank)
+        for crank, bank, _ in places
+    ]
+    arms = [z for _, _, z in places]
+    forwards = [way.times(0.5 * size) for way, _, _ in ways]
+    backwards = [way.times(0.5 * size) for _, way, _ in ways]
+    if n == 1:
+        forwards = [one + polar(rotating, crank) for one, (_, _, crank) in zip(forwards, ways, strict=True)]
+    largest = 0.5 * abs(plain(size)) + (plain(rotating) if n == 1 else 0.0)
+    force = [_cleared(total(parts), len(places) * largest) for parts in (forwards, backwards)]
+    lever = sum(abs(plain(z)) for z in arms)
+    couple = [
+        _cleared(total(one.times(z) for one, z in zip(parts, arms, strict=True)), lever * largest)
+        for parts in (forwards, backwards)
+    ]
+    square = n * n * speed * speed
+    sizes, turns = [one.size for one in force], [one.size for one in couple]
+    return Order(
+        order=n,
+        force=sizes[0] + sizes[1],
+        forward=sizes[0],
+        forward_angle=_angle(force[0]),
+        backward=sizes[1],
+        backward_angle=_angle(force[1]),
+        couple=turns[0] + turns[1] if counted else None,
+        forward_couple=turns[0] if counted else None,
+        forward_couple_angle=_angle(couple[0]),
+        backward_couple=turns[1] if counted else None,
+        backward_couple_angle=_angle(couple[1]),
+        force_remedy=_remedy(n, sizes),
+        couple_remedy=_remedy(n, turns) if counted else None,
+        forward_shaft=sizes[0] / square,
+        backward_shaft=sizes[1] / square,
+        forward_couple_shaft=turns[0] / square if counted else None,
+        backward_couple_shaft=turns[1] / square if counted else None,
+    )
+
+
+def _cleared(whole: Phasor, largest: float) -> Phasor:
+    """A sum, zero where the cylinders cancel."""
+    return whole if abs(plain(whole.x)) + abs(plain(whole.y)) > CANCELLED * largest else Phasor(0.0, 0.0)
+
+
+def _angle(one: Phasor) -> "Any":
+    return None if plain(one.x) == 0.0 == plain(one.y) else one.angle
+
+
+def _remedy(n: int, sizes: "list[Any]") -> str:
+    forward, backward = (plain(size) > 0.0 for size in sizes)
+    with_it = "counterweight" if n == 1 else "shaft forward"
+    if forward and backward:
+        return with_it + " and shaft backward" if n == 1 else "two shafts"
+    if forward:
+        return with_it
+    return "shaft backward" if backward else "balanced"

@@ -1,0 +1,162 @@
+"""Polar plots of balance runs, force and couple of an engine, torque with its mean."""
+
+import math
+
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.quantities import Angle, BalanceMass, Force, Kind, ShaftSpeed, Torque, Unbalance
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    Plane = tuple[float, float]
+
+ROUND = 121
+SPOKES = 12
+INITIAL = "initial"
+# Sizes stand beside the rings, between two spokes.
+NEAR = (math.cos(math.radians(285.0)), math.sin(math.radians(285.0)))
+STEPS = 361
+GREY = 6
+
+
+def _polar(arrows: "Sequence[tuple[Plane, Plane, str, int]]", kind: "Any", title: str) -> Panel:
+    """Arrows on rings and spokes; zero degrees is to the right, angles run counter-clockwise."""
+    ends = [(x + dx, y + dy) for (x, y), (dx, dy), _, _ in arrows]
+    reach = 1.05 * max(math.hypot(*end) for end in ends) or 1.0
+    items: list[Any] = []
+    turns = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
+    for share in (0.5, 1.0):
+        x = [share * reach * math.cos(turn) for turn in turns]
+        items.append(Curve(x, [share * reach * math.sin(turn) for turn in turns], "", "dots", role=GREY))
+        text = worded("{size:3}", size=(share * reach, kind))
+        items.append(Label(share * reach * NEAR[0], share * reach * NEAR[1], text))
+    for spoke in range(SPOKES):
+        turn = 2.0 * math.pi * spoke / SPOKES
+        cosine, sine = math.cos(turn), math.sin(turn)
+        items.append(Curve([0.0, reach * cosine], [0.0, reach * sine], "", "dots", role=GREY))
+        items.append(Label(1.12 * reach * cosine, 1.12 * reach * sine, f"{360 * spoke // SPOKES}°"))
+    for (x0, y0), (dx, dy), label, role in arrows:
+        items.append(Arrow(x0, y0, dx, dy, "", role=role, dashed=(x0, y0) != (0.0, 0.0)))
+        if label:
+            items.append(_named(dx, dy, label, role, [way for start, way, _, _ in arrows if start == (0.0, 0.0)]))
+    side = (-1.25 * reach, 1.25 * reach)
+    return Panel(Axis("", kind, ends=side), Axis("", kind, ends=side), tuple(items), title, equal=True, bare=True)
+
+
+def _named(dx: float, dy: float, label: str, role: int, others: "Sequence[Plane]") -> Mark:
+    """The name of an arrow from the centre beside its tip, on the side away from the other arrows."""
+    side = sum(dx * y - dy * x for x, y in others)
+    across = (dy, -dx) if side >= 0.0 else (-dy, dx)
+    length = math.hypot(dx, dy) or 1.0
+    away = (across[0] / length, across[1] / length)
+    # the initial reading lies among those of the trials, and has its name half way
+    share = 0.55 if role == 0 and label == INITIAL else 1.0
+    return Mark(share * dx, share * dy, label, (math.copysign(5.0, away[0]), 6.0 * away[1]), dot=False, role=role)
+
+
+def _at(size: "Any", angle: "Any") -> "Plane":
+    return (0.0, 0.0) if angle is None else (size * math.cos(angle), size * math.sin(angle))
+
+
+def trial(made: "Any", *, sensors: "Any", **_: "Any") -> Picture:
+    """For each sensor the readings of all runs, and the corrections."""
+    rows = sensors if isinstance(sensors, tuple) else (sensors,)
+    first = rows[0].initial.kind
+    kind = Kind(first.name, first.unit, si=first.si, us=first.us)
+    panels = []
+    for nth, row in enumerate(rows, 1):
+        start = row.initial.value
+        arrows = [((0.0, 0.0), start, INITIAL, 0)]
+        for name, reading, role in (("1st trial", row.first, 1), ("2nd trial", row.second, 2)):
+            if reading is not None:
+                arrows.append(((0.0, 0.0), reading.value, name, role))
+                change = (reading.value[0] - start[0], reading.value[1] - start[1])
+                arrows.append((start, change, "", role))
+        panels.append(_polar(arrows, kind, f"readings of sensor {nth}"))
+    masses = [((0.0, 0.0), _at(made.first_mass, made.first_angle), "1st plane", 1)]
+    if made.second_mass is not None:
+        masses.append(((0.0, 0.0), _at(made.second_mass, made.second_angle), "2nd plane", 2))
+    panels.append(_polar(masses, BalanceMass, "masses to add"))
+    return Picture(tuple(panels), "balance run", columns=2)
+
+
+def planes(made: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
+    """The unbalances and the corrections."""
+    rows = unbalances if isinstance(unbalances, tuple) else (unbalances,)
+    zero = (0.0, 0.0)
+    given = [(zero, _at(one.amount, one.angle), str(nth), 0) for nth, one in enumerate(rows, 1)]
+    added = [
+        (zero, _at(made.first_unbalance, made.first_angle), "1st plane", 1),
+        (zero, _at(made.second_unbalance, made.second_angle), "2nd plane", 2),
+    ]
+    panels = (_polar(given, Unbalance, "unbalances"), _polar(added, Unbalance, "corrections, mass added"))
+    return Picture(panels, "two-plane balance", columns=2)
+
+
+def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
+    """Force over the turn of the crank, and the path of its tip by order."""
+    angles = [2.0 * math.pi * i / (STEPS - 1) for i in range(STEPS)]
+    paths = [[_turned(row, angle) for angle in angles] for row in made.orders]
+    whole = [(sum(path[i][0] for path in paths), sum(path[i][1] for path in paths)) for i in range(STEPS)]
+    crank = Axis("crank angle", Angle, step=math.pi / 3.0)
+    over: list[Any] = [
+        Curve(angles, [x for x, _ in whole], "at bank angle 0", role=0),
+        Curve(angles, [y for _, y in whole], "across it", role=1),
+        Band(0.0, 0.0, "", vertical=False),
+    ]
+    ellipses: list[Any] = [
+        Curve([x for x, _ in path], [y for _, y in path], f"order {row.order}", role=nth)
+        for nth, (row, path) in enumerate(zip(made.orders, paths, strict=True))
+        if row.force > 1e-3 * max(one.force for one in made.orders)
+    ]
+    tips = Panel(
+        Axis("at bank angle 0", Force), Axis("across it", Force), tuple(ellipses), "force by order", equal=True
+    )
+    names = tuple(f"order {row.order}" for row in made.orders)
+    panels: list[Panel] = (
+        [Panel(crank, Axis("force", Force), tuple(over), "inertia force on the frame")] if ellipses else []
+    )
+    if ellipses:
+        panels.append(tips)
+    if any(row.couple for row in made.orders):
+        couples: list[Any] = [
+            Curve(angles, [_couple(row, angle) for angle in angles], name, role=nth)
+            for nth, (row, name) in enumerate(zip(made.orders, names, strict=True))
+            if row.couple > 1e-3 * made.orders[0].couple or made.orders[0].couple == 0.0
+        ]
+        panels.append(Panel(crank, Axis("couple", Torque), (*couples, Band(0.0, 0.0, "", vertical=False)), "couple"))
+    return Picture(tuple(panels), worded("inertia forces at {speed}", speed=(speed, ShaftSpeed)))
+
+
+def _turned(row: "Any", angle: float) -> "Plane":
+    """The force of one order at a crank angle."""
+    turn = row.order * angle
+    forward = _at(row.forward, None if row.forward_angle is None else row.forward_angle + turn)
+    backward = _at(row.backward, None if row.backward_angle is None else row.backward_angle - turn)
+    return forward[0] + backward[0], forward[1] + backward[1]
+
+
+def _couple(row: "Any", angle: float) -> float:
+    """The couple of one order at a crank angle, of the force at bank angle zero."""
+    turn = row.order * angle
+    forward = 0.0 if row.forward_couple_angle is None else math.cos(row.forward_couple_angle + turn)
+    backward = 0.0 if row.backward_couple_angle is None else math.cos(row.backward_couple_angle - turn)
+    together: float = row.forward_couple * forward + row.backward_couple * backward
+    return together
+
+
+def flywheel(made: "Any", *, points: "Any", **_: "Any") -> Picture:
+    """Torque over the cycle, its mean, and where the shaft is fastest and slowest."""
+    x, y = [one.angle for one in points], [one.torque for one in points]
+    mean = made.mean_torque
+    items = (
+        Curve(x, y, "torque", role=0),
+        Curve([x[0], x[-1]], [mean, mean], "mean", "dashed", role=1),
+        Mark(made.fastest, mean, "fastest"),
+        Mark(made.slowest, mean, "slowest", (6.0, -12.0)),
+    )
+    panel = Panel(Axis("angle", Angle, step=math.pi / 3.0), Axis("torque", Torque), items)
+    return Picture((panel,), "torque and its mean")

@@ -1,0 +1,125 @@
+"""Calls of `dynamics balance`: refusals, warnings, uncertainty, pictures."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+ONE = '--first-trial-mass "1 g" --first-trial-angle "0 deg"'
+TWO = ONE + ' --second-trial-mass "1 g" --second-trial-angle "0 deg"'
+CRANK = '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "150 mm" --speed "3000 rpm"'
+
+REFUSED = {
+    "no phase": ('trial --sensor "initial=170 um, first=235 um @ 94 deg" ' + ONE, "no-phase"),
+    "kinds": ('trial --sensor "initial=170 um @ 3 deg, first=2 mm/s @ 94 deg" ' + ONE, "mixed-kinds"),
+    "no response": ('trial --sensor "initial=170 um @ 3 deg, first=170 um @ 3 deg" ' + ONE, "no-response"),
+    "too few": ('trial --sensor "initial=2 um @ 3 deg, first=3 um @ 3 deg, second=4 um @ 9 deg" ' + TWO, "too-few"),
+    "second missing": (
+        'trial --sensor "initial=1 um @ 0 deg, first=2 um @ 0 deg" --sensor "initial=1 um @ 0 deg, first=3 um @ 0 deg" '
+        + TWO, "missing",
+    ),
+    "dependent": (
+        'trial --sensor "initial=1 um @ 0 deg, first=2 um @ 0 deg, second=2 um @ 0 deg" '
+        '--sensor "initial=1 um @ 0 deg, first=2 um @ 0 deg, second=2.00000000000001 um @ 0 deg" ' + TWO,
+        "dependent-planes",
+    ),
+    "still": ('trial --sensor "initial=0 um @ 0 deg, first=2 um @ 0 deg" ' + ONE, "nothing-to-balance"),
+    "same plane": (
+        'planes --amount "3 g*mm" --angle "0 deg" --position "1 m" --first-plane "1 m" --second-plane "1 m"',
+        "same-plane",
+    ),
+    "one bearing": (
+        'planes --amount "3 g*mm" --angle "0 deg" --position "1 m" --first-plane "1 m" --second-plane "2 m" '
+        '--first-bearing "0 m"', "missing",
+    ),
+    "one line": ('split --mass "1 g" --angle "9 deg" --first-angle "0 deg" --second-angle "180 deg"', "one-line"),
+    "outside": ('split --mass "1 g" --angle "99 deg" --first-angle "0 deg" --second-angle "60 deg"', "outside"),
+    "two holes": ('split --mass "1 g" --angle "9 deg" --holes 2', "holes"),
+    "at rest": ('grade --grade "6.3 mm/s" --speed "0 rpm" --mass "3 kg"', "at-rest"),
+    "short rod": ("engine --preset inline-4 " + CRANK.replace("150 mm", "40 mm"), "rod"),
+    "engine at rest": ("engine --preset inline-4 " + CRANK.replace("3000", "0"), "at-rest"),
+    "no engine": ("engine " + CRANK, "engine"),
+    "bank of a line": ('engine --preset inline-4 --bank-angle "60 deg" ' + CRANK, "no-bank"),
+    "odd order": ("lanchester --order 3 " + CRANK, "order"),
+    "open cycle": (
+        'flywheel --point "angle=0 deg, torque=1 N*m" --point "angle=9 deg, torque=5 N*m" '
+        '--point "angle=19 deg, torque=2 N*m" --speed "3 rpm"', "open",
+    ),
+    "angles back": (
+        'flywheel --point "angle=0 deg, torque=1 N*m" --point "angle=9 deg, torque=5 N*m" '
+        '--point "angle=8 deg, torque=1 N*m" --speed "3 rpm"', "order",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refusals(name: str) -> None:
+    command, code = REFUSED[name]
+    outcome = run("balance", *shlex.split(command), "--json")
+    assert outcome.status == 3
+    assert outcome.error["code"] == code
+    assert "nan" not in outcome.err.lower()
+    assert "None" not in outcome.err
+
+
+def test_planes_told_apart_poorly_are_warned_of_and_answered() -> None:
+    sensors = (
+        '--sensor "initial=1 um @ 0 deg, first=2 um @ 0 deg, second=2 um @ 0 deg" '
+        '--sensor "initial=1 um @ 0 deg, first=2 um @ 0 deg, second=2.1 um @ 0 deg" '
+    )
+    document = answer("balance", "trial", *shlex.split(sensors + TWO))
+    assert "condition" in [one["code"] for one in document["warnings"]]
+    assert document["results"]["condition"]["value"] > 10.0
+
+
+def test_a_weak_trial_weight_is_warned_of() -> None:
+    document = answer("balance", "trial", *shlex.split('--sensor "initial=9 um @ 0 deg, first=9.1 um @ 0 deg" ' + ONE))
+    assert [one["code"] for one in document["warnings"]] == ["weak-trial"]
+
+
+def test_slow_roll_is_taken_off() -> None:
+    plain = '--sensor "initial=5 um @ 0 deg, first=6 um @ 90 deg" '
+    with_roll = (
+        '--sensor "initial=7 um @ 0 deg, first=6.324555320336759 um @ 71.56505117707799 deg, runout=2 um @ 0 deg" '
+    )
+    masses = [
+        answer("balance", "trial", *shlex.split(rows + ONE))["results"]["first_mass"]["value"]
+        for rows in (plain, with_roll)
+    ]
+    assert masses[0] == pytest.approx(masses[1], rel=1e-13)
+
+
+def test_uncertain_readings_reach_the_correction() -> None:
+    rows = '--sensor "initial=6 ± 0.1 um @ 40 ± 2 deg, first=8 um @ 110 deg" '
+    document = answer("balance", "trial", *shlex.split(rows + ONE))
+    mass, angle = document["results"]["first_mass"], document["results"]["first_angle"]
+    assert mass["std"] > 0.016 * mass["value"]
+    assert angle["std"] > 1.0
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        'trial --sensor "initial=6 um @ 40 deg, first=8 um @ 110 deg" ' + ONE,
+        'planes --amount "3 g*mm" --angle "0 deg" --position "1 m" --first-plane "0 m" --second-plane "2 m"',
+        'engine --preset v6 --spacing "90 mm" ' + CRANK,
+        "engine --preset inline-4 " + CRANK,
+        'flywheel --point "angle=0 deg, torque=1 N*m" --point "angle=9 deg, torque=5 N*m" '
+        '--point "angle=19 deg, torque=1 N*m" --speed "3 rpm"',
+    ],
+)
+def test_pictures_are_drawn(command: str, tmp_path: Path) -> None:
+    picture = tmp_path / "picture.svg"
+    outcome = run("balance", *shlex.split(command), "--plot", str(picture))
+    assert outcome.status == 0, outcome.err
+    assert "<svg" in picture.read_text(encoding="utf-8")
+
+
+def test_couples_are_not_counted_without_places() -> None:
+    document = answer("balance", "engine", "--preset", "inline-3", *shlex.split(CRANK))
+    assert document["results"].get("primary_couple") is None
+    assert [one["code"] for one in document["warnings"]] == ["no-spacing"]
+    assert answer("balance", "engine", "--preset", "radial-3", *shlex.split(CRANK))["results"]["primary_couple"] == {
+        "value": 0.0, "unit": "N·m"
+    }  # fmt: skip

@@ -1,0 +1,132 @@
+"""What holds of every rotor and engine: nothing is left of a balanced one, orders add up to the exact force."""
+
+import cmath
+import itertools
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynamics_cli.balance.engines.engine import Cylinder, engine
+from dynamics_cli.balance.flywheel import Point, flywheel
+from dynamics_cli.balance.grade import grade
+from dynamics_cli.balance.planes import Unbalance, planes
+from dynamics_cli.balance.split import Holes, split
+from dynamics_cli.balance.trial import Phase, Sensor, TrialWeight, trial
+
+angles = st.floats(-3.0, 3.0)
+sizes = st.floats(0.1, 10.0)
+few = settings(max_examples=25, deadline=None)
+
+
+@few
+@given(st.lists(st.tuples(sizes, angles, st.floats(-2.0, 2.0)), min_size=1, max_size=5), st.floats(0.2, 3.0))
+def test_a_balanced_rotor_has_no_residue(rows: list[tuple[float, float, float]], span: float) -> None:
+    those = tuple(Unbalance(*row) for row in rows)
+    made = planes(unbalances=those, first_plane=-0.1, second_plane=span)
+    added = [(made.first_unbalance, made.first_angle, -0.1), (made.second_unbalance, made.second_angle, span)]
+    whole = [*rows, *((size, angle or 0.0, place) for size, angle, place in added)]
+    scale = sum(size for size, _, _ in whole) * 3.0
+    assert abs(sum(cmath.rect(u, a) for u, a, _ in whole)) <= 1e-13 * scale
+    assert abs(sum(cmath.rect(u, a) * z for u, a, z in whole)) <= 1e-13 * scale
+
+
+def pair(z: complex) -> Any:
+    return z.real, z.imag
+
+
+@few
+@given(st.lists(st.complex_numbers(min_magnitude=0.5, max_magnitude=2.0), min_size=6, max_size=6), angles, angles)
+def test_trial_runs_of_a_known_rotor_give_its_unbalance(z: list[complex], one: float, other: float) -> None:
+    """Readings of a rotor whose coefficients are known lead back to what unbalances it, lag or lead, left on or not."""
+    alpha = [[z[0] + 4.0, z[1]], [z[2], z[3] - 4.0]]
+    unbalance = z[4:]
+    puts = cmath.rect(0.3, one), cmath.rect(0.2, other)
+    for left_on in (False, True):
+        for phase in ("lead", "lag"):
+            sensors = []
+            for row in alpha:
+                start = row[0] * unbalance[0] + row[1] * unbalance[1]
+                first = start + row[0] * puts[0]
+                second = (first if left_on else start) + row[1] * puts[1]
+                runs = [v.conjugate() if phase == "lag" else v for v in (start, first, second)]
+                sensors.append(Sensor(*(pair(v) for v in runs)))
+            made = trial(
+                sensors=tuple(sensors),
+                first_trial=TrialWeight(0.3, one),
+                second_trial=TrialWeight(0.2, other),
+                left_on=left_on,
+                phase=Phase(phase),
+            )
+            assert made.second_mass is not None
+            assert made.second_angle is not None
+            assert abs(cmath.rect(made.first_mass, made.first_angle or 0.0) + unbalance[0]) < 1e-11
+            assert abs(cmath.rect(made.second_mass, made.second_angle) + unbalance[1]) < 1e-11
+
+
+@few
+@given(
+    st.lists(st.tuples(angles, angles, st.floats(-1.0, 1.0)), min_size=1, max_size=4),
+    st.floats(0.1, 0.5),
+    st.floats(0.0, 6.0),
+)
+def test_orders_sum_to_the_exact_force(rows: list[tuple[float, float, float]], ratio: float, turn: float) -> None:
+    made = engine(
+        reciprocating_mass=2.0, crank_radius=1.0, rod_length=1.0 / ratio, speed=1.0, highest_order=40,
+        cylinders=tuple(Cylinder(*row) for row in rows),
+    )  # fmt: skip
+    force = couple = 0j
+    for crank, bank, place in rows:
+        s, c = math.sin(turn + crank - bank), math.cos(turn + crank - bank)
+        root = math.sqrt(1.0 - (ratio * s) ** 2)
+        away = 2.0 * (c + ratio * (c * c - s * s) / root + ratio**3 * (s * c) ** 2 / root**3)
+        force += cmath.rect(away, bank)
+        couple += cmath.rect(away * place, bank)
+    orders = forces = 0j
+    for row in made.orders:
+        orders += cmath.rect(row.forward, (row.forward_angle or 0.0) + row.order * turn)
+        orders += cmath.rect(row.backward, (row.backward_angle or 0.0) - row.order * turn)
+        forces += cmath.rect(row.forward_couple or 0.0, (row.forward_couple_angle or 0.0) + row.order * turn)
+        forces += cmath.rect(row.backward_couple or 0.0, (row.backward_couple_angle or 0.0) - row.order * turn)
+    assert abs(orders - force) < 1e-10
+    assert abs(forces - couple) < 1e-10
+
+
+@few
+@given(sizes, angles, st.integers(3, 36))
+def test_holes_hold_the_correction(mass: float, angle: float, holes: int) -> None:
+    made = split(mass=mass, angle=angle, places=Holes(holes))
+    both = cmath.rect(made.first_mass, made.first_angle) + cmath.rect(made.second_mass, made.second_angle)
+    assert abs(both - cmath.rect(mass, angle)) < 1e-12 * mass
+    near = split(mass=mass, angle=angle, places=Holes(holes), stock=0.01)
+    assert near.residual <= 0.0075
+    assert near.first_mass == pytest.approx(made.first_mass, abs=0.0101)
+
+
+def test_a_correction_at_a_hole_is_put_there_alone() -> None:
+    made = split(mass=3.0, angle=math.pi / 3.0, places=Holes(12))
+    assert (made.first_hole, made.second_mass) == (3, 0.0)
+    assert made.first_mass == pytest.approx(3.0, rel=1e-15)
+
+
+@few
+@given(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=8).filter(lambda t: max(t) - min(t) > 1.0))
+def test_a_flywheel_of_this_inertia_keeps_the_fluctuation(torques: list[float]) -> None:
+    table = [*torques, torques[0]]
+    made = flywheel(points=tuple(Point(float(i), t) for i, t in enumerate(table)), speed=10.0, fluctuation=0.05)
+    assert made.inertia * 0.05 * 100.0 == pytest.approx(made.energy, rel=1e-14)
+    energies = [row.energy for row in made.crossings]
+    assert max(energies) - min(energies) == made.energy > 0.0
+    kinds = [row.speed for row in made.crossings]
+    assert all(one != other for one, other in itertools.pairwise(kinds))
+
+
+@pytest.mark.parametrize(("first", "second", "share"), [(0.2, 0.3, 0.6), (0.1, 0.9, 0.7), (0.9, 0.1, 0.3)])
+def test_shares_of_planes_are_kept_within_bounds(first: float, second: float, share: float) -> None:
+    made = grade(grade=0.001, speed=1.0, mass=1.0, first_distance=first, second_distance=second, measured=0.002)
+    assert (made.first_unbalance, made.second_unbalance) == pytest.approx((share * 1e-3, (1.0 - share) * 1e-3))
+    assert made.permitted is False
+    assert made.usage == pytest.approx(2.0)
+    assert bool(made.advice) == (share in (0.3, 0.7))
