@@ -14,7 +14,7 @@ from dynamics_cli.cam.export.records import Curve, Form
 from dynamics_cli.cam.geometry import followers
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.program.reading import motion_of
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.outlines import Arc, Cubic
 
 ROLLER = followers.Roller(0.025, 0.006)
@@ -63,7 +63,9 @@ def read_dxf(text: str) -> list[tuple]:
         elif kind == "SPLINE":
             x = [float(value) for code, value in codes if code == 10]
             y = [float(value) for code, value in codes if code == 20]
-            pieces.append(("cubic", *zip(x, y, strict=True)))
+            points = list(zip(x, y, strict=True))
+            # knots of multiplicity three: neighbouring cubics share a point
+            pieces += [("cubic", *points[i : i + 4]) for i in range(0, len(points) - 1, 3)]
     return pieces
 
 
@@ -210,7 +212,7 @@ def test_errors_fall_with_the_third_and_the_sixth_power() -> None:
     ],
 )
 def test_refusals(code: str, given: dict) -> None:
-    with pytest.raises(InadmissibleError) as error:
+    with pytest.raises(DynamicsError) as error:
         export(NOTHING, **{"program": CYCLE, "follower": ROLLER, **given})
     assert error.value.code == code
 

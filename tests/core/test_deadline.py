@@ -94,7 +94,7 @@ def test_no_handler_of_errors_takes_it_for_one() -> None:
 
 def test_a_case_ends_with_its_answer_and_what_was_propagated() -> None:
     start = time.monotonic()
-    outcome = run(*PLANAR, "--time-limit", "2 s", "--json")
+    outcome = run(*PLANAR, "--method", "lattice", "--time-limit", "2 s", "--json")
     assert time.monotonic() - start < 20.0
     assert outcome.status == 3
     document = outcome.document

@@ -109,7 +109,7 @@ READ = [
     ("70 %", q.Friction, 0.7, 70, "%"),
     ("-3 %", q.Slope, -0.03, -3, "%"),
     ("0.05", q.Slope, 0.05, 0.05, ""),
-    ("45 deg", q.Slope, math.tan(math.pi / 4), 45, "deg"),
+    ("45 deg", q.Slope, 1.0, 45, "deg"),
     ("-0.1 rad", q.Slope, math.tan(-0.1), -0.1, "rad"),
     ("5 ft 6 in", q.Length, 1.6764, 66, "in"),
     ("-5 ft 6 in", q.Length, -1.6764, -66, "in"),

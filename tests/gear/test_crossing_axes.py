@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.gear.crossing.bevel import bevel
 from dynamics_cli.gear.crossing.bevel_records import Flank, Kind
 from dynamics_cli.gear.crossing.crossed import Screw, crossed
@@ -225,6 +225,6 @@ def test_friction_carries_the_load() -> None:
         "friction": {"friction": 0.0, "torque": 1.0},
         "diameter": {"first_diameter": 0.0},
     }.items():
-        with pytest.raises(InadmissibleError) as caught:
+        with pytest.raises(DynamicsError) as caught:
             wheels(**({"first_diameter": 0.1, "second_diameter": 0.3} | more))  # type: ignore[arg-type]
         assert caught.value.code == code

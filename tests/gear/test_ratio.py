@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import DynamicsError
 from dynamics_cli.gear.trains.ratio import RatioFound, ratio
 
 
@@ -148,6 +148,6 @@ def test_huge_numbers_of_the_target_stay_exact() -> None:
     ],
 )
 def test_what_cannot_be_is_refused(arguments: dict, code: str) -> None:
-    with pytest.raises(InadmissibleError) as caught:
+    with pytest.raises(DynamicsError) as caught:
         ratio(**arguments)
     assert caught.value.code == code

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.gear.glossary import glossary
 from dynamics_cli.gear.measure.data_block import data_block
 from dynamics_cli.gear.pair.rack import rack
@@ -184,7 +184,7 @@ def test_thickness_at_any_diameter_is_that_of_the_gear() -> None:
     )
     assert answer.thickness == pytest.approx(gear.tip_thickness, rel=1e-12)
     for wrong in ({"known_thickness": 0.004}, {"known_diameter": 0.03}, {"points": 2000}):
-        with pytest.raises(InadmissibleError):
+        with pytest.raises(DynamicsError):
             involute_point(at=AtAngle(0.3), base_diameter=0.05, **wrong)  # type: ignore[arg-type]
     for at in (AtAngle(1.6), AtRoll(-0.1), AtDiameter(0.01)):
         with pytest.raises(InadmissibleError):

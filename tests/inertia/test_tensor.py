@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from harness import answer, run
 
-from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.errors import InadmissibleError, MissingError
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.assembly.writers import markdown, mjcf, sdf, urdf
@@ -149,7 +149,7 @@ def test_the_gyroscopic_torque_does_no_work_and_vanishes_on_a_principal_axis() -
 def test_an_inertia_force_needs_mass_and_acceleration() -> None:
     found = torque(tensor=FULL, mass=2.0, acceleration=(1.0, -2.0, 0.0))
     assert found.inertia_force == (-2.0, 4.0, 0.0)
-    with pytest.raises(InadmissibleError, match="both the mass and its acceleration"):
+    with pytest.raises(MissingError, match="both the mass and its acceleration"):
         torque(tensor=FULL, mass=2.0)
     with pytest.raises(InadmissibleError, match="exceeds the sum"):
         torque(tensor=((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 3.0)))
