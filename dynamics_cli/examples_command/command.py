@@ -57,6 +57,12 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "pump_balance",
+        "A pump balanced in two planes from trial weights, its corrections onto holes, and its grade.",
+        "cd pump_balance && sh pump_balance.sh",
+        "pump_balance/pump_balance.sh",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",

@@ -125,7 +125,8 @@ def _meant(word: str) -> "list[str]":
 def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
     """Up to three of the known names that a typed one may have meant; of the `rest`, only the evident ones.
 
-    A beginning that fits one name wins, beside the synonyms; then they alone, then the nearest spelling.
+    A beginning that fits one name wins, beside the synonyms; then they alone, other beginnings, endings, and the nearest
+    spelling.
     """
     plain = {name.replace("_", "-"): name for name in known}
     word = typed.lower().replace("_", "-")
@@ -133,7 +134,8 @@ def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) 
     meant = [name for name in _meant(word) if name in plain]
     if len(begun) == 1:
         return [plain[name] for name in dict.fromkeys([*meant, *begun])]
-    near = meant or begun or nearest_words(word, plain)
+    ended = [name for name in plain if name.endswith(f"-{word}")]
+    near = meant or begun or ended or nearest_words(word, plain)
     if near:
         return [plain[name] for name in near[:MOST]]
     return suggestions(typed, rest) if rest else []
