@@ -46,7 +46,7 @@ CRASH = Task(
     },
     examples=(
         "dynamics impact crash examples/crash_scene/crash.toml",
-        "dynamics impact crash examples/crash_scene/crash.toml --method linear --table links",
+        "dynamics impact crash examples/crash_scene/crash.toml --method linear --only first.start.speed",
     ),
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",
