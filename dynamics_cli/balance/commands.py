@@ -159,6 +159,14 @@ ENGINE = Task(
         "secondary_couple: secondary couple",
         "orders: by order | order, force, force_remedy=force taken by, couple, couple_remedy=couple taken by",
     ),
+    scene={
+        "preset": "inline-3",
+        "reciprocating_mass": "0.42 kg",
+        "crank_radius": "41 mm",
+        "rod_length": "138 mm",
+        "spacing": "82 mm",
+        "speed": "6000 rpm",
+    },
     examples=(
         'dynamics balance engine --preset inline-3 --reciprocating-mass "0.42 kg" --crank-radius "41 mm" '
         '--rod-length "138 mm" --spacing "82 mm" --speed "6000 rpm"',
@@ -208,6 +216,23 @@ FLYWHEEL = Task(
         "mean_torque: mean torque", "energy: energy fluctuation ΔE", "inertia: moment of inertia I",
         "rim_mass: mass of the rim", "fastest: fastest at", "slowest: slowest at",
     ),
+    scene={
+        "speed": "300 rpm",
+        "points[0].angle": "0 deg",
+        "points[0].torque": "-80 N*m",
+        "points[1].angle": "30 deg",
+        "points[1].torque": "400 N*m",
+        "points[2].angle": "75 deg",
+        "points[2].torque": "900 N*m",
+        "points[3].angle": "120 deg",
+        "points[3].torque": "350 N*m",
+        "points[4].angle": "180 deg",
+        "points[4].torque": "-120 N*m",
+        "points[5].angle": "270 deg",
+        "points[5].torque": "-160 N*m",
+        "points[6].angle": "360 deg",
+        "points[6].torque": "-80 N*m",
+    },
     examples=(
         'dynamics balance flywheel --point "angle=0 deg, torque=-80 N*m" --point "angle=30 deg, torque=400 N*m" '
         '--point "angle=75 deg, torque=900 N*m" --point "angle=120 deg, torque=350 N*m" '

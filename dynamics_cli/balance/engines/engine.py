@@ -86,7 +86,7 @@ def engine(
     preset: Annotated[Preset | None, "A usual engine, e.g. inline-4."] = None,
     cylinders: Annotated[tuple[Cylinder, ...], "The cylinders, where it is none of these."] = (),
     bank_angle: Annotated[Angle | None, "Angle between the banks of a V, e.g. 90 deg."] = None,
-    spacing: Annotated[Size, "From one cylinder (of a V: pair) to the next, e.g. 90 mm; without it no couples."] = 0.0,
+    spacing: Annotated[Size, "From one cylinder (of a V: pair) to the next; without it no couples, e.g. 90 mm."] = 0.0,
     rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
     highest_order: Annotated[Count, "Orders above this are left out."] = 6,
 ) -> EngineBalance:

@@ -92,7 +92,7 @@ class _Scene:
     def __init__(self, values: "dict[str, str]") -> None:
         self.lines: list[str] = []
         # What the task shows, by address; those of a list's first item without its index.
-        self.values = {address.replace("[0]", ""): value for address, value in values.items()}
+        self.values = {_first_unnumbered(address): value for address, value in values.items()}
         # Records written in full, by the header of the first of them.
         self.written: dict[type, str] = {}
         self.brief = False
@@ -209,13 +209,14 @@ class _Scene:
                 write()
 
     def _more(self, header: str, address: str) -> None:
-        """Further items of a list, as the task shows them."""
-        place = 0
+        """Further items of a list, with lists within them, as the task shows them."""
+        last = ""
         for name, value in self.values.items():
             if name.startswith(f"{address}["):
-                index, _, key = name.removeprefix(f"{address}[").partition("].")
-                self.lines += ["", header] if int(index) != place else []
-                place = int(index)
+                item, _, key = name.rpartition("].")
+                within = "".join(part.partition("]")[2] for part in f"{item}]".removeprefix(address).split("["))
+                self.lines += ["", header.replace(address, address + within)] if item != last else []
+                last = item
                 self.lines.append(f"{key} = {_value(value)}")
 
     def comment(self, text: str) -> None:
@@ -237,6 +238,15 @@ class _Scene:
         first, *more = wrapped(text, WIDTH - COLUMN - 2, 0)
         self.lines.append(f"{head:<{COLUMN}}# {first}" if text else head)
         self.lines += [f"{'':<{COLUMN}}# {line}" for line in more]
+
+
+def _first_unnumbered(address: str) -> str:
+    """An address without the indices of first items, as far as no other item is reached."""
+    head, other, rest = address.partition("[")
+    while other and rest.startswith("0]"):
+        more, other, rest = rest.removeprefix("0]").partition("[")
+        head += more
+    return head + other + rest
 
 
 def _chosen(field: "Field") -> str:

@@ -42,6 +42,8 @@ LINES = 24
 LEAST_TABLE = 7
 # How many lines name what drives the results.
 MOST_DRIVEN = 3
+# How many inputs such a line names.
+MOST_DRIVERS = 5
 # A share of the variance below this goes unsaid.
 LEAST_SHARE = 0.005
 # A bound is spoken of when it leaves fewer digits than this.
@@ -177,9 +179,11 @@ class _Answer:
         for address, entry in self.document.get("sensitivity", {}).items():
             rows = [(row["input"], row.get("total", row["share"])) for row in entry["inputs"]]
             if address in self.labels and len(rows) > 1 and rows[0][1] < 1.0 - LEAST_SHARE:
-                said = ", ".join(
+                shares = [
                     f"{self._input(name)} {100.0 * share:.0f}{JOINED}%" for name, share in rows if share > LEAST_SHARE
-                )
+                ]
+                more = [f"{len(shares) - MOST_DRIVERS}{JOINED}more"] if len(shares) > MOST_DRIVERS else []
+                said = ", ".join([*shares[:MOST_DRIVERS], *more])
                 grouped.setdefault(said, []).append(self.labels[address])
         lines: list[str] = []
         for said, labels in list(grouped.items())[:MOST_DRIVEN]:

@@ -65,7 +65,7 @@ def crash(
     >>> two = CrashVehicle(ByMass(1200.0), approach_heading=1.5, exit_heading=0.6, after=(SegmentAfter(12.0, "road"),))
     >>> found = crash(CrashScene(one, two, (NamedSurface("road", 0.7),)))
     >>> round(found.first.approach_speed, 4), round(found.first.start.speed, 4)
-    (17.1654, 21.4318)
+    (16.4903, 20.8969)
     """
     return _solved(scene, gravity, momentum)
 

@@ -31,7 +31,7 @@ class TwoPoints:
     """A second point with its velocity, and its acceleration where the first has one."""
 
     second_point: Annotated[PartPoint, "The second point, e.g. 80, 10 mm."]
-    second_velocity: Annotated[PartVelocity, "Its velocity, e.g. 1, 2 m/s."]
+    second_velocity: Annotated[PartVelocity, "Its velocity, e.g. 1.5, 4 m/s."]
     second_acceleration: Annotated[PartAcceleration | None, "Its acceleration, e.g. 3, -4 m/s^2."] = None
 
 

@@ -143,6 +143,15 @@ SYNTHESIZE = Task(
         "least_transmission_angle: smallest transmission angle μ",
         "met: met at | crank_angle=θ₂, rocker_angle=θ₄, branch",
     ),
+    scene={
+        "ground": "100 mm",
+        "pairs[0].crank_angle": "30 deg",
+        "pairs[0].rocker_angle": "60 deg",
+        "pairs[1].crank_angle": "60 deg",
+        "pairs[1].rocker_angle": "75 deg",
+        "pairs[2].crank_angle": "90 deg",
+        "pairs[2].rocker_angle": "95 deg",
+    },
     examples=(
         'dynamics linkage synthesize --pair "crank_angle=30 deg, rocker_angle=60 deg" '
         '--pair "crank_angle=60 deg, rocker_angle=75 deg" --pair "crank_angle=90 deg, rocker_angle=95 deg" '

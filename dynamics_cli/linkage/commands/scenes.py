@@ -6,6 +6,29 @@ BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 RIGID = "rigid links in one plane, pins and slides without play"
 SIX_BAR = "examples/six_bar.toml"
 
+
+def _shown() -> "dict[str, str]":
+    """What a template shows: a four-bar with its crank driven."""
+    links = (
+        ("ground", ("O2", "0, 0 mm"), ("O4", "100, 0 mm")),
+        ("crank", ("O2", "0, 0 mm"), ("A", "40, 0 mm")),
+        ("coupler", ("A", "0, 0 mm"), ("B", "120, 0 mm")),
+        ("rocker", ("O4", "0, 0 mm"), ("B", "80, 0 mm")),
+    )
+    scene = {}
+    for index, (name, *points) in enumerate(links):
+        scene[f"links[{index}].name"] = name
+        for place, (pin, at) in enumerate(points):
+            scene[f"links[{index}].points[{place}].name"] = pin
+            scene[f"links[{index}].points[{place}].at"] = at
+    driver = {"link": "crank", "angle": "40 deg", "speed": "10 rad/s"}
+    side = {"pin": "B", "side": "left"}
+    scene |= {f"drivers[0].{key}": value for key, value in driver.items()}
+    return scene | {f"sides[0].{key}": value for key, value in side.items()}
+
+
+SHOWN = _shown()
+
 SOLVE = Task(
     "solve",
     "Any planar linkage from a scene of links, pins, slides and drivers: position, velocity, acceleration, proved.",
@@ -25,6 +48,7 @@ SOLVE = Task(
         "pins: pin | name, position, velocity, acceleration",
         "every_assembly: assembly | number, sides, pin, position",
     ),
+    scene=SHOWN,
     examples=(f"dynamics linkage solve {SIX_BAR}",),
     table="motion pins",
     arrays=False,
@@ -47,6 +71,7 @@ CENTRES = Task(
         "count: instant centres",
         "centres: centre | first, second, position, direction, ratio=ω/ω",
     ),
+    scene=SHOWN,
     examples=(f"dynamics linkage centres {SIX_BAR}",),
     table="centres",
     arrays=False,
@@ -74,6 +99,7 @@ MOBILITY = Task(
         "repeated: repeated conditions",
         "named: in them take part",
     ),
+    scene=SHOWN,
     examples=(f"dynamics linkage mobility {SIX_BAR}",),
     arrays=False,
     tracked=False,

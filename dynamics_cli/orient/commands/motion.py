@@ -83,6 +83,15 @@ POINTS = Task(
     ),
     table="points",
     plot="dynamics_cli.orient.pictures.motion:points",
+    scene={
+        "angular_velocity": "0, 0, 2 rad/s",
+        "angular_acceleration": "0, 0, 5 rad/s^2",
+        "base_velocity": "3, 0, 0 m/s",
+        "points[0].position": "0.5, 0, 0 m",
+        "points[0].name": "A",
+        "points[1].position": "0.5, 0.4, 0 m",
+        "points[1].name": "B",
+    },
     examples=(
         'dynamics orient points --angular-velocity "0, 0, 2 rad/s" --angular-acceleration "0, 0, 5 rad/s^2" '
         '--base-velocity "3, 0, 0 m/s" --body-point "position=(0.5, 0, 0 m), name=A" '

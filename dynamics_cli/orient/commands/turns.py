@@ -146,6 +146,12 @@ ALIGN = Task(
     table="pairs",
     names={"sequence": NAMES},
     plot="dynamics_cli.orient.pictures.triads:aligned",
+    scene={
+        "pairs[0].before": "1, 0, 0",
+        "pairs[0].after": "0.1, 0.99, 0",
+        "pairs[1].before": "0, 1, 0",
+        "pairs[1].after": "-0.98, 0.12, 0.05",
+    },
     examples=(
         'dynamics orient align --pair "before=(1, 0, 0), after=(0.1, 0.99, 0)" '
         '--pair "before=(0, 0, 1), after=(0, 0.02, 1)"',
