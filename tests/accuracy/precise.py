@@ -44,7 +44,8 @@ def exact_pi() -> Any:
 
 _LIBRARY = gmpy2 or mp
 FUNCTIONS: dict[str, Any] = {
-    name: getattr(_LIBRARY, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")
+    name: getattr(_LIBRARY, name)
+    for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh")
 } | {
     "involute": lambda x: _LIBRARY.tan(x) - x,
     "roll_less_arc": lambda x: x - _LIBRARY.atan(x),

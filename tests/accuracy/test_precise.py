@@ -12,6 +12,7 @@ from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.numerics.tracked import _RULES
 
 ONE = {"sqrt": (0.0, 9.0), "sin": (-9.0, 9.0), "cos": (-9.0, 9.0), "tan": (-1.5, 1.5), "asin": (-1.0, 1.0)}
+ONE |= {"sinh": (-9.0, 9.0), "cosh": (-9.0, 9.0), "tanh": (-9.0, 9.0)}
 ONE |= {"acos": (-1.0, 1.0), "atan": (-9.0, 9.0), "exp": (-9.0, 9.0), "log": (1e-9, 9.0)}
 
 

@@ -300,7 +300,10 @@ class TestPeers:
         (("geer",), "did you mean gear?"),
         (("SKID",), "did you mean skid?"),
         (("gear", "pear"), "did you mean pair?"),
-        (("nosuch",), "there are for cam, convert, coords, gear, impact, inertia, skid, uncertainty"),
+        (
+            ("nosuch",),
+            "there are for cam, convert, coords, gear, impact, inertia, linkage, orient, path, skid, uncertainty, vec",
+        ),
     ],
 )
 def test_what_was_meant_is_guessed(words: tuple[str, ...], hint: str) -> None:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact.conventions import ByMass
 from dynamics_cli.impact.inverse.judgement import chance
-from dynamics_cli.impact.inverse.records import ExitVelocity, InverseResult, Struck
+from dynamics_cli.impact.inverse.records import Departing, ExitVelocity, InverseResult
 from dynamics_cli.impact.inverse.task import by_momentum, by_spins, least_squares
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
@@ -47,13 +47,13 @@ EXITS = {
 }
 
 
-def both(exits: str = "agreeing", spread: float = 0.0, headings: bool = True) -> dict[str, Struck]:
+def both(exits: str = "agreeing", spread: float = 0.0, headings: bool = True) -> dict[str, Departing]:
     vehicles = {}
     for key, mass, inertia, lever, (velocity, spin), heading, sigma in zip(
         ("first", "second"), (1500.0, 1200.0), (2500.0, 1800.0), ((1.8, -0.3), (-0.7, 0.9)), EXITS[exits],
         (0.0, 0.5 * math.pi), (0.3, 0.4), strict=True,
     ):  # fmt: skip
-        vehicles[key] = Struck(
+        vehicles[key] = Departing(
             ByMass(mass),
             ExitVelocity(velocity),
             ByInertia(inertia),
@@ -115,7 +115,7 @@ class TestInverse:
             lost += masses[k] * (abs(before) ** 2 - abs(after) ** 2) - inertias[k] * spin**2
             after, lever = after * frame, levers[k] * frame
             vehicles.append(
-                Struck(
+                Departing(
                     ByMass(masses[k]),
                     ExitVelocity((after.real, after.imag)),
                     ByInertia(inertias[k]),
@@ -138,7 +138,7 @@ class TestInverse:
 
     def test_one_unknown_heading_is_found(self) -> None:
         vehicles = both()
-        loose = Struck(**{**vehicles["second"].__dict__, "approach_heading": None})
+        loose = Departing(**{**vehicles["second"].__dict__, "approach_heading": None})
         result = least_squares(first=vehicles["first"], second=loose)
         assert result.degrees_of_freedom == 1
         assert result.second.approach_heading == pytest.approx(0.5 * math.pi, abs=0.05)
@@ -161,7 +161,7 @@ class TestInverse:
                     "exit_spin": chance_of.gauss(fitted.exit_spin, one.spin_sigma),  # type: ignore[arg-type]
                     "approach_heading": chance_of.gauss(fitted.approach_heading, 2.0 * DEGREE),
                 }
-                vehicles.append(Struck(**{**one.__dict__, **changes}))
+                vehicles.append(Departing(**{**one.__dict__, **changes}))
             try:
                 result = least_squares(first=vehicles[0], second=vehicles[1])
             except InadmissibleError:  # one in a thousand contradicts itself
@@ -175,7 +175,7 @@ class TestInverse:
 
     def test_contradiction_gives_no_answer(self) -> None:
         vehicles = both()
-        wrong = Struck(**{**vehicles["second"].__dict__, "exit_spin": 2.7})
+        wrong = Departing(**{**vehicles["second"].__dict__, "exit_spin": 2.7})
         with pytest.raises(InadmissibleError, match="second exit spin is off") as caught:
             least_squares(first=vehicles["first"], second=wrong)
         assert caught.value.code == "contradiction"
@@ -194,7 +194,7 @@ class TestInverse:
     )
     def test_refusals(self, function: Any, changes: dict[str, Any], code: str) -> None:
         vehicles = both()
-        second = Struck(**{**vehicles["second"].__dict__, **changes})
+        second = Departing(**{**vehicles["second"].__dict__, **changes})
         with pytest.raises(InadmissibleError) as caught:
             function(first=vehicles["first"], second=second)
         assert caught.value.code == code
@@ -220,7 +220,7 @@ class TestInverse:
         flipped = {}
         for key, one in turned.items():
             heading = 0.5 * math.pi - one.approach_heading  # type: ignore[operator]
-            flipped[key] = Struck(**{**one.__dict__, "approach_heading": heading, "heading_sigma": 2.0 * DEGREE})
+            flipped[key] = Departing(**{**one.__dict__, "approach_heading": heading, "heading_sigma": 2.0 * DEGREE})
         from dynamics_cli.impact.conventions import Axes
 
         seen = least_squares(**flipped, axes=Axes("compass"))

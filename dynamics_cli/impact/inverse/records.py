@@ -37,7 +37,7 @@ class ExitSpeed:
 
 
 @record
-class Struck:
+class Departing:
     """A vehicle after the impact, and what is known of it before."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]

@@ -15,17 +15,17 @@ from dynamics_cli.impact.conventions import (
 from dynamics_cli.impact.conventions import BySpeed as Course
 from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side
 from dynamics_cli.impact.inverse.judgement import Contact, agreement, chance, share_verdict, unreliable
-from dynamics_cli.impact.inverse.records import Approach, ExitVelocity, InverseResult, Residual, Struck
+from dynamics_cli.impact.inverse.records import Approach, Departing, ExitVelocity, InverseResult, Residual
 from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
 from dynamics_cli.quantities import RoadSpeed
 from dynamics_cli.records import Advice, Check, Numerics
 
 Pair = tuple[float, float]
-Both = tuple[Struck, Struck]
+Both = tuple[Departing, Departing]
 NAMES = "the first", "the second"
 
 
-def turns(vehicle: Struck) -> bool:
+def turns(vehicle: Departing) -> bool:
     """Whether its change of spin and what that needs are given."""
     needed = vehicle.turning, vehicle.arm, vehicle.exit_spin, vehicle.approach_spin
     return all(one is not None for one in needed)
@@ -195,7 +195,7 @@ class Scene:
         return tuple(notes)
 
 
-def _solid(vehicle: Struck, contact_point: Pair | None, axes: Axes, gravity: float, name: str) -> Solid:
+def _solid(vehicle: Departing, contact_point: Pair | None, axes: Axes, gravity: float, name: str) -> Solid:
     motion = vehicle.motion
     velocity = (
         motion.exit_velocity

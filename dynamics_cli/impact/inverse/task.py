@@ -4,15 +4,15 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero
 from dynamics_cli.impact.inverse.fit import solve
 from dynamics_cli.impact.inverse.judgement import judge_crossing, judge_levers
-from dynamics_cli.impact.inverse.records import InverseResult, Struck
+from dynamics_cli.impact.inverse.records import Departing, InverseResult
 from dynamics_cli.impact.inverse.scene import NAMES, Scene, turns
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, PlanarPosition
 
 
 def by_momentum(
     *,
-    first: Annotated[Struck, "The first vehicle."],
-    second: Annotated[Struck, "The second vehicle."],
+    first: Annotated[Departing, "The first vehicle."],
+    second: Annotated[Departing, "The second vehicle."],
     contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
@@ -45,8 +45,8 @@ def by_momentum(
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
-    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), approach_heading=0.0)
-    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), approach_heading=1.5707963267948966)
+    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), approach_heading=0.0)
+    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), approach_heading=1.5707963267948966)
     >>> result = by_momentum(first=one, second=two)
     >>> round(result.first.approach_speed, 9), round(result.second.approach_speed, 9)
     (15.12, 10.15)
@@ -67,8 +67,8 @@ def by_momentum(
 
 def by_spins(
     *,
-    first: Annotated[Struck, "The first vehicle."],
-    second: Annotated[Struck, "The second vehicle."],
+    first: Annotated[Departing, "The first vehicle."],
+    second: Annotated[Departing, "The second vehicle."],
     contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
@@ -103,8 +103,8 @@ def by_spins(
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
     >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
     >>> turn = {"approach_spin": 0.0}
-    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, **turn)
-    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7, **turn)
+    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, **turn)
+    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7, **turn)
     >>> [round(part, 3) for part in by_spins(first=one, second=two).impulse]
     [-5583.688, 236.17]
     """
@@ -124,8 +124,8 @@ def by_spins(
 
 def least_squares(
     *,
-    first: Annotated[Struck, "The first vehicle."],
-    second: Annotated[Struck, "The second vehicle."],
+    first: Annotated[Departing, "The first vehicle."],
+    second: Annotated[Departing, "The second vehicle."],
     contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
@@ -161,9 +161,9 @@ def least_squares(
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
     >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
     >>> more = {"approach_spin": 0.0, "velocity_sigma": 0.5}
-    >>> one = Struck(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, 0.0,
+    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, 0.0,
     ...              spin_sigma=0.3, **more)
-    >>> two = Struck(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7,
+    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7,
     ...              1.5707963267948966, spin_sigma=0.4, **more)
     >>> result = least_squares(first=one, second=two)
     >>> round(result.first.approach_speed, 9), round(result.first.speed_sigma, 9)
@@ -180,14 +180,14 @@ def least_squares(
     return scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
 
 
-def momentum_suffices(*, first: Struck, second: Struck, **_: object) -> str | None:
+def momentum_suffices(*, first: Departing, second: Departing, **_: object) -> str | None:
     """Say why momentum alone answers."""
     headings = first.approach_heading is not None and second.approach_heading is not None
     spun = turns(first) or turns(second)
     return "the headings are known, and no change of spin is" if headings and not spun else None
 
 
-def spins_suffice(*, first: Struck, second: Struck, **_: object) -> str | None:
+def spins_suffice(*, first: Departing, second: Departing, **_: object) -> str | None:
     """Say why spins answer."""
     unknown = first.approach_heading is None and second.approach_heading is None
     return "no approach heading is given: the changes of spin decide" if unknown else None
