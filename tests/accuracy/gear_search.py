@@ -31,7 +31,7 @@ from dynamics_cli.accuracy.cases import DATA, flat, load
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.gear.measure.identify import SpanRead, identify
 from dynamics_cli.gear.pitch import NormalModule
-from dynamics_cli.gear.single.profile import profile
+from dynamics_cli.gear.single.profile import Form, profile
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.outlines import Arc, Points
 
@@ -210,8 +210,11 @@ def draw_profile(rng: random.Random) -> Inputs:
 
 
 def ask_profile(inputs: Inputs) -> tuple[int, list[Compared]]:
-    """Circles, and how far some vertices, chords and arcs of one tooth are from the exact profile."""
-    answer = called(profile, inputs)
+    """Circles, and how far some vertices, chords and arcs of one tooth drawn with lines are from the exact profile.
+
+    Flanks of arcs are proved by numerics/fitting, which tests/cam/test_proof.py holds against sixty digits.
+    """
+    answer = called(profile, {**inputs, "form": Form("lines")})
     rng = random.Random(repr(sorted((k, str(v)) for k, v in inputs.items())))
     offs = list(_rack_offs(inputs, answer)) if inputs.get("rack") else list(_tooth_offs(inputs, answer, rng))
     worst = max(offs)

@@ -125,7 +125,7 @@ def _meant(word: str) -> "list[str]":
 def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
     """Up to three of the known names that a typed one may have meant; of the `rest`, only the evident ones.
 
-    A beginning that fits one name wins, beside the synonyms; then they alone, other beginnings, endings, and the nearest
+    A beginning that fits one name wins, beside the synonyms; then they alone, other beginnings, endings, the nearest
     spelling.
     """
     plain = {name.replace("_", "-"): name for name in known}

@@ -44,10 +44,7 @@ CRASH = Task(
         "surfaces[0].name": "road",
         "surfaces[0].friction": "0.72",
     },
-    examples=(
-        "dynamics impact crash examples/crash_scene/crash.toml",
-        "dynamics impact crash examples/crash_scene/crash.toml --method linear --only first.start.speed",
-    ),
+    examples=("dynamics impact crash examples/crash_scene/crash.toml",),
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",
     headline=(
