@@ -80,4 +80,4 @@ def test_a_flag_is_written_in_a_repeated_group() -> None:
         assert found["results"]["ratio"] == ratio
     refused = run("gear", "train", "--mesh", mesh + "perhaps", "--driver", "a", "--driven", "b")
     assert refused.status == 2
-    assert "meshes[0].internal: read 'perhaps', wanted true or false" in refused.err
+    assert "--mesh: internal: read 'perhaps', wanted true or false" in refused.err

@@ -97,7 +97,11 @@ class TestInverse:
             assert chance(float(square), 1) == pytest.approx(float(text), rel=1e-13)
 
     @given(
-        st.floats(-3.0, 3.0), st.floats(3.0, 40.0), st.floats(3.0, 40.0), st.floats(-8000, 8000), st.floats(0.0, 3.0)
+        st.floats(-3.0, 3.0),
+        st.floats(3.0, 40.0),
+        st.floats(3.0, 40.0),
+        st.floats(-8000, 8000),
+        st.just(0.0) | st.floats(1e-6, 3.0),
     )
     @settings(max_examples=40, deadline=None, derandomize=True)
     def test_exact_motion_is_reproduced_in_any_frame(
