@@ -244,7 +244,8 @@ HARD_CASES = {"skid": _skid_cases, "impact": _impact_cases, "inertia": _inertia_
 # A body of triangles is summed in arrays of pairs of doubles, which no other numbers go through.
 ARRAYS_ONLY = ("inertia mesh",)
 # These decide and calculate on the decimals as typed, which numbers disturbed in their last bits are not, or from a
-# scene of names; references hold their bounds (accuracy/data, tests/impact/test_crash.py). A direction of exactly π is −π to floats in `impact record`.
+# scene of names; references hold their bounds (accuracy/data, tests/impact/test_crash.py).
+# A direction of exactly π is −π to floats in `impact record`.
 OTHERWISE = (
     "vec angle", "vec product", "vec resolve", "linkage class", "impact crash", "impact record",
 )  # fmt: skip
