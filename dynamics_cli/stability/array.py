@@ -28,9 +28,10 @@ class Row:
 
 
 def array(p: "Sequence[int]", denominator: int = 1) -> "tuple[Row, ...]":
-    """Routh's array of p/denominator, from the constant up; a row of zeros is replaced by the derivative of the one above.
+    """Routh's array of p/denominator; p is from the constant up.
 
-    The signs of the first column tell stability in the regular case only: a zero pivot is written as ε.
+    A row of zeros is replaced by the derivative of the row above. The signs of the first
+    column tell stability in the regular case only: a zero pivot is written as ε.
     """
     degree = len(p) - 1
     above = [_reduced((c,), (denominator,)) for c in p[degree::-2]]

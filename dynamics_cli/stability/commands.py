@@ -14,14 +14,14 @@ ROUTH = Task(
     Model(
         "Routh–Hurwitz",
         "dynamics_cli.stability.routh:routh",
-        source=BOOK + "section 14.7; Gantmacher, The Theory of Matrices 2, Chelsea 1959, chapter XV",
+        source=BOOK + "section 14.7; Gantmacher, Theory of Matrices II (1959) XV",
         formula="{left|n₋} + {right|n₊} + {axis|n₀} = degree",
         assumptions=("a linear system with constant coefficients", TYPED, SECONDS),
         method="exact counts",
     ),
     headline=(
         "verdict", "left: roots on the left", "right: on the right", "axis: on the axis",
-        "repeated: largest multiplicity there", ROOTS, "array: Routh array | power, elements, note",
+        "repeated: largest multiplicity there", ROOTS,
     ),
     examples=(
         'dynamics stability routh "s^4 + 10s^3 + 35s^2 + 50s + 24"',
@@ -39,14 +39,14 @@ GAIN = Task(
     Model(
         "zeros of the Hurwitz determinant",
         "dynamics_cli.stability.gain:gain",
-        source=BOOK + "section 14.7; Gantmacher, The Theory of Matrices 2, Chelsea 1959, chapter XV",
+        source=BOOK + "section 14.7; Gantmacher, Theory of Matrices II (1959) XV",
         formula="Δ_{n−1}(K)·a₀(K)·a_n(K) = 0 at the ends",
         assumptions=("a linear system with constant coefficients", TYPED, SECONDS),
         method="exact counts",
     ),
     headline=(
         "stable: stable for", "verdict: at the gain given", ROOTS,
-        "critical: critical gains | gain=K, frequency=ω, crossing=there", "ranges: root counts | gains=K, left, right, axis",
+        "critical: critical gains | gain=K, frequency=ω, crossing=there",
     ),
     examples=(
         'dynamics stability gain "s(s+1)(s+2) + K"',
@@ -179,4 +179,16 @@ DISCRETE = Task(
     plot=f"{PICTURES}:discrete",
 )  # fmt: skip
 
-FAMILIES = {"stability": Family("stability", "Stability of linear systems and equilibria, exactly counted.", ROUTH, GAIN, INTERVAL, DELAY, MATRIX, EQUILIBRIUM, DISCRETE)}
+FAMILIES = {
+    "stability": Family(
+        "stability",
+        "Stability of linear systems and equilibria, exactly counted.",
+        ROUTH,
+        GAIN,
+        INTERVAL,
+        DELAY,
+        MATRIX,
+        EQUILIBRIUM,
+        DISCRETE,
+    )
+}

@@ -10,7 +10,6 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
     quotient,
     square_free,
 )
-
 from dynamics_cli.quantities import Annotated, Count
 from dynamics_cli.records import record
 
@@ -38,15 +37,19 @@ UNSTABLE = "unstable"
 def count(p: "Sequence[int]") -> Counts:
     """The roots of p by side of the imaginary axis.
 
-    Each square-free factor is parted into its factor s, the roots that lie in pairs ±s, which are shared with p(−s), and
-    the rest. On the axis there are the negative roots in s² of the pairs, which Sturm's chain counts; the other pairs
+    Each square-free factor is parted into its factor s, its roots in pairs ±s, which are shared with p(−s), and the
+    rest. On the axis there are the negative roots in s² of the pairs, which Sturm's chain counts; the other pairs
     lie one on each side. The rest has no root on the axis, and the Cauchy index of its parts along the axis tells left
     less right.
     """
     left = right = axis = repeated = 0
     for factor, multiplicity in square_free(p):
         on_left, on_right, on_axis = _count_simple(factor)
-        left, right, axis = left + multiplicity * on_left, right + multiplicity * on_right, axis + multiplicity * on_axis
+        left, right, axis = (
+            left + multiplicity * on_left,
+            right + multiplicity * on_right,
+            axis + multiplicity * on_axis,
+        )
         if on_axis:
             repeated = max(repeated, multiplicity)
     return Counts(left=left, right=right, axis=axis, repeated=repeated)

@@ -97,7 +97,9 @@ def _verdict(outside: int, circle: int, repeated: int) -> str:
         return "unstable"
     if not circle:
         return "asymptotically stable"
-    return "marginally stable: simple roots on the circle" if repeated == 1 else "unstable: repeated roots on the circle"
+    return (
+        "marginally stable: simple roots on the circle" if repeated == 1 else "unstable: repeated roots on the circle"
+    )
 
 
 def on_the_plane(p: "Sequence[int]") -> "tuple[int, ...]":
@@ -115,8 +117,6 @@ def _roots(p: "Sequence[int]") -> "tuple[CircleRoot, ...]":
         for x, y, size, angle in circle_discs(factor):
             if y >= 0.0:
                 found.append(
-                    CircleRoot(
-                        real=x, imaginary=y, size=size, angle=angle, multiplicity=multiplicity, pair=y > 0.0
-                    )
+                    CircleRoot(real=x, imaginary=y, size=size, angle=angle, multiplicity=multiplicity, pair=y > 0.0)
                 )
     return tuple(sorted(found, key=lambda root: (-root.size, root.angle)))

@@ -1,5 +1,6 @@
 """The task `equilibrium`: equilibria of a potential with one coordinate, and whether they are stable."""
 
+import itertools
 import math
 
 from dynamics_cli.errors import UsageError, require, require_given
@@ -68,7 +69,9 @@ def equilibrium(
     lowest: Annotated[Length | None, "Where the range of x begins, e.g. -2 m."] = None,
     highest: Annotated[Length | None, "Where it ends, e.g. 2 m."] = None,
     mass: Annotated[Mass | None, "The mass that moves along x, for frequencies, e.g. 2 kg."] = None,
-    inertia: Annotated[Inertia | None, "The moment of inertia about the pivot, for frequencies, e.g. 0.5 kg*m^2."] = None,
+    inertia: Annotated[
+        Inertia | None, "The moment of inertia about the pivot, for frequencies, e.g. 0.5 kg*m^2."
+    ] = None,
 ) -> Equilibria:
     """Equilibria of a potential V, where V′ is zero: stable where V has a minimum.
 
@@ -115,7 +118,8 @@ def equilibrium(
         low, high = -math.pi, math.pi
     else:
         require_given(lowest is not None and highest is not None, "the range of x is missing", ("lowest", "highest"))
-        assert lowest is not None and highest is not None
+        assert lowest is not None
+        assert highest is not None
         low, high = lowest, highest
         require(low < high, "the range ends at {high}, before it begins at {low}", high=(high, Length),
                 low=(low, Length), code="range")  # fmt: skip
@@ -157,7 +161,7 @@ def _equilibria(value: "Potential", low: float, high: float) -> "list[float]":
     require(largest > 0.0, "the potential is the same everywhere within the range", code="constant",
             hint="check the formula and its range")  # fmt: skip
     found = []
-    for k, (one, other) in enumerate(zip(slopes, slopes[1:], strict=False)):
+    for k, (one, other) in enumerate(itertools.pairwise(slopes)):
         if not (math.isfinite(one[1]) and math.isfinite(other[1])):
             continue
         if one[1] == 0.0:

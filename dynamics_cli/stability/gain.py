@@ -1,5 +1,6 @@
 """The task `gain`: the gains for which a closed loop is stable, exactly."""
 
+import itertools
 from decimal import Context, Decimal, localcontext
 
 from dynamics_cli.errors import require
@@ -11,6 +12,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
     plus,
     primitive,
     quotient,
+    sign_at,
     square_free,
     times,
     trimmed,
@@ -82,8 +84,8 @@ def gain(
 
     Equation
     --------
-    Counts change only where Δ_{n−1}(K)·a₀(K)·a_n(K) = 0, with Δ the Hurwitz determinant; between two such gains they are
-    those of any gain there.
+    Counts change only where Δ_{n−1}(K)·a₀(K)·a_n(K) = 0, with Δ the Hurwitz determinant; between two such gains they
+    are those of any gain there.
 
     Returns
     -------
@@ -193,7 +195,7 @@ def _determinant(family: "Family", degree: int) -> "tuple[int, ...]":
     weight = scale
     for k in range(most + 1):
         total = plus(total, falling, values[0] * weight)
-        values = [b - a for a, b in zip(values, values[1:], strict=False)]
+        values = [b - a for a, b in itertools.pairwise(values)]
         falling = times(falling, (-k, 1))
         weight //= k + 1
     return primitive(total)
@@ -238,14 +240,14 @@ def _crossing(family: "Family", mark: "tuple[Pair, Pair]") -> bool:
 def _drops(family: "Family", mark: "tuple[Pair, Pair]") -> bool:
     degree = max(len(trimmed(p)) for p in family) - 1
     leading = trimmed(p[degree] if degree < len(p) else 0 for p in family)
-    low, high = (sum(c * at[0] ** k * at[1] ** (len(leading) - 1 - k) for k, c in enumerate(leading)) for at in mark)
+    low, high = (sign_at(leading, at) for at in mark)
     return low * high <= 0
 
 
 def _ranges(family: "Family", marks: "Sequence[tuple[Pair, Pair]]") -> "tuple[GainRange, ...]":
     ends: list[tuple[Pair, Pair] | None] = [None, *marks, None]
     out = []
-    for before, after in zip(ends, ends[1:], strict=False):
+    for before, after in itertools.pairwise(ends):
         counts = count(_at(family, _between(before, after)))
         low, high = (None if end is None else _double(end) for end in (before, after))
         out.append(
@@ -263,14 +265,12 @@ def _ranges(family: "Family", marks: "Sequence[tuple[Pair, Pair]]") -> "tuple[Ga
 
 
 def _between(before: "tuple[Pair, Pair] | None", after: "tuple[Pair, Pair] | None") -> "Pair":
-    if before is None and after is None:
-        return 0, 1
-    if before is None:
+    if before is not None and after is not None:
+        (a, b), (c, d) = before[1], after[0]
+        return a * d + c * b, 2 * b * d
+    if after is not None:
         return after[0][0] - after[0][1], after[0][1]
-    if after is None:
-        return before[1][0] + before[1][1], before[1][1]
-    (a, b), (c, d) = before[1], after[0]
-    return a * d + c * b, 2 * b * d
+    return (before[1][0] + before[1][1], before[1][1]) if before is not None else (0, 1)
 
 
 def _described(family: "Family", mark: "tuple[Pair, Pair]") -> Critical:

@@ -78,8 +78,9 @@ def interval(
     ranges.reverse()
     leading = ranges[-1]
     require(
-        leading[0][0] * leading[1][0] > 0, "the leading coefficient {low} to {high} may be zero", low=written(leading[0]),
-        high=written(leading[1]), code="degree", hint="leave a leading zero out, or narrow the range",
+        leading[0][0] * leading[1][0] > 0, "the leading coefficient {low} to {high} may be zero",
+        low=written(leading[0]), high=written(leading[1]), code="degree",
+        hint="leave a leading zero out, or narrow the range",
     )  # fmt: skip
     require(1 < len(ranges) <= MOST_DEGREE + 1, "{count} coefficients are no polynomial of degree 1 to {most}",
             count=str(len(ranges)), most=str(MOST_DEGREE), code="degree")  # fmt: skip

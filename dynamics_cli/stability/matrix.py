@@ -5,7 +5,7 @@ from dynamics_cli.numerics.exact.rational import lowest, reduce_rows, total, wri
 from dynamics_cli.numerics.exact.whole_polynomials import common_divisor, mirrored, primitive, square_free, times
 from dynamics_cli.quantities import Annotated, Count, GrowthRate, Matrix, Text
 from dynamics_cli.records import Advice, Numerics, record
-from dynamics_cli.stability.counting import ASYMPTOTIC, MARGINAL, REPEATED, Counts, count, verdict
+from dynamics_cli.stability.counting import MARGINAL, REPEATED, Counts, count, verdict
 from dynamics_cli.stability.roots import METHOD, Root, roots
 
 TYPE_CHECKING = False
@@ -39,7 +39,9 @@ class MatrixStability:
 
 
 def matrix(
-    matrix: Annotated[Matrix | None, 'A of a first-order system, rows parted by semicolons, e.g. "0, 1; -4, -0.2".'] = None,
+    matrix: Annotated[
+        Matrix | None, 'A of a first-order system, rows parted by semicolons, e.g. "0, 1; -4, -0.2".'
+    ] = None,
     /,
     *,
     mass: Annotated[Matrix | None, "M of a system of second order, e.g. 2, 0; 0, 1."] = None,
@@ -139,7 +141,8 @@ def _first_order(
     mass: "Rows | None", damping: "Rows | None", gyroscopic: "Rows | None", stiffness: "Rows | None"
 ) -> "list[list[Pair]]":
     """A of the positions and velocities."""
-    assert mass is not None and stiffness is not None
+    assert mass is not None
+    assert stiffness is not None
     size = len(mass)
     _require_square(mass, "M", size)
     _require_square(stiffness, "K", size)
@@ -147,7 +150,9 @@ def _first_order(
     for name, rows in (("C", damping), ("G", gyroscopic)):
         if rows is not None:
             _require_square(rows, name, size)
-            rates = [[total((a, b)) for a, b in zip(one, two, strict=True)] for one, two in zip(rates, rows, strict=True)]
+            rates = [
+                [total((a, b)) for a, b in zip(one, two, strict=True)] for one, two in zip(rates, rows, strict=True)
+            ]
     if gyroscopic is not None:
         skew = all(total((gyroscopic[i][j], gyroscopic[j][i]))[0] == 0 for i in range(size) for j in range(size))
         require(skew, "G is not skew-symmetric", code="gyroscopic", hint="its elements below the diagonal are those "

@@ -4,7 +4,7 @@ import math
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Axis, Band, Curve, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import AngularRate, Angle, Gain, GrowthRate, Length, PotentialEnergy, Time
+from dynamics_cli.quantities import Angle, AngularRate, Gain, GrowthRate, Length, PotentialEnergy, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -62,28 +62,36 @@ def gain(made: "Any", polynomial: str, **_: "Any") -> Picture:
     marks = [one.gain for one in made.critical or ()]
     reach = 2.0 * max([abs(mark) for mark in marks] + [abs(marks[0]) if marks else 1.0]) or 10.0
     low = min([0.0, *[1.2 * mark for mark in marks]])
-    gains = np.unique(np.concatenate([np.linspace(low, reach, LOCUS_POINTS), np.geomspace(reach * 1e-6, reach, LOCUS_POINTS)]))
+    gains = np.unique(
+        np.concatenate([np.linspace(low, reach, LOCUS_POINTS), np.geomspace(reach * 1e-6, reach, LOCUS_POINTS)])
+    )
     tracks = _tracks([_roots_at(family, below, value) for value in gains.tolist()])
     steady = [_stable_at(made.ranges, value) for value in gains.tolist()]
     items: list[Any] = []
     for track in tracks:
-        for is_stable, role, style in ((False, UNSTABLE, "dashed"), (True, STABLE, "solid")):
+        for is_stable, role in ((False, UNSTABLE), (True, STABLE)):
             # a line goes on to the first point of the other sort, so that none ends short of the axis
-            shown = [now == is_stable or before == is_stable for now, before in zip(steady, [steady[0], *steady], strict=False)]
+            shown = [
+                now == is_stable or before == is_stable
+                for now, before in zip(steady, [steady[0], *steady], strict=False)
+            ]
             x = [root.real for root in track]
             y = [root.imag if show else math.nan for root, show in zip(track, shown, strict=True)]
             label = ("stable" if is_stable else "unstable") if track is tracks[0] else ""
-            items.append(Curve(x, y, label, style, role=role))
+            items.append(Curve(x, y, label, "solid" if is_stable else "dashed", role=role))
     frequencies = [one.frequency for one in made.critical or () if one.frequency]
     width = _reach([abs(root.real) for track in tracks for root in track])
     size = 1.2 * max([_reach([abs(root.imag) for track in tracks for root in track]), *frequencies])
     items.append(Curve([0.0, 0.0], [-size, size], "", "thin", role=GREY))
-    for one in made.critical or ():
-        if one.frequency is not None:
-            items.append(Mark(0.0, one.frequency, worded("K = {gain:5}", gain=(one.gain, Gain)), role=GREY))
+    items += [
+        Mark(0.0, one.frequency, worded("K = {gain:5}", gain=(one.gain, Gain)), role=GREY)
+        for one in made.critical or ()
+        if one.frequency is not None
+    ]
     panel = Panel(
         Axis("real part", GrowthRate, ends=(-width, 0.4 * width)),
-        Axis("imaginary part", AngularRate, ends=(-size, size)), tuple(items), f"{polynomial}, K from {low:.4g} to {reach:.4g}",
+        Axis("imaginary part", AngularRate, ends=(-size, size)), tuple(items),
+        f"{polynomial}, K from {low:.4g} to {reach:.4g}",
     )  # fmt: skip
     return Picture((panel,), f"root locus: stable for {made.stable}")
 
@@ -117,7 +125,10 @@ def _tracks(found: "Sequence[list[complex]]") -> "list[list[complex]]":
 
 def _stable_at(ranges: "Sequence[Any]", value: float) -> bool:
     return any(
-        one.right == 0 and one.axis == 0 and (one.low is None or one.low < value) and (one.high is None or value < one.high)
+        one.right == 0
+        and one.axis == 0
+        and (one.low is None or one.low < value)
+        and (one.high is None or value < one.high)
         for one in ranges
     )
 
@@ -164,7 +175,9 @@ def discrete(made: "Any", *_: "Any", **__: "Any") -> Picture:
         outside = math.hypot(x, y) >= 1.0
         items.append(Mark(x, y, f"× {multiplicity}" if multiplicity > 1 else "", role=UNSTABLE if outside else 0))
     side = (-reach, reach)
-    panel = Panel(Axis("real part", ends=side), Axis("imaginary part", ends=side), tuple(items), made.verdict, equal=True)
+    panel = Panel(
+        Axis("real part", ends=side), Axis("imaginary part", ends=side), tuple(items), made.verdict, equal=True
+    )
     return Picture((panel,), "roots in z and the unit circle")
 
 
@@ -180,7 +193,8 @@ def equilibrium(
     name = "x" if not angular else next(name for name in ("theta", "θ") if name in parse(potential.text).names)
     law = law_of(potential, let, (name,))
     low, high = (-math.pi, math.pi) if angular else (lowest, highest)
-    assert low is not None and high is not None
+    assert low is not None
+    assert high is not None
     x = [low + (high - low) * k / CURVE_POINTS for k in range(CURVE_POINTS + 1)]
     y = []
     for at in x:

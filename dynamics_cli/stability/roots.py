@@ -1,5 +1,6 @@
 """Roots of polynomials, each within a proved distance, and exactly on the axis where they are."""
 
+import itertools
 from decimal import Context, Decimal, getcontext, localcontext
 from math import atan2, cos, log2, pi, sin
 
@@ -142,9 +143,7 @@ def _proved(coefficients: "Sequence[Decimal]", places: "Sequence[Complex]") -> "
     """
     degree = len(places)
     weights = _corrections(coefficients, places)
-    radii = [
-        degree * ((a * a + b * b).sqrt() + _rounding(coefficients, places, i)) for i, (a, b) in enumerate(weights)
-    ]
+    radii = [degree * ((a * a + b * b).sqrt() + _rounding(coefficients, places, i)) for i, (a, b) in enumerate(weights)]
     for i, (x, y) in enumerate(places):
         if radii[i] > SMALL * max(abs(x), abs(y)):
             return None
@@ -199,7 +198,7 @@ def _begin(p: "Sequence[int]") -> "list[Complex]":
             hull.pop()
         hull.append(point)
     places: list[Complex] = []
-    for (k, low), (m, high) in zip(hull, hull[1:], strict=False):
+    for (k, low), (m, high) in itertools.pairwise(hull):
         exponent = (low - high) / (m - k)
         whole = int(exponent // 1)
         for j in range(m - k):

@@ -97,7 +97,9 @@ def advice_on(counts: Counts) -> "tuple[Advice, ...]":
     """What a verdict on the axis depends on."""
     if verdict(counts) in (MARGINAL, REPEATED):
         message = "roots on the axis are there for the coefficients exactly as typed: the smallest change moves them"
-        return (Advice("axis", message, remedy="give measured coefficients as ranges to `dynamics stability interval`"),)
+        return (
+            Advice("axis", message, remedy="give measured coefficients as ranges to `dynamics stability interval`"),
+        )
     return ()
 
 

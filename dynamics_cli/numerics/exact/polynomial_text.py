@@ -42,7 +42,9 @@ def read(text: str, variable: str = "s", gain: str = "") -> "Terms":
         terms = _Reader(text, variable, gain).whole()
     terms = {key: terms[key] for key in sorted(terms, reverse=True) if terms[key][0]}
     if not terms:
-        raise UsageError(f"{text!r} is zero for every {variable}", code="zero-polynomial", hint="check the coefficients")
+        raise UsageError(
+            f"{text!r} is zero for every {variable}", code="zero-polynomial", hint="check the coefficients"
+        )
     highest = max(power for power, _ in terms)
     if highest > MOST_DEGREE:
         raise UsageError(f"{text!r} has degree {highest}, the highest is {MOST_DEGREE}", code="degree")

@@ -35,7 +35,7 @@ def primitive(coefficients: "Iterable[int]") -> "Polynomial":
 
 
 def plus(first: "Sequence[int]", second: "Sequence[int]", times: int = 1) -> "Polynomial":
-    """first + times·second."""
+    """First + times·second."""
     length = max(len(first), len(second))
     out = [0] * length
     for k, c in enumerate(first):
