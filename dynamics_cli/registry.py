@@ -105,6 +105,11 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "pendulum": Entry(
+        "dynamics_cli.pendulum.commands",
+        GROUPS[5],
+        "Pendulums: periods, forces, turning round, running down.",
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],
