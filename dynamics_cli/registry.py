@@ -110,6 +110,11 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Pendulums: periods, forces, turning round, running down.",
     ),
+    "particle": Entry(
+        "dynamics_cli.particle.commands",
+        GROUPS[5],
+        "A particle: flights, falls, tubes, inclines, bends.",
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],

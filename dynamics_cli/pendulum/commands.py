@@ -31,9 +31,13 @@ SIMPLE = Task(
     arrays=False,
 )  # fmt: skip
 
-FORCES = ("rate: angular velocity there", "along_force: pivot, along the body", "across_force: across it", "pin_force: together")
+FORCES = (
+    "rate: angular velocity there", "along_force: pivot, along the body", "across_force: across it",
+    "pin_force: together",
+)  # fmt: skip
 LENGTHS = (
-    "equivalent_length: equivalent length, to the centre of percussion", "conjugate_distance: conjugate pivot, beyond the centre",
+    "equivalent_length: equivalent length, to the centre of percussion",
+    "conjugate_distance: conjugate pivot, beyond the centre",
     "quickest_distance: quickest pivot, from the centre", "least_period: its period",
 )  # fmt: skip
 
@@ -49,7 +53,8 @@ COMPOUND = Task(
     ),
     headline=("period: period T", "small_period: small-amplitude period T₀", *LENGTHS, *FORCES),
     examples=(
-        'dynamics pendulum compound --mass "2 kg" --distance "0.6 m" --central-inertia "0.24 kg*m^2" --amplitude "60 deg"',
+        'dynamics pendulum compound --mass "2 kg" --distance "0.6 m" --central-inertia "0.24 kg*m^2" '
+        '--amplitude "60 deg"',
         'dynamics pendulum compound --mass "9 lb" --distance "14 in" --gyration "5 in" --units us',
     ),
     arrays=False,
@@ -100,14 +105,15 @@ DAMPED = Task(
     Model(
         "equation of motion, integrated",
         "dynamics_cli.pendulum.damped:damped",
-        source=BOOK + "sections 8.4 and 13.4; Hairer, Nørsett & Wanner, Solving ODEs I, Springer 1993, section II.10",
+        source=BOOK + "sections 8.4 and 13.4; Hairer, Nørsett & Wanner, Solving ODEs I, Springer 1993, II.10",
         formula="θ̈ + 2·{damping|ζ}·ω₀·θ̇ + {quadratic|β}·|θ̇|·θ̇ + ω₀²·sin θ = 0",
         assumptions=("a point mass on a rigid, massless rod", "drag as the two coefficients say, nothing else"),
         method="DOP853, two tolerances",
     ),
     headline=(
-        "first_period: first period", "first_loss: energy lost in the first half swing", "swings: full swings to it",
-        "time: time to it", "peaks: turning points | swing=half swing, time, amplitude, loss=energy lost",
+        "first_period: first period", "first_loss: energy lost in the first half swing",
+        "swings: full swings to the angle", "time: time to it",
+        "peaks: turning points | swing=half swing, time, amplitude, loss=energy lost",
     ),
     examples=(
         'dynamics pendulum damped --length "1 m" --amplitude "60 deg" --damping 0.01 --until "5 deg"',
@@ -143,6 +149,8 @@ DESIGN = Task(
 
 FAMILIES = {
     "pendulum": Family(
-        "pendulum", "Pendulums: periods, forces, turning round, running down.", SIMPLE, COMPOUND, ROD, CONICAL, DAMPED, DESIGN
+        "pendulum",
+        "Pendulums: periods, forces, turning round, running down.",
+        SIMPLE, COMPOUND, ROD, CONICAL, DAMPED, DESIGN,
     )
-}
+}  # fmt: skip

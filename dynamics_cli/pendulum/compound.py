@@ -51,7 +51,9 @@ class Compound:
     period: Annotated[Time, "Time of a full swing, there and back [s]."]
     small_period: Annotated[Time, "Period of small swings [s]."]
     slowdown: Annotated[Ratio, "The period over that of small swings [-]."]
-    equivalent_length: Annotated[Length, "Length of the simple pendulum of the same period; to the centre of percussion [m]."]
+    equivalent_length: Annotated[
+        Length, "Length of the simple pendulum of the same period; to the centre of percussion [m]."
+    ]
     conjugate_distance: Annotated[Length, "A pivot so far on the other side of the centre has the same period [m]."]
     quickest_distance: Annotated[Length, "Distance of the pivot of least period: the radius of gyration [m]."]
     least_period: Annotated[Time, "The small period of a pivot there [s]."]
@@ -86,8 +88,8 @@ def compound(
     Raises
     ------
     InadmissibleError
-        When mass, distance or inertia is not above zero, the inertia about the pivot is less than m·d², the amplitude is
-        180 degrees or more, or the angle lies beyond it.
+        When mass, distance or inertia is not above zero, the inertia about the pivot is less than m·d², the
+        amplitude is 180 degrees or more, or the angle lies beyond it.
 
     References
     ----------

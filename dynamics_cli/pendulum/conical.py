@@ -1,8 +1,8 @@
 """The task `conical`: a point mass that circles on a string at one height."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import cos, multiply_add, pi_beside, sin, sqrt
 from dynamics_cli.numerics.elementary import atan2 as angle_of
+from dynamics_cli.numerics.elementary import cos, multiply_add, pi_beside, sin, sqrt
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -86,8 +86,8 @@ def conical(
     Raises
     ------
     InadmissibleError
-        When the length is not above zero, the angle is not between 0 and 90 degrees, the height is not below the length,
-        or it turns too slowly for a cone.
+        When the length is not above zero, the angle is not between 0 and 90 degrees, the height is not below the
+        length, or it turns too slowly for a cone.
 
     References
     ----------
@@ -110,7 +110,8 @@ def conical(
         rotation = sqrt(gravity / (length * cosine))
     elif isinstance(cone, ConeHeight):
         require(
-            (cone.height > 0.0) & (cone.height < length), "a circle {height} below the pivot needs a longer string than {length}",
+            (cone.height > 0.0) & (cone.height < length),
+            "a circle {height} below the pivot needs a longer string than {length}",
             height=(cone.height, Length), length=(length, Length), code="height",
             hint="give a height above zero and below the length",
         )  # fmt: skip

@@ -4,7 +4,17 @@ import math
 
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Count, Fraction, Gravity, Length, Ratio, Time, TurnRate
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Count,
+    Fraction,
+    Gravity,
+    Length,
+    Ratio,
+    Time,
+)
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
@@ -47,9 +57,7 @@ def damped(
     length: Annotated[Length, "From the pivot to the point mass, e.g. 1 m."],
     amplitude: Annotated[Angle, "Where it is let go, e.g. 60 deg."],
     damping: Annotated[Ratio, "Damping ratio ζ of small swings, drag in proportion to speed, e.g. 0.01."] = 0.0,
-    quadratic: Annotated[
-        Ratio, "Drag by the square of the speed: ½·ρ·c_d·A·L/m, e.g. 0.02."
-    ] = 0.0,
+    quadratic: Annotated[Ratio, "Drag by the square of the speed: ½·ρ·c_d·A·L/m, e.g. 0.02."] = 0.0,
     until: Annotated[Angle | None, "An amplitude to count the swings to, e.g. 5 deg."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Damped:
@@ -82,7 +90,8 @@ def damped(
     0.0609
     """
     require(length > 0.0, "the length of {length} is not above zero", length=(length, Length))
-    require((abs(amplitude) < math.pi) & (amplitude != 0.0), "it cannot be let go at {amplitude}", amplitude=(amplitude, Angle),
+    require((abs(amplitude) < math.pi) & (amplitude != 0.0), "it cannot be let go at {amplitude}",
+    amplitude=(amplitude, Angle),
             code="amplitude", hint="give an angle between 0 and 180 deg")  # fmt: skip
     require((damping >= 0.0) & (quadratic >= 0.0), "a drag below zero feeds the pendulum", code="drag",
             hint="give ζ and β of zero or more")  # fmt: skip
@@ -100,16 +109,16 @@ def damped(
     reached = plain(until) is not None and len(fine) > 0 and fine[-1][1] <= plain(goal) if until is not None else False
     swings = _fraction(fine, plain(size), plain(goal)) if reached else None
     apart = max((abs(a[1] - b[1]) / a[1] for a, b in zip(fine, coarse, strict=False) if a[1] > 0.0), default=0.0)
-    require(len(fine) > 1, "it creeps back without a swing", code="no-swing", hint="a damping ratio of 1 or more stops it")
+    require(
+        len(fine) > 1, "it creeps back without a swing", code="no-swing", hint="a damping ratio of 1 or more stops it"
+    )
     return Damped(
         first_period=fine[1][0],
         first_loss=peaks[0].loss,
         swings=None if swings is None else 0.5 * swings[0],
         time=None if swings is None else swings[1],
         peaks=peaks,
-        numerics=Numerics(
-            "DOP853, two tolerances", bounds=(ErrorBound("first_loss", max(apart, 1e-12)),)
-        ),
+        numerics=Numerics("DOP853, two tolerances", bounds=(ErrorBound("first_loss", max(apart, 1e-12)),)),
         advice=_advice(until, reached, len(fine)),
     )
 
@@ -141,7 +150,9 @@ def _fraction(peaks: "Sequence[tuple[float, float]]", start: float, goal: float)
     return float(len(peaks)), peaks[-1][0]
 
 
-def _peaks(own: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float) -> "list[tuple[float, float]]":
+def _peaks(
+    own: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float
+) -> "list[tuple[float, float]]":
     """Times and sizes of the turning points, until one is below the goal."""
     from scipy.integrate import solve_ivp
 

@@ -47,8 +47,8 @@ def design(
     UsageError
         When both length and amplitude are given.
     InadmissibleError
-        When the period is not above zero, the amplitude is 180 degrees or more, or the length swings slower than that at
-        every amplitude.
+        When the period is not above zero, the amplitude is 180 degrees or more, or the length swings slower than
+        that at every amplitude.
 
     References
     ----------
@@ -81,7 +81,8 @@ def design(
         require(
             ratio <= 1.0, "a pendulum of {length} takes {least} and longer at every amplitude, {period} is wanted",
             length=(length, Length), least=(2.0 * pi * sqrt(length / gravity), Time), period=(period, Time),
-            code="too-long", hint=worded("shorten it to {length}", length=(gravity * (period / (2.0 * pi)) ** 2, Length)),
+            code="too-long", hint=worded("shorten it to {length}",
+            length=(gravity * (period / (2.0 * pi)) ** 2, Length)),
         )  # fmt: skip
         angle = _amplitude(ratio)
     small = period * ratio

@@ -63,5 +63,7 @@ def damped(made: "Any", *, amplitude: float, until: "float | None" = None, **_: 
         Curve(times, [-size for size in sizes], "", "dashed", role=1),
     ]
     if until is not None:
-        items += [Curve([times[0], times[-1]], [side * abs(until)] * 2, "", "dotted", role=GREY) for side in (1.0, -1.0)]
+        items += [
+            Curve([times[0], times[-1]], [side * abs(until)] * 2, "", "dotted", role=GREY) for side in (1.0, -1.0)
+        ]
     return Picture((Panel(Axis("time", Time), Axis("angle", Angle), tuple(items)),), "a pendulum runs down")

@@ -98,7 +98,8 @@ def simple(
     Raises
     ------
     InadmissibleError
-        When the length is not above zero, the amplitude is 180 degrees or more, or a time is asked of a start on the way.
+        When the length is not above zero, the amplitude is 180 degrees or more, or a time is asked of a start on the
+        way.
 
     References
     ----------
@@ -154,7 +155,8 @@ def _energy(
     if isinstance(start, Amplitude):
         size = abs(start.amplitude)
         require(
-            size < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(start.amplitude, Angle), code="at-top",
+            size < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(start.amplitude, Angle),
+            code="at-top",
             hint="give an amplitude below 180 deg, or --from-top, or the speed at the bottom",
         )  # fmt: skip
         require(size > 0.0, "at an amplitude of zero it does not move", code="at-rest",
@@ -162,7 +164,8 @@ def _energy(
         modulus, complement = sin(0.5 * size), cos(0.5 * size)
     elif isinstance(start, FromTop):
         size = abs(start.from_top)
-        require((size > 0.0) & (size < PI), "{angle} from the top is no place to let it go", angle=(start.from_top, Angle),
+        require((size > 0.0) & (size < PI), "{angle} from the top is no place to let it go",
+        angle=(start.from_top, Angle),
                 code="at-top", hint="give an angle between 0 and 180 deg")  # fmt: skip
         modulus, complement = cos(0.5 * size), sin(0.5 * size)
     elif isinstance(start, BottomSpeed):
@@ -199,10 +202,7 @@ def _end_pull(length: float, gravity: float, top: "float | None", modulus: float
 
 def _slack(length: float, gravity: float, bottom: float, top: "float | None", end: "float | None") -> "float | None":
     """Where gravity pulls as much as the motion needs: the force of the string is zero."""
-    if end is not None:
-        slack = plain(end) > 0.5 * PI
-    else:
-        slack = top is not None and plain(length * top * top - gravity) < 0.0
+    slack = plain(end) > 0.5 * PI if end is not None else top is not None and plain(length * top * top - gravity) < 0.0
     return acos((2.0 * gravity - length * bottom * bottom) / (3.0 * gravity)) if slack else None
 
 
@@ -235,9 +235,7 @@ def _state(
     return 2.0 * asin(rise), bottom * sqrt((1.0 - rise) * (1.0 + rise))
 
 
-def _advice(
-    slack: "float | None", period: "float | None", gravity: float, length: float
-) -> "tuple[Advice, ...]":
+def _advice(slack: "float | None", period: "float | None", gravity: float, length: float) -> "tuple[Advice, ...]":
     found = []
     if period is None:
         message = "its energy takes it to the top and no further, so that it has no period"
