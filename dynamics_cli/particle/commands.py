@@ -99,6 +99,7 @@ TUBE = Task(
         '--spring-stiffness "40 N/m" --spring-free-length "0.2 m"',
     ),
     table="path",
+    plot=f"{PICTURES}:tube",
     arrays=False,
 )  # fmt: skip
 

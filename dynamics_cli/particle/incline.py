@@ -159,7 +159,7 @@ def circle(
     Examples
     --------
     >>> round(circle(radius=60.0, friction=0.6, bank=0.08726646259971647).greatest_speed, 5)
-    20.66226
+    20.66225
     """
     require(radius > 0.0, "the radius of {radius} is not above zero", radius=(radius, Length))
     require(absolute(bank) < QUARTER, "{bank} is no bank", bank=(bank, Angle), code="bank",

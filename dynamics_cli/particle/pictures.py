@@ -3,9 +3,10 @@
 import math
 
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.particle.projectile import Elevation, launcher
+from dynamics_cli.particle.aiming import launcher
+from dynamics_cli.particle.projectile import Elevation
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import STANDARD_GRAVITY, Length
+from dynamics_cli.quantities import STANDARD_GRAVITY, Length, Speed, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,3 +53,16 @@ def _path(launch: "Any", angle: float, fall: float, style: "Any", label: str, ro
     end = flight.landing(fall)[0]
     states = [flight.at(end * k / POINTS) for k in range(POINTS + 1)]
     return Curve([state[1] for state in states], [state[2] for state in states], label, style, role=role)
+
+
+def tube(made: "Any", **_: "Any") -> Picture:
+    """Distance from the axis and speed along the tube over time."""
+    times = [row.time for row in made.path]
+    place = Curve(times, [row.position for row in made.path], "distance from the axis", role=0)
+    pace = Curve(times, [row.speed for row in made.path], "speed along the tube", role=1)
+    rest: list[Any] = []
+    if made.rest is not None:
+        rest.append(Curve([times[0], times[-1]], [made.rest] * 2, "at rest", "dotted", role=GREY))
+    time = Axis("time", Time)
+    panels = (Panel(time, Axis("position", Length), (place, *rest)), Panel(time, Axis("speed", Speed), (pace,)))
+    return Picture(panels, f"particle in a turning tube: {made.motion}")

@@ -1,24 +1,19 @@
 """The task `projectile`: range, target, best angle, with no, linear or quadratic drag."""
 
-import math
-
 from dynamics_cli.errors import MissingError, require, worded
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, hypot, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.particle.flights import FEWER, Linear, Quadratic, Upright, Vacuum
+from dynamics_cli.particle.aiming import RIGHT, DragBody, Terminal, angles_to, best_angle, launcher
+from dynamics_cli.particle.flights import FEWER, Quadratic, Vacuum
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
     Annotated,
-    Area,
     Count,
-    Density,
     Gravity,
     Length,
-    Mass,
     PlanarPosition,
-    Positive,
     Speed,
     Time,
 )
@@ -26,16 +21,9 @@ from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import TypeAlias
+    from dynamics_cli.particle.aiming import Flight, Launch
 
-    Flight: TypeAlias = Vacuum | Linear | Quadratic | Upright
-    Launch: TypeAlias = Callable[[float], Flight]
-
-RIGHT = 1.5707963267948966
-GOLDEN = 0.6180339887498949
 MOST_ROWS = 10000
-SCAN = 60
 
 
 @record
@@ -50,23 +38,6 @@ class Target:
     """Aim at a point."""
 
     target: Annotated[PlanarPosition, "Where it is to pass: distance and height from the launch, e.g. 80, 5 m."]
-
-
-@record
-class Terminal:
-    """Drag by the square of the speed, by the speed at which a fall becomes steady."""
-
-    terminal_speed: Annotated[Speed, "Speed at which drag carries the weight, e.g. 25 m/s."]
-
-
-@record
-class DragBody:
-    """Drag by the square of the speed, of a body."""
-
-    mass: Annotated[Mass, "Mass of the projectile, e.g. 0.145 kg."]
-    area: Annotated[Area, "Area across its path, e.g. 42 cm^2."]
-    drag_coefficient: Annotated[Positive, "Drag coefficient c_d, e.g. 0.4."]
-    density: Annotated[Density, "Density of the air, e.g. 1.2 kg/m^3."] = 1.225
 
 
 @record
@@ -224,14 +195,14 @@ def with_drag(
     other = None
     if isinstance(aim, Target):
         x, y = plain(aim.target[0]), plain(aim.target[1])
-        elevation, other = _search(launch, x, y)
+        elevation, other = angles_to(launch, x, y)
     else:
         elevation = plain(aim.elevation)
     flight = launch(elevation)
     end = _end(flight, aim, plain(height))
     best = greatest = None
     if not isinstance(aim, Target) and plain(height) >= 0.0:
-        best = _best(launch, plain(height))
+        best = best_angle(launch, plain(height))
         greatest = launch(best).landing(plain(height))[1]
     return _answer(
         flight,
@@ -279,41 +250,6 @@ def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float
     return atan(flat), atan(steep), least
 
 
-def launcher(
-    speed: float, gravity: float, time_constant: "float | None", drag: "Terminal | DragBody | None", wind: float
-) -> "Launch":
-    """The flight at an angle."""
-    if time_constant is not None:
-        require(time_constant > 0.0, "the time constant is not above zero", code="drag")
-    terminal = None if drag is None else _terminal(drag, gravity)
-
-    def launch(angle: float) -> "Flight":
-        cosine, sine = turned(angle)
-        if terminal is None:
-            if time_constant is None:
-                return Vacuum(speed * cosine, speed * sine, gravity)
-            return Linear(speed * cosine, speed * sine, gravity, time_constant, wind)
-        if speed * cosine == wind:
-            require(wind == 0.0, "it is launched straight up in the moving air", code="upright",
-                    hint="change the elevation a little")  # fmt: skip
-            require(sine > 0.0, "straight down it is a fall", code="downwards", hint="ask `dynamics particle fall`")
-            return Upright(speed * sine, gravity, terminal)
-        return Quadratic(speed * cosine, speed * sine, gravity, terminal, wind)
-
-    return launch
-
-
-def _terminal(drag: "Terminal | DragBody", gravity: float) -> float:
-    if isinstance(drag, Terminal):
-        speed = plain(drag.terminal_speed)
-    else:
-        carried = 0.5 * plain(drag.density) * plain(drag.drag_coefficient) * plain(drag.area)
-        require((carried > 0.0) & (plain(drag.mass) > 0.0), "mass, area and density are above zero", code="drag")
-        speed = math.sqrt(plain(drag.mass) * gravity / carried)
-    require(speed > 0.0, "the terminal speed is not above zero", code="drag")
-    return speed
-
-
 def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[float, ...]":
     if isinstance(aim, Target):
         passed = flight.passing(aim.target[0])
@@ -325,55 +261,6 @@ def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[f
         apex=(apex, Length), rise=(-height, Length), code="out-of-reach", hint="launch it faster or steeper",
     )  # fmt: skip
     return flight.landing(height)
-
-
-def _search(launch: "Launch", x: float, y: float) -> "tuple[float, float | None]":
-    """The flatter and the steeper angle at which a flight with drag passes a point."""
-
-    def miss(angle: float) -> float:
-        passed = launch(angle).passing(x)
-        return -math.inf if passed is None else passed[2] - y
-
-    floor = math.atan2(y, x)
-    angles = [floor + (RIGHT - floor) * k / SCAN for k in range(SCAN)]
-    misses = [miss(angle) for angle in angles]
-    top = max(range(SCAN), key=misses.__getitem__)
-    low, high = angles[max(top - 1, 0)], angles[min(top + 1, SCAN - 1)]
-    crown = _maximum(miss, low, high)
-    require(miss(crown) >= 0.0, "at this speed it passes below the target at every angle", code="out-of-reach",
-            hint="launch it faster, or aim lower")  # fmt: skip
-    return _crossing(miss, floor, crown), _crossing(miss, RIGHT - 1e-12, crown)
-
-
-def _crossing(miss: "Callable[[float], float]", below: float, above: float) -> float:
-    for _ in range(200):
-        middle = 0.5 * (below + above)
-        if not min(below, above) < middle < max(below, above):
-            break
-        below, above = (middle, above) if miss(middle) < 0.0 else (below, middle)
-    return above
-
-
-def _maximum(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """Where a function is greatest, by golden sections."""
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a, at_b = function(a), function(b)
-    for _ in range(60):
-        if at_a > at_b:
-            high, b, at_b = b, a, at_a
-            a = high - GOLDEN * (high - low)
-            at_a = function(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + GOLDEN * (high - low)
-            at_b = function(b)
-        if high - low < 1e-9:
-            break
-    return 0.5 * (low + high)
-
-
-def _best(launch: "Launch", height: float) -> float:
-    return _maximum(lambda angle: launch(angle).landing(height)[1], 1e-6, RIGHT - 1e-6)
 
 
 def _numerics(

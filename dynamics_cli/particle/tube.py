@@ -240,7 +240,7 @@ def hoop(
     Examples
     --------
     >>> round(hoop(radius=0.25, rotation=8.0).frequency * 6.283185307179586, 9)
-    6.32118691
+    6.321186909
     """
     require(radius > 0.0, "the radius of {radius} is not above zero", radius=(radius, Length))
     critical, turning = sqrt(gravity / radius), abs(rotation)

@@ -96,7 +96,7 @@ def conical(
     Examples
     --------
     >>> round(conical(length=1.0, cone=ConeAngle(0.6981317007977318)).disturbance, 9)
-    0.946024337
+    0.946117728
     """
     require(length > 0.0, "the length of {length} is not above zero", length=(length, Length))
     pi = pi_beside(length, gravity, cone)
