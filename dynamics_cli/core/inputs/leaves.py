@@ -134,13 +134,13 @@ def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
 
 def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
     """A number or, where these are taken, a distribution."""
-    if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw):
+    if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw) and not kind.certain:
         return _uncertain(kind, raw, address, context, default_unit)
     text = _text_of(kind, raw)
     try:
         reading = read_scalar(text, kind, default_unit)
     except UsageError as error:
-        if error.code != "uncertain" or context.uncertain is None:
+        if error.code != "uncertain" or context.uncertain is None or kind.certain:
             raise
         return _uncertain(kind, text, address, context, default_unit)
     context.note(address, reading.notes)
