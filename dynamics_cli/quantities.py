@@ -16,14 +16,15 @@ class Kind:
     exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
     "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
-    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
+    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them. One of a
+    kind that is `certain` takes no distribution: it says itself how uncertain something is.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "about", "above", "below", "certain", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
         "variable",
     )  # fmt: skip
 
@@ -46,6 +47,7 @@ class Kind:
         variable: str = "",
         needs: str = "",
         exact: bool = False,
+        certain: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -63,6 +65,7 @@ class Kind:
         self.variable = variable
         self.needs = needs
         self.exact = exact
+        self.certain = certain
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -131,6 +134,7 @@ if TYPE_CHECKING:
 
     # lengths, areas, volumes
     Length = float
+    Noise = float
     Distance = float
     Size = float
     Coordinate = float
@@ -255,6 +259,9 @@ if TYPE_CHECKING:
 else:
     # lengths, areas, volumes
     Length = Kind("length", "m", si="m", us="ft", example="60 ft", about="a length, distances on a scene")
+    Noise = Kind(
+        "length", "m", si="m", us="ft", example="3 cm", about="the standard deviation of a position", certain=True
+    )
     Distance = Kind("length", "m", si="m", us="ft", low=0.0, example="60 ft", about="a length that cannot be negative")
     Size = Kind("size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length")
     Coordinate = Kind("size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part")

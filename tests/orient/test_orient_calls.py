@@ -173,3 +173,10 @@ def test_a_scalar_call_loads_no_numpy() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_no_column_of_rows_has_the_name_of_another() -> None:
+    rows = "quaternion[0],quaternion[1],quaternion[2],quaternion[3]\n1,0,0,0.5\n"
+    head = run("orient", "convert", "--rows", "-", stdin=rows).out.splitlines()[0].split(",")
+    assert len(set(head)) == len(head)
+    assert "results.quaternion[0]" in head

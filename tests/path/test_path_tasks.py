@@ -450,3 +450,11 @@ def test_bad_formulas_are_told_with_their_option(option: str, text: str, words: 
     outcome = run("path", "curve", option, text, *more, "--at", "1 s")
     assert outcome.status == 2
     assert words in outcome.err
+
+
+def test_a_time_beyond_the_doubles_is_refused_by_name() -> None:
+    outcome = run("path", "rectilinear", "--start-speed", "3 m/s", "--distance", "1e308 m", "--acceleration", "1 m/s^2",
+                  "--json")  # fmt: skip
+    assert outcome.status == 3
+    assert outcome.error["code"] == "range"
+    assert "nan" not in outcome.err
