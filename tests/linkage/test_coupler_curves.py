@@ -127,7 +127,12 @@ def test_a_point_on_the_moving_centrode_has_a_cusp() -> None:
     place = -complex(*made.crank_pin) / made.coupler_ratio * exp(-1j * made.coupler_angle)
     found = curve(point=(place.real, place.imag))
     assert [round(one.crank_angle, 6) for one in found.cusps] == [1.0]  # type: ignore[attr-defined]
-    assert found.shape.outlines[0].pieces[0].points  # type: ignore[attr-defined]
+    pieces = found.shape.outlines[0].pieces  # type: ignore[attr-defined]
+    # straight away from the cusp and up to it, arcs between
+    assert hasattr(pieces[0], "points")
+    assert hasattr(pieces[-1], "points")
+    assert len([piece for piece in pieces if hasattr(piece, "bulge")]) > 10
+    assert found.deviation <= 1e-5  # type: ignore[attr-defined]
     assert curve(point=(place.real + 1e-3, place.imag)).cusps is None  # type: ignore[attr-defined]
 
 

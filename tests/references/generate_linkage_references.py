@@ -133,9 +133,44 @@ def chains(generator: random.Random) -> Iterator[Case]:
         yield f"{count} links", "", {"links": group}, {}
 
 
+def yokes(generator: random.Random) -> Iterator[Case]:
+    more = {"speed": 31.0, "angular_acceleration": -20.0, "load_force": 500.0}
+    for _ in range(8):
+        own = {"crank": round(generator.uniform(0.02, 0.2), 3), "crank_angle": generator.uniform(-3.0, 6.0)}
+        yield "drawn", "", own | {"slot_angle": round(generator.uniform(-1.2, 1.2), 2)} | more, {}
+    steep = {"crank": 0.04, "crank_angle": 0.7, "slot_angle": 1.5707}
+    yield "a slot all but along the stroke", "limit: reach over a cosine that vanishes", steep | more, {}
+
+
+def couplings(generator: random.Random) -> Iterator[Case]:
+    for _ in range(6):
+        own = {"offset": round(generator.uniform(0.001, 0.02), 4), "speed": round(generator.uniform(-300, 300), 1)}
+        yield "drawn", "", own | {"shaft_angle": generator.uniform(-3.0, 6.0), "mass": 0.2}, {}
+    yield (
+        "slot along the line of the shafts",
+        "",
+        {"offset": 0.003, "speed": 157.0, "shaft_angle": 0.0, "mass": 0.2},
+        {},
+    )
+
+
+def bars(generator: random.Random) -> Iterator[Case]:
+    for index in range(12):
+        bar = round(generator.uniform(0.2, 6.0), 2)
+        own = {"bar": bar, "point": round(generator.uniform(-1.0, 2.0) * bar, 2), "angle": generator.uniform(0.2, 1.5)}
+        turning = {
+            "speed": round(generator.uniform(-3, 3), 2),
+            "angular_acceleration": round(generator.uniform(-9, 9), 2),
+        }
+        pulled = {"pull": round(generator.uniform(0.1, 2), 2), "pull_acceleration": round(generator.uniform(-9, 9), 2)}
+        yield "drawn", "", own | (turning if index % 2 else pulled), {}
+    flat = {"bar": 5.0, "point": 2.0, "angle": 1e-6, "pull": -0.5, "pull_acceleration": 0.1}
+    yield "a bar all but along its slide", "limit: the rates grow without bound there", flat, {}
+
+
 TASKS = {
     "four_bar": four_bars, "classify": classes, "slider_crank": sliders, "quick_return": returns, "body": bodies,
-    "chain": chains,
+    "chain": chains, "scotch_yoke": yokes, "oldham": couplings, "trammel": bars,
 }  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from math import isfinite
 
 from dynamics_cli.errors import require
+from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.turns import turned
@@ -116,12 +117,7 @@ def slider_crank(
     0.173179117
     """
     for name, length in (("crank", crank), ("rod", rod)):
-        require(
-            length > 0.0,
-            f"the {name} has a length of {{length}}: a link needs more than zero",
-            length=(length, Size),
-            code="no-length",
-        )
+        require_long(name, length)
     stroke = _stroke(crank, rod, offset)
     if crank_angle is None:
         require(
