@@ -8,6 +8,7 @@ import pytest
 from harness import answer, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.path.circle import Running, Turning, circle
@@ -450,3 +451,45 @@ def test_bad_formulas_are_told_with_their_option(option: str, text: str, words: 
     outcome = run("path", "curve", option, text, *more, "--at", "1 s")
     assert outcome.status == 2
     assert words in outcome.err
+
+
+def test_relative_motion_of_formulas_agrees_with_constant_accelerations() -> None:
+    plain = Mover((0.0, 9.0, 0.0), (0.8, -1.0, 0.0), (0.0, 0.3, 0.1))
+    typed = Mover(x=metres("0.8*t"), y=metres("9 - t + 0.15*t^2"), z=metres("0.05*t^2"))
+    first = Mover(velocity=(2.0, 1.0, 0.0))
+    one, other = relative(first=first, second=plain, time=1.0), relative(first=first, second=typed, time=1.0, end=20.0)
+    for name in ("closest_distance", "closest_time", "closest_speed", "distance", "closing_speed", "position", "velocity",
+                 "acceleration", "first_position", "second_position"):  # fmt: skip
+        assert getattr(other, name) == pytest.approx(getattr(one, name), rel=1e-12, abs=1e-12), name
+
+
+def test_relative_motion_of_formulas_beside_more_digits() -> None:
+    circle = Mover(x=metres("4*cos(0.5*t)"), y=metres("4*sin(0.5*t)"))
+    line = Mover((0.0, 9.0, 0.0), (0.8, -1.0, 0.0))
+    made = relative(first=circle, second=line, end=12.0)
+    with mp.workdps(40):
+
+        def gap(t: Any) -> Any:
+            return mp.hypot(mpf(4) / 5 * t - 4 * mp.cos(t / 2), 9 - t - 4 * mp.sin(t / 2))
+
+        when = mp.findroot(lambda t: mp.diff(gap, t), 2.7)
+        assert made.closest_time == pytest.approx(float(when), rel=1e-14)
+        assert made.closest_distance == pytest.approx(float(gap(when)), rel=1e-14)
+    assert all(check.passed for check in made.checks)
+    # before the minimum the end of the search is the nearest
+    early = relative(first=circle, second=line, end=1.0)
+    assert (early.closest_time, [one.code for one in early.advice]) == (1.0, ["edge"])
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"first": Mover(x=metres("t"))}, "needs an end"),
+        ({"first": Mover(x=metres("1/(t-2)")), "end": 5.0}, "pole"),
+        ({"first": Mover((1.0, 0.0, 0.0), x=metres("t")), "end": 5.0}, "both are given"),
+        ({"first": Mover(x=metres("t")), "end": 5.0, "time": 6.0}, "does not hold"),
+    ],
+)
+def test_relative_motion_of_formulas_is_refused(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(InadmissibleError, match=words):
+        relative(second=Mover(), **given)

@@ -160,11 +160,14 @@ RELATIVE = Task(
     "relative",
     "Relative motion of two points, and their closest approach.",
     Model(
-        "constant accelerations",
+        "two motions",
         "dynamics_cli.path.relative:relative",
         source=BOOK + "3.4",
         formula="{closest_time|t} = −Δr·Δv/‖Δv‖²; {closest_distance|d} = ‖Δr×Δv‖/‖Δv‖ (without relative acceleration)",
-        assumptions=("both accelerations are constant", "seen from the first, which does not turn"),
+        assumptions=(
+            "accelerations are constant, or positions formulas of t",
+            "seen from the first, which does not turn",
+        ),
     ),
     arrays=False,
     headline=(
@@ -180,6 +183,8 @@ RELATIVE = Task(
     examples=(
         'dynamics path relative --first-velocity "15, 0, 0 m/s" --second-position "120, -80, 0 m" '
         '--second-velocity "0, 11, 0 m/s"',
+        'dynamics path relative --first-x "4*cos(0.5*t) m" --first-y "4*sin(0.5*t) m" --second-position "0, 9, 0 m" '
+        '--second-velocity "0.8, -1, 0 m/s" --end "12 s"',
     ),
     plot="dynamics_cli.path.pictures:relative",
 )
