@@ -458,8 +458,8 @@ def test_relative_motion_of_formulas_agrees_with_constant_accelerations() -> Non
     typed = Mover(x=metres("0.8*t"), y=metres("9 - t + 0.15*t^2"), z=metres("0.05*t^2"))
     first = Mover(velocity=(2.0, 1.0, 0.0))
     one, other = relative(first=first, second=plain, time=1.0), relative(first=first, second=typed, time=1.0, end=20.0)
-    for name in ("closest_distance", "closest_time", "closest_speed", "distance", "closing_speed", "position", "velocity",
-                 "acceleration", "first_position", "second_position"):  # fmt: skip
+    for name in ("closest_distance", "closest_time", "closest_speed", "distance", "closing_speed", "position",
+                 "velocity", "acceleration", "first_position", "second_position"):  # fmt: skip
         assert getattr(other, name) == pytest.approx(getattr(one, name), rel=1e-12, abs=1e-12), name
 
 

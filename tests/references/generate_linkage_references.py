@@ -19,6 +19,7 @@ DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data
 Case = tuple[str, str, dict[str, Any], dict[str, str]]
 # At these lengths are what was typed, not the doubles nearest to it: the difference decides.
 TYPED = "limit: nearly a change point, of the decimals as typed"
+CHANGE = "limit: both motions through a change point all but meet"
 DEGREE = 0.017453292519943295
 MOTION = {"speed": 10.0, "angular_acceleration": 5.0, "point": [0.06, 0.04], "load_torque": 12.0}
 
@@ -71,6 +72,12 @@ def four_bars(generator: random.Random) -> Iterator[Case]:
     for branch in ("open", "crossed"):
         near = links(1.0, 3.0, 1.000000001, 3.0) | {"crank_angle": float(pi) + 1e-6} | MOTION
         yield f"1e-9 from a parallelogram, {branch}", TYPED, near, {"branch": branch}
+    for step in (1e-3, 1e-6, 1e-9):
+        for branch in ("open", "crossed"):
+            change = links(2.0, 5.0, 4.0, 3.0) | {"crank_angle": step} | MOTION
+            yield f"{step:g} past a change point, {branch}", CHANGE, change, {"branch": branch}
+    decimals = links(0.1, 0.5, 0.3, 0.7) | {"crank_angle": 3.1415926} | MOTION
+    yield "beside a change point of decimals", TYPED, decimals, {"branch": "open"}
     for step in (1e-3, 1e-6, 1e-8):
         near = links(3.0, 2.0, 2.5, 4.0) | {"crank_angle": 1.3715642395497258 - step} | MOTION
         yield f"{step:g} before the limit", "limit: coupler and rocker nearly stretched", near, {"branch": "open"}

@@ -80,7 +80,7 @@ FILES: dict[str, Origin] = {
     "path": Origin(
         "path",
         _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
-        | {"moving_frame": "moving-frame"},
+        | {"rectilinear_law": "rectilinear", "moving_frame": "moving-frame"},
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
