@@ -128,7 +128,8 @@ def laws() -> Iterator[Case]:
     for k in ("1e-07", "0.05", "4.0"):
         u, t, drag = mpf(20), mpf(3), exact(k)
         answer = u * mp.exp(-drag * t), u * (1 - mp.exp(-drag * t)) / drag
-        yield _law("hard", f"drag with the speed, k = {k}", "1 − e^(−kt) cancels for little drag", f"-{k}*v", "20.0", "3.0",
+        why = "1 − e^(−kt) cancels for little drag"
+        yield _law("hard", f"drag with the speed, k = {k}", why, f"-{k}*v", "20.0", "3.0",
                    answer)  # fmt: skip
     w = sqrt(mpf(40))
     spring = 2 * mp.cos(w), 2 * mp.sin(w) / w
