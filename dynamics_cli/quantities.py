@@ -16,6 +16,8 @@ class Kind:
     exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
     "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
+    A vector of a `flat` kind may leave out z, which is zero then: a motion in the x–y plane.
+
     A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
@@ -23,7 +25,7 @@ class Kind:
     """
 
     __slots__ = (
-        "about", "above", "below", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "about", "above", "below", "default", "exact", "example", "flat", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
         "variable",
     )  # fmt: skip
 
@@ -46,6 +48,7 @@ class Kind:
         variable: str = "",
         needs: str = "",
         exact: bool = False,
+        flat: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -63,6 +66,7 @@ class Kind:
         self.variable = variable
         self.needs = needs
         self.exact = exact
+        self.flat = flat
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -461,10 +465,20 @@ else:
     Count = Kind("count", "", form="whole", low=0.0, example="3", about="a whole number")
     Teeth = Kind("teeth", "", form="whole", low=1.0, example="24", about="a number of teeth")
     Vector = Kind("vector", "", form="vector", size=3, example="1, 0, 2", about="three pure numbers")
-    Position = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
+    Position = Kind(
+        "position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point", flat=True
+    )
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(
-        "velocity", "m/s", form="vector", size=3, si="m/s", us="ft/s", example="3, 0, 1 m/s", about="a velocity"
+        "velocity",
+        "m/s",
+        form="vector",
+        size=3,
+        si="m/s",
+        us="ft/s",
+        example="3, 0, 1 m/s",
+        about="a velocity",
+        flat=True,
     )
     AngularVelocity = Kind(
         "angular velocity vector",
@@ -493,6 +507,7 @@ else:
         us="ft/s^2",
         example="0, 0, 3 m/s^2",
         about="an acceleration",
+        flat=True,
     )
     JerkVector = Kind(
         "jerk vector",
@@ -503,6 +518,7 @@ else:
         us="ft/s^3",
         example="0, 1, 0 m/s^3",
         about="a rate of change of acceleration",
+        flat=True,
     )
     PartPosition = Kind(
         "part position",
