@@ -198,10 +198,10 @@ def test_circle_reaches_its_stop_and_comes_back() -> None:
 
 def test_cylindrical_in_the_plane_is_polar_and_the_equator_too() -> None:
     flat = polar(
-        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_rate=0.1, angular_acceleration=2.0
+        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_speed_rate=0.1, angular_acceleration=2.0
     )
     round_ = cylindrical(
-        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_rate=0.1, angular_acceleration=2.0
+        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_speed_rate=0.1, angular_acceleration=2.0
     )
     pole = spherical(
         radius=0.3,
@@ -209,7 +209,7 @@ def test_cylindrical_in_the_plane_is_polar_and_the_equator_too() -> None:
         azimuth=0.4,
         radial_speed=0.8,
         azimuth_rate=5.0,
-        radial_rate=0.1,
+        radial_speed_rate=0.1,
         azimuth_second=2.0,
     )
     assert flat.radius_of_curvature == round_.radius_of_curvature
@@ -350,7 +350,7 @@ def test_hard_cases_with_known_digits() -> None:
     slow = rectilinear(phases=Phase(start_speed=20.0, acceleration=1e-14, distance=100.0))
     assert slow.time == pytest.approx(4.99999999999999375, rel=2e-16)
     angles = {"polar_angle": math.radians(50.0), "azimuth": math.radians(20.0), "polar_rate": 0.4, "azimuth_rate": -0.7}
-    seconds = {"radial_rate": 0.05, "polar_second": -0.2, "azimuth_second": 0.6}
+    seconds = {"radial_speed_rate": 0.05, "polar_second": -0.2, "azimuth_second": 0.6}
     made = spherical(radius=2.0, radial_speed=0.3, **angles, **seconds)
     parts = (made.radial_acceleration, made.polar_acceleration, made.azimuth_acceleration, made.radius_of_curvature)
     wanted = (-0.84508760705679587094, -0.64255579897598194909, -0.12240745721612117802, 1.9531206754748342100)

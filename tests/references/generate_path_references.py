@@ -239,9 +239,9 @@ def quadratic(inputs: dict[str, str], value: str, rate: str, second: str) -> Cal
 
 
 def around(inputs: dict[str, str]) -> dict[str, Any]:
-    r = quadratic(inputs, "radius", "radial_speed", "radial_rate")
+    r = quadratic(inputs, "radius", "radial_speed", "radial_speed_rate")
     q = quadratic(inputs, "angle", "angular_velocity", "angular_acceleration")
-    z = quadratic(inputs, "height", "axial_speed", "axial_rate")
+    z = quadratic(inputs, "height", "axial_speed", "axial_speed_rate")
     _, v, a, _ = derivatives(lambda t: [r(t) * cos(q(t)), r(t) * sin(q(t)), z(t)], mpf(0))
     c, s = cos(q(mpf(0))), sin(q(mpf(0)))
     out, beside = [c, s, mpf(0)], [-s, c, mpf(0)]
@@ -262,10 +262,10 @@ def coordinates() -> Iterator[Case]:
         "angle": (-3, 3),
         "radial_speed": (-3, 3),
         "angular_velocity": (-6, 6),
-        "radial_rate": (-4, 4),
+        "radial_speed_rate": (-4, 4),
         "angular_acceleration": (-5, 5),
     }
-    more = {"height": (-3, 3), "axial_speed": (-3, 3), "axial_rate": (-5, 5)}
+    more = {"height": (-3, 3), "axial_speed": (-3, 3), "axial_speed_rate": (-5, 5)}
     for nth in range(8):
         inputs = {name: drawn(*ends) for name, ends in ranges.items()}
         yield "polar", "ordinary", f"drawn {nth}", "", inputs, around(inputs)
@@ -273,7 +273,7 @@ def coordinates() -> Iterator[Case]:
         yield "cylindrical", "ordinary", f"drawn {nth}", "", inputs, around(inputs)
     tube = {"radius": "0.3", "radial_speed": "0.8", "angular_velocity": "5.0", "angular_acceleration": "2.0"}
     yield "polar", "ordinary", "turning tube", "", tube, around(tube)
-    straight = {"radius": "1.0", "radial_speed": "300.0", "radial_rate": "9.8", "angular_velocity": "1e-9"}
+    straight = {"radius": "1.0", "radial_speed": "300.0", "radial_speed_rate": "9.8", "angular_velocity": "1e-9"}
     yield (
         "polar",
         "hard",
@@ -289,7 +289,7 @@ def coordinates() -> Iterator[Case]:
         "radial_speed": (-3, 3),
         "polar_rate": (-4, 4),
         "azimuth_rate": (-4, 4),
-        "radial_rate": (-4, 4),
+        "radial_speed_rate": (-4, 4),
         "polar_second": (-5, 5),
         "azimuth_second": (-5, 5),
     }
@@ -308,7 +308,7 @@ def coordinates() -> Iterator[Case]:
 
 
 def poled(inputs: dict[str, str]) -> dict[str, Any]:
-    r = quadratic(inputs, "radius", "radial_speed", "radial_rate")
+    r = quadratic(inputs, "radius", "radial_speed", "radial_speed_rate")
     f = quadratic(inputs, "polar_angle", "polar_rate", "polar_second")
     q = quadratic(inputs, "azimuth", "azimuth_rate", "azimuth_second")
     _, v, a, _ = derivatives(
