@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 # Below this the smallest singular value over the largest means a pose that can move without its drivers.
 SINGULAR = 1e-9
+# Parts of this share of the largest are rounding.
+DUST = 1e-14
 
 
 @record
@@ -48,7 +50,7 @@ def posed(
 ) -> "tuple[tuple[LinkMotion, ...], tuple[PinMotion, ...]]":
     """Links and pins at q; without rates where the pose is free to move with its drivers held."""
     velocity, acceleration = (None, None) if free else system.rates(q, jacobian)
-    moving, bending, at = _spread(system, velocity), _spread(system, acceleration), system.positions(q)
+    moving, bending, at = _spread(system, velocity), _spread(system, acceleration), _clean(system.positions(q))
     links = tuple(
         _link(shape, at, moving, bending, system.scene.drivers)
         for shape in system.shapes.values()
@@ -71,9 +73,18 @@ def _spread(system: "System", vector: "Any") -> "dict[str, complex] | None":
     if vector is None:
         return None
     half = len(system.unknown)
-    return dict.fromkeys(system.known, 0j) | {
-        pin: complex(vector[i], vector[half + i]) for pin, i in system.place.items()
-    }
+    rates = {pin: complex(vector[i], vector[half + i]) for pin, i in system.place.items()}
+    return _clean(dict.fromkeys(system.known, 0j) | rates)
+
+
+def _clean(places: "dict[str, complex]") -> "dict[str, complex]":
+    """Zero for parts that are below the rounding of the largest."""
+    least = DUST * max(map(abs, places.values()))
+
+    def part(x: float) -> float:
+        return x if abs(x) > least else 0.0
+
+    return {pin: complex(part(z.real), part(z.imag)) for pin, z in places.items()}
 
 
 def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any") -> LinkMotion:
