@@ -156,7 +156,7 @@ class Pair:
         motion = self.motions[which]
         if isinstance(motion, Mover):
             r, v, a = (tuple(map(plain, x)) for x in (motion.position, motion.velocity, motion.acceleration))
-            return _at(r, v, a, time), add(v, scale(time, a)), a  # type: ignore[arg-type]
+            return _at(r, v, a, time), add(v, scale(time, a)), a  # type: ignore[arg-type,return-value]
         state = motion.state(time)
         return state.position, state.velocity, state.acceleration
 

@@ -33,7 +33,7 @@ def by_runge_kutta(*, phases: "Any", law: "Any", **_: object) -> "dict[str, floa
     def slope(t: float, x: float, v: float) -> "tuple[float, float]":
         return v, float(rate(t=t, x=x, v=v))
 
-    for _ in range(STEPS):
+    for _step in range(STEPS):
         one = slope(t, x, v)
         two = slope(t + 0.5 * h, x + 0.5 * h * one[0], v + 0.5 * h * one[1])
         three = slope(t + 0.5 * h, x + 0.5 * h * two[0], v + 0.5 * h * two[1])

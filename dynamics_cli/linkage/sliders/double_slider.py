@@ -21,6 +21,10 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 # Below this share of its length a bar is in line with the slide that drives it.
 IN_LINE = 1e-12
 
@@ -253,7 +257,7 @@ def trammel(
         rate = -(pull / top)
         bend = -((pull_acceleration + foot * rate * rate) / top)
     rest = bar - point
-    shape = {
+    shape: dict[str, Any] = {
         "position": (rest * cosine, point * sine), "foot": foot, "top": top, "centre": (foot, top),
         "along_x": maximum(rest, -rest), "along_y": maximum(point, -point),
     }  # fmt: skip
