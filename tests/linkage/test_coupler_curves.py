@@ -37,6 +37,7 @@ def curve(lengths: tuple[float, ...] = LENGTHS, point: tuple[float, float] = POI
 def test_length_against_forty_digits() -> None:
     made = curve()
     exact = curve_length(*(mpf(x) for x in LENGTHS), mpf(POINT[0]) + 1j * mpf(POINT[1]), 240)
+    assert made.length == pytest.approx(0.24703160182511789857, rel=1e-14)  # type: ignore[attr-defined]
     assert abs(made.length - exact) <= made.numerics.bounds[0].bound + 1e-15 * exact  # type: ignore[attr-defined]
 
 
@@ -143,6 +144,13 @@ def test_hoeken() -> None:
     assert y.value.min() == pytest.approx(4.0, abs=1e-9)
     assert y.value.max() == pytest.approx(4.009753733086360005765, abs=1e-9)
     assert made.top >= float(y.value.max())  # type: ignore[attr-defined]
+    # the peak over the straight part
+    peak = four_bar(crank=1.0, coupler=2.5, rocker=2.5, ground=2.0, crank_angle=radians(128.68218745348944),
+                    speed=1.0, point=(5.0, 0.0))  # fmt: skip
+    assert peak.position is not None
+    assert peak.velocity is not None
+    assert peak.position[1] == pytest.approx(4.009753733086360005765, rel=1e-15)
+    assert peak.velocity[1] == pytest.approx(0.0, abs=1e-14)
 
 
 def test_crossings_lie_on_the_curve_twice() -> None:

@@ -115,7 +115,14 @@ def slider_crank(
     start, end = asin(offset / (crank + rod)), pi + asin(offset / (rod - crank))
     part = abs(end - start)
     ratio = part / (2 * pi - part)
+
+    def place(t: Any) -> Any:
+        return crank * cos(t) + sqrt(rod**2 - (offset - crank * sin(t)) ** 2)
+
+    guess = max((2 * pi * k / 360 for k in range(360)), key=lambda t: abs(mp.diff(place, t)))
+    top = mp.findroot(lambda t: mp.diff(place, t, 2), guess)
     return {
+        "top_at": top, "top_slope": abs(mp.diff(place, top)), "top_speed": abs(speed * mp.diff(place, top)),
         "position": (a + bar).real, "travel": far - (a + bar).real, "velocity": v, "acceleration": acceleration,
         "slope": v / speed, "rod_angle": tilt, "rod_speed": w3, "rod_acceleration": a3,
         "crank_torque": load_force * v / speed, "stroke": far - near, "time_ratio": max(ratio, 1 / ratio),

@@ -243,3 +243,11 @@ def test_other_families_read_the_vectors(tmp_path: Any) -> None:
     names = ("inertia_torque", "angular_momentum")
     for name in names:
         assert given_["results"][name]["value"] == pytest.approx(typed["results"][name]["value"], rel=1e-15)
+
+
+def test_two_and_three_forces_of_the_book() -> None:
+    """15 and 12 N at 60 deg, then 10 N square to both: √549 and √649."""
+    two = resultant(15.0, 12.0, between=math.pi / 3.0)
+    assert two.magnitude.value == pytest.approx(math.sqrt(549.0), rel=1e-15)
+    flat = (21.0, 12.0 * math.sin(math.pi / 3.0), 0.0)
+    assert resultant(flat, (0.0, 0.0, 10.0)).magnitude.value == pytest.approx(math.sqrt(649.0), rel=1e-15)

@@ -25,7 +25,7 @@ def by_quadratic_formula(*, phases: "Any", **_: object) -> "dict[str, float]":
 
 def by_runge_kutta(*, phases: "Any", law: "Any", **_: object) -> "dict[str, float]":
     """A hundred steps of the classical method of Runge and Kutta."""
-    from dynamics_cli.path.formulas import law_of
+    from dynamics_cli.numerics.expressions.laws import law_of
 
     rate = law_of(law, (), ("t", "x", "v"))
     t, x, v, h = 0.0, 0.0, phases.start_speed, phases.time / STEPS

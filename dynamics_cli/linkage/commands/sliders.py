@@ -26,6 +26,8 @@ SLIDER_CRANK = Task(
         "rod_acceleration: rod acceleration α₃",
         "crank_torque: crank torque T",
         "stroke: stroke s",
+        "top_speed: largest speed in a turn",
+        "top_at: reached at θ",
         "time_ratio: time ratio",
         "outer_at: outer dead centre at θ",
         "inner_at: inner dead centre at θ",
