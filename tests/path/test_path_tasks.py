@@ -496,12 +496,12 @@ def test_relative_motion_of_formulas_is_refused(given: dict[str, Any], words: st
 
 
 def test_parts_of_spherical_velocity_and_the_ellipse_by_other_formulas() -> None:
-    made = spherical(radius=2.0, polar_angle=math.radians(50.0), azimuth=math.radians(20.0), radial_speed=0.3, polar_rate=0.4,
-                     azimuth_rate=-0.7)  # fmt: skip
+    made = spherical(radius=2.0, polar_angle=math.radians(50.0), azimuth=math.radians(20.0), radial_speed=0.3,
+                     polar_rate=0.4, azimuth_rate=-0.7)  # fmt: skip
     parts = (made.radial_velocity, made.polar_velocity, made.azimuth_velocity)  # type: ignore[attr-defined]
     assert parts == pytest.approx((0.3, 0.8, -1.0724622203665692493), rel=1e-15)
     # ρ of an ellipse at its parameter u: (a² sin² u + b² cos² u)^(3/2)/(ab)
     sine, cosine = mp.sin(mpf(0.5)), mp.cos(mpf(0.5))
     wanted = (9 * sine**2 + 4 * cosine**2) ** mpf("1.5") / 6
     assert curve(shape=Ellipse(3.0, 2.0), at=0.5).radius_of_curvature == pytest.approx(float(wanted), rel=1e-15)
-    assert float(wanted) == pytest.approx(1.9474395549148949862, rel=1e-15)
+    assert float(wanted) == pytest.approx(1.9474395548949149862, rel=1e-15)
