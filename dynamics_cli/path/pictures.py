@@ -193,7 +193,12 @@ def _path_panel(made: "Any", states: "Sequence[Any]") -> Panel:
     if flat and radius is not None and radius < LARGE * size and made.speed > 0.0:
         v, turn = made.velocity, made.velocity[0] * made.acceleration[1] - made.velocity[1] * made.acceleration[0]
         side = math.copysign(radius / made.speed, turn)
-        items.append(_ring((place[0] - side * v[1], place[1] + side * v[0]), radius, "dotted", "circle of curvature"))
+        centre = place[0] - side * v[1], place[1] + side * v[0]
+        # as much of a large circle as the path is long: the path fills the picture
+        half, at = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
+        around = [at + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
+        xs, ys = ([c + radius * wave(t) for t in around] for c, wave in zip(centre, (math.cos, math.sin), strict=True))
+        items.append(Curve(xs, ys, "circle of curvature", "dotted", role=6))
     velocity, rate = (made.velocity[0], made.velocity[1]), (made.acceleration[0], made.acceleration[1])
     if math.hypot(*velocity):
         items.append(_arrow(place, velocity, math.hypot(*velocity), size, "v"))
