@@ -51,7 +51,7 @@ def test_the_circle_of_curvature_touches_the_path() -> None:
     # the centre of the circle through three of its points
     one, two, three = (complex(ring.x[k], ring.y[k]) for k in (0, len(ring.x) // 2, -1))
     a, b = two - one, three - one
-    away = one - 1j * (a * abs(b) ** 2 - b * abs(a) ** 2) / (2.0 * (a.conjugate() * b).imag)
+    away = one - 1j * (b * abs(a) ** 2 - a * abs(b) ** 2) / (2.0 * (a.conjugate() * b).imag)
     centre = away.real, away.imag
     assert math.dist(centre, made.position[:2]) == pytest.approx(made.radius_of_curvature)
     assert abs(two - complex(*made.position[:2])) < 0.05 * made.radius_of_curvature
