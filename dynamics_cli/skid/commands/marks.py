@@ -172,13 +172,15 @@ VAULT = Task(
     plot="dynamics_cli.skid.pictures:vault",
 )
 
-PEDESTRIAN = Task(
-    "pedestrian",
-    "Projection speed of a pedestrian from the throw distance: bounds, or the speed at a known launch angle.",
+SEARLE = "Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published"
+
+THROW = Task(
+    "throw",
+    "Speed from the throw of a pedestrian or rider: bounds, a known launch, the vehicle.",
     Model(
         "Searle's throw",
         "dynamics_cli.skid.pedestrian:pedestrian",
-        source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
+        source=SEARLE + "; launch height derived",
         formula=(
             "{speed|v} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H}))"
             "/(cos{launch_angle|α} + {friction|μ}·sin{launch_angle|α}); for s ≤ μ·H: "
@@ -192,6 +194,16 @@ PEDESTRIAN = Task(
             "friction acts on the landing as on the slide",
             "the upper bound holds to greatest_angle",
         ),
+        suffices="dynamics_cli.skid.throw:level_suffices",
+    ),
+    Model(
+        "Searle's throw on a grade",
+        "dynamics_cli.skid.throw:on_grade",
+        source=SEARLE + "; grade and launch height derived",
+        formula="{speed|v} = √(2·{gravity|g}·({friction|μ}·cosφ + sinφ)·({throw_distance|s}/cosφ − "
+        "{friction|μ}·{launch_height|H}·cosφ))/(cosα + {friction|μ}·sinα), tanφ = {grade|G}, "
+        "α = {launch_angle|launch} − φ",
+        assumptions=("one grade along the whole throw", "friction acts on the landing as on the slide"),
     ),
     headline=(
         "speed: projection speed",
@@ -200,13 +212,16 @@ PEDESTRIAN = Task(
         "greatest_angle: upper bound holds to",
         "flight_distance",
         "slide_distance",
+        "vehicle_speed: speed of the vehicle",
+        "least_vehicle_speed: lower bound of the vehicle's",
     ),
     examples=(
-        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
-        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
-        '--launch-angle "12 deg" --launch-height "1 m"',
+        'dynamics skid throw --throw-distance "25 m" --friction 0.66',
+        'dynamics skid throw --throw-distance "25 m" --friction 0.66 '
+        '--launch-angle "12 deg" --launch-height "1 m" --grade "-4 %" --efficiency "80 %"',
     ),
-    plot="dynamics_cli.skid.pictures:pedestrian",
+    plot="dynamics_cli.skid.pictures:throw",
+    also=("pedestrian",),
 )
 
 AVOID = Task(
@@ -265,4 +280,4 @@ SPIN = Task(
 )
 
 
-TASKS = (SPEED, DISTANCE, FRICTION, DRAG_FACTOR, STOP, YAW, VAULT, PEDESTRIAN, AVOID, SPIN)
+TASKS = (SPEED, DISTANCE, FRICTION, DRAG_FACTOR, STOP, YAW, VAULT, THROW, AVOID, SPIN)
