@@ -136,6 +136,7 @@ if TYPE_CHECKING:
     Coordinate = float
     SectionSize = float
     SectionCoordinate = float
+    SurveyCoordinate = float
     Area = float
     Volume = float
     Module = float
@@ -259,6 +260,9 @@ else:
     )
     SectionCoordinate = Kind(
         "size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part", exact=True
+    )
+    SurveyCoordinate = Kind(
+        "length", "m", si="m", us="ft", example="5.2 m", about="a coordinate of a survey, of either sign", exact=True
     )
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")

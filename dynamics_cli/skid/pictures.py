@@ -99,7 +99,11 @@ def vault(made: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Pic
 
 
 def yaw(made: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
-    """The mark as an arc with its chord."""
+    """The mark as an arc with its chord, or the surveyed points with their circle."""
+    if hasattr(path, "points"):
+        from dynamics_cli.skid.curved.pictures import surveyed
+
+        return surveyed(made, path)
     radius = made.mark_radius if made.mark_radius is not None else made.path_radius
     chord = getattr(path, "chord", radius)
     half = math.asin(min(1.0, chord / (2.0 * radius)))

@@ -60,4 +60,37 @@ VALUES = Task(
     layout="dynamics_cli.skid.values.layout:lines",
 )
 
-TASKS = (ROLLOVER, VALUES)
+SWERVE = Task(
+    "swerve",
+    "Distance and time of a swerve, and the speed at which braking needs as much.",
+    Model(
+        "two equal arcs at constant speed",
+        "dynamics_cli.skid.curved.swerve:swerve",
+        source="motion on a circle, Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3; "
+        "derived",
+        formula="{distance|d} = √({lateral_shift|y}·(4·{arc_radius|R} − {lateral_shift|y})), "
+        "{arc_radius|R} = {speed|v}²/{lateral_acceleration|a}",
+        assumptions=(
+            "the speed does not change",
+            "the lateral acceleration comes and goes at once: give the steering's time as lag",
+            "the tyres have the grip for it",
+        ),
+    ),
+    headline=(
+        "total_distance: distance with reaction and lag",
+        "total_time: time with them",
+        "distance: distance of two arcs",
+        "time: time of two arcs",
+        "one_arc_distance: distance of one arc",
+        "sine_time: time as a sine",
+        "braking_distance: to stop instead",
+        "equal_speed: braking needs as much at",
+    ),
+    examples=(
+        'dynamics skid swerve --speed "90 km/h" --lateral-shift "3.5 m" --lateral-acceleration "0.35 g" '
+        '--drag-factor 0.7 --reaction-time "1.2 s" --steering-lag "0.2 s"',
+    ),
+    plot="dynamics_cli.skid.curved.pictures:swerve",
+)
+
+TASKS = (ROLLOVER, SWERVE, VALUES)

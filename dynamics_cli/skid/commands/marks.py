@@ -136,11 +136,22 @@ YAW = Task(
         "/(1 − {friction|f}·{superelevation|e}))",
         assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
     ),
-    headline=("speed: critical speed", "path_radius: path radius R", "mark_radius", "lateral_acceleration"),
+    headline=(
+        "speed: critical speed",
+        "speed_deviation: σ by the points alone",
+        "path_radius: path radius R",
+        "mark_radius",
+        "radius_deviation: its σ by the points",
+        "point_scatter: scatter of the points",
+        "first_half_radius: radius of the first half",
+        "second_half_radius: radius of the second half",
+        "lateral_acceleration",
+    ),
     examples=(
         'dynamics skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72 --superelevation "2 %" '
         '--track-width "5 ft" --units us',
-        'dynamics skid yaw --radius "110 m" --friction 0.7',
+        'dynamics skid yaw --points "0, 0, 5, 2.29, 10, 4.30, 15, 6.07, 20, 7.53, 25, 8.74, 30, 9.65, 35, 10.31, '
+        '40, 10.70 m" --point-deviation "3 cm" --friction 0.72 --track-width "1.5 m"',
     ),
     plot="dynamics_cli.skid.pictures:yaw",
 )
