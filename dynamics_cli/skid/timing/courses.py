@@ -91,3 +91,23 @@ def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
     left = value(whole, root)
     only_in_doubles(left)
     return root - left / steep
+
+
+def crossings(
+    courses: "list[Course]", decisive: "Callable[..., list[list[Any]]]", begin: float, end: float
+) -> "list[Any]":
+    """The times within [begin, end], in order, at which one of several combinations of courses changes its sign."""
+    ends = {piece.end for course in courses for piece in course.stretches}
+    corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
+    found: list[Any] = []
+    for low, high in pairwise(corners):
+        pieces = [course.on(0.5 * (low + high)) for course in courses]
+        for whole in decisive(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces)):
+            require_kept(all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or their product,")
+            slope = derivative(whole)
+            for root in roots_between([plain(part) for part in whole], 0.0, high - low):
+                steep = plain(value(slope, root))
+                if steep != 0.0:
+                    found.append(low + _settled(whole, root, steep))
+    found.sort(key=plain)
+    return found

@@ -20,6 +20,10 @@ from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course
 from dynamics_cli.skid.timing.timeline import MOST_STEPS, EndSpeed, StartSpeed, summed
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.skid.timing.hidden import Obstruction
+
 
 @record
 class Party:
@@ -173,7 +177,7 @@ def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]
     return (Advice(code="beyond-tyres", message=message, severity="note"),)
 
 
-def motion_of(party: Party, gravity: float) -> "list[Leg]":
+def motion_of(party: "Party | Obstruction", gravity: float) -> "list[Leg]":
     """A party's phases with all their numbers."""
     known = party.known
     return legs(

@@ -17,6 +17,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course, changes
+from dynamics_cli.skid.timing.hidden import Obstruction, Wall, openings
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
 from dynamics_cli.skid.timing.timeline import summed
 
@@ -65,6 +66,12 @@ def sight(
     crossing: Annotated[
         Angle, "Angle between the directions of travel: 90 deg for a crossing, 180 deg head on, e.g. 70 deg [rad]."
     ] = RIGHT_ANGLE,
+    obstruction: Annotated[
+        Obstruction | None, "How the obstruction moves; its corner is then where it is at the moment of the impact."
+    ] = None,
+    obstruction_length: Annotated[
+        Distance | None, "Length of the obstruction back from its corner; without end unless given, e.g. 12 m [m]."
+    ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Sight:
     """When two parties on crossing ways could see one another past the corner of an obstruction.
@@ -86,8 +93,9 @@ def sight(
 
     Notes
     -----
-    A plan view: points, and an obstruction that fills everything behind its corner. Both are looked at as far back as
-    the longer of the two timelines; before its first phase a party keeps its speed.
+    A plan view: points, and an obstruction that fills everything behind its corner, or a line of some length back from
+    it, along its own direction of travel. All are looked at as far back as the longer of the two timelines; before its
+    first phase each keeps its speed.
 
     References
     ----------
@@ -112,6 +120,7 @@ def sight(
         code="no-crossing", crossing=(crossing, Angle),
     )  # fmt: skip
     across, along = sin(crossing), cos(crossing)
+    mover = None if obstruction is None else course_to_impact(motion_of(obstruction, gravity))
     motions = [motion_of(party, gravity) for party in (first, second)]
     one, other = (course_to_impact(motion) for motion in motions)
 
@@ -129,8 +138,14 @@ def sight(
         return [a - across * b for a, b in zip(seen, hidden, strict=True)]
 
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
+    if obstruction is None and obstruction_length is None:
+        all_times = changes(one, other, cleared, -plain(start), 0.0)
+    else:
+        heading = 0.0 if obstruction is None else obstruction.heading
+        wall = Wall(corner_before, corner_aside, heading, obstruction_length, crossing)
+        all_times = openings(wall, one, other, mover, eye_behind, -plain(start))
     # where eye and target meet, at the impact, is no opening
-    times = [entry for entry in changes(one, other, cleared, -plain(start), 0.0) if plain(entry[0]) < -AT_IMPACT]
+    times = [entry for entry in all_times if plain(entry[0]) < -AT_IMPACT]
     rows = tuple(_change(time, opens, one, other) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)
     advice: tuple[Advice, ...] = ()
