@@ -196,6 +196,7 @@ if TYPE_CHECKING:
     LineForce = float
     CrushStiffness = float
     SpeedSlope = float
+    SpeedFade = float
     Damping = float
     Temperature = float
     Unbalance = float
@@ -439,6 +440,9 @@ else:
         above=0.0,
         example="1.6 mph/in",
         about="impact speed per depth of crush",
+    )
+    SpeedFade = Kind(
+        "acceleration per speed", "1/s", si="1/s", us="1/s", low=0.0, example="0.12 1/s", about="acceleration per speed"
     )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")

@@ -1,13 +1,12 @@
 """Critical speed: what a vehicle did that left yaw marks at the limit of side friction."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import absolute, atan, multiply_add, sqrt
+from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import friction_advice, grade_advice, secant
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
-    Angle,
     Annotated,
     Distance,
     DragFactor,
@@ -53,7 +52,6 @@ class CriticalSpeed:
     lateral_acceleration: Annotated[
         Acceleration, "Acceleration towards the centre of the path, in the horizontal plane [m/s^2]."
     ]
-    lean_angle: Annotated[Angle, "Lean from the vertical with which a rider takes the same curve [rad]."]
     speed_deviation: Annotated[
         RoadSpeed | None, "Standard deviation of the speed by the surveyed points alone; needs points [m/s]."
     ] = None
@@ -141,21 +139,8 @@ def yaw(
             radius=(mark_radius, Distance),
         )
     sideways = friction if braking_drag is None else _left_for_the_curve(friction, braking_drag)
-    grip = sideways + superelevation
-    require(
-        grip > 0.0,
-        "friction and superelevation sum to {grip}: the vehicle slides off the bank at any speed",
-        code="adverse-bank",
-        grip=(grip, Ratio),
-    )
     lean = multiply_add(-sideways, superelevation, 1.0)
-    require(
-        lean > 0.0,
-        "1 - friction × superelevation is {lean}: the bank holds the vehicle at any speed; no speed is critical",
-        code="no-critical-speed",
-        lean=(lean, Ratio),
-    )
-    share = grip / lean
+    share = _share(sideways, superelevation, lean)
     speed = sqrt(gravity * path_radius * share)
     if test_error is not None:
         require(test_error > -1.0, "a test error of {e} leaves no speed", e=(test_error, Ratio), code="test-error")
@@ -165,7 +150,6 @@ def yaw(
         path_radius=path_radius,
         mark_radius=mark_radius,
         lateral_acceleration=gravity * share,
-        lean_angle=atan(share),
         speed_deviation=yaw_scatter(speed, path_radius, survey),
         radius_deviation=survey.deviation if survey else None,
         point_scatter=survey.residual if survey else None,
@@ -179,6 +163,24 @@ def yaw(
         + (survey.advice if survey else _arc_advice(path))
         + _bank_advice(lean),
     )
+
+
+def _share(friction: float, bank: float, lean: float) -> float:
+    """Lateral acceleration over gravity at the limit; `lean` is 1 − f·e."""
+    grip = friction + bank
+    require(
+        grip > 0.0,
+        "friction and superelevation sum to {grip}: the vehicle slides off the bank at any speed",
+        code="adverse-bank",
+        grip=(grip, Ratio),
+    )
+    require(
+        lean > 0.0,
+        "1 - friction × superelevation is {lean}: the bank holds the vehicle at any speed; no speed is critical",
+        code="no-critical-speed",
+        lean=(lean, Ratio),
+    )
+    return grip / lean
 
 
 def _left_for_the_curve(friction: float, braking: float) -> float:

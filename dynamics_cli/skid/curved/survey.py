@@ -1,10 +1,10 @@
 """The radius of a yaw mark from surveyed points: fitted circle, its deviation, and whether the mark tightens."""
 
 from dynamics_cli.errors import judge, require, worded
-from dynamics_cli.numerics.elementary import hypot, is_array, only_in_doubles, over_array
+from dynamics_cli.numerics.elementary import hypot, only_in_doubles, over_array
 from dynamics_cli.numerics.exact.typed import TypedNumber
 from dynamics_cli.numerics.fitting.circle import Circle, circle_through, settled_radius
-from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.number import is_array, is_tracked, plain
 from dynamics_cli.quantities import Annotated, Distance, Length, SurveyCoordinate
 from dynamics_cli.records import Advice, record
 

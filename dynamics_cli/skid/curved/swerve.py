@@ -1,11 +1,12 @@
 """Swerve: how far and how long it takes to move aside, and the speed above which it needs less room than braking."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import asin, pi_beside, sqrt
+from dynamics_cli.numerics.elementary import asin, atan, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import HIGHEST_FRICTION
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
+    Angle,
     Annotated,
     Deceleration,
     Distance,
@@ -29,6 +30,7 @@ class Swerve:
     sine_time: Annotated[Time, "Time of the same shift with a sine of lateral acceleration [s]."]
     sine_distance: Annotated[Distance, "Along the road in that time [m]."]
     arc_radius: Annotated[Distance, "Radius of the arcs [m]."]
+    lean_angle: Annotated[Angle, "Lean from the vertical with which a rider takes the arcs [rad]."]
     braking_distance: Annotated[Distance | None, "To stop from the same speed instead; needs the drag factor [m]."]
     equal_speed: Annotated[
         RoadSpeed | None, "Speed at which stopping needs as much room as the two arcs; needs the drag factor [m/s]."
@@ -50,7 +52,8 @@ def swerve(
 
     Equation
     --------
-    R = v²/a; along √(y (4R − y)), time (2R/v)·2 asin√(y/(4R)); one arc √(y (2R − y)); sine T = √(2πy/a).
+    R = v²/a; lean tan = a/g; along √(y (4R − y)), time (2R/v)·2 asin√(y/(4R)); one arc √(y (2R − y)).
+    Sine of lateral acceleration: T = √(2πy/a).
     Braking needs as much at v² = A + √(A² − 4f²g²y²), A = 8f²g²y/a.
 
     Returns
@@ -106,6 +109,7 @@ def swerve(
         sine_time=sine,
         sine_distance=speed * sine,
         arc_radius=radius,
+        lean_angle=atan(lateral_acceleration / gravity),
         braking_distance=braking,
         equal_speed=equal,
         advice=_advice(lateral_acceleration, gravity, along, braking),

@@ -14,6 +14,7 @@ from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     Poly = list[Any]
@@ -113,3 +114,25 @@ def openings(
     edges = [begin, *(plain(time) for time in times), 0.0]
     states = [hidden(0.5 * (low + high)) for low, high in pairwise(edges)]
     return [(time, was) for time, (was, now) in zip(times, pairwise(states), strict=True) if was != now]
+
+
+def past_corner(before: float, aside: float, eye_behind: float, crossing: float) -> "Callable[[Poly, Poly], Poly]":
+    """How far the line of sight passes a corner that stands, above zero where it is free.
+
+    The function takes the courses' polynomials, in which distances still to go are less than zero.
+    """
+    across, along = sin(crossing), cos(crossing)
+
+    def cleared(eye: "Poly", target: "Poly") -> "Poly":
+        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
+        left = [-part for part in target]
+        beyond = [back[0] - before, *back[1:]]
+        hidden = product(beyond, left)
+        seen = [0.0] * len(hidden)
+        for index, part in enumerate(back):
+            seen[index] = seen[index] + aside * part
+        for index, part in enumerate(left):
+            seen[index] = seen[index] - aside * along * part
+        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
+
+    return cleared

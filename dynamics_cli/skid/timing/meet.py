@@ -4,7 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.road.drag import HIGHEST_FRICTION
-from dynamics_cli.numerics.road.phases import Leg, Phase, legs
+from dynamics_cli.numerics.road.phases import Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -22,6 +22,7 @@ from dynamics_cli.skid.timing.timeline import MOST_STEPS, EndSpeed, StartSpeed, 
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from dynamics_cli.numerics.road.leg import Leg
     from dynamics_cli.skid.timing.hidden import Obstruction
 
 

@@ -3,7 +3,7 @@
 import math
 from itertools import pairwise
 
-from dynamics_cli.numerics.road.phases import Leg, legs
+from dynamics_cli.numerics.road.phases import legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
@@ -12,6 +12,8 @@ from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.numerics.road.leg import Leg
 
 POINTS = 41
 LEFT = Axis("distance to the end", Length)
@@ -127,7 +129,7 @@ def sight(
         x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
     else:
         x, y = _block(corner, heading, abs(back) if obstruction_length is None else obstruction_length)
-    items = [
+    items: list[Any] = [
         Curve(x, y, style="fill", role=6),
         Curve([back, 0.15 * -back], [0.0, 0.0], style="centre", role=0),
         Curve([-span, 0.4 * span], [-depth, 0.4 * depth], style="centre", role=1),

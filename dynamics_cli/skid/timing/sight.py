@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, hypot, sin
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.polynomials import product
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -17,7 +16,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course, changes
-from dynamics_cli.skid.timing.hidden import Obstruction, Wall, openings
+from dynamics_cli.skid.timing.hidden import Obstruction, Wall, openings, past_corner
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
 from dynamics_cli.skid.timing.timeline import summed
 
@@ -124,21 +123,9 @@ def sight(
     motions = [motion_of(party, gravity) for party in (first, second)]
     one, other = (course_to_impact(motion) for motion in motions)
 
-    def cleared(eye: "list[float]", target: "list[float]") -> "list[float]":
-        """Above zero where the line of sight passes the corner; distances still to go are less than zero in courses."""
-        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
-        left = [-part for part in target]
-        beyond = [back[0] - corner_before, *back[1:]]
-        hidden = product(beyond, left)
-        seen = [0.0] * len(hidden)
-        for index, part in enumerate(back):
-            seen[index] = seen[index] + corner_aside * part
-        for index, part in enumerate(left):
-            seen[index] = seen[index] - corner_aside * along * part
-        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
-
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
     if obstruction is None and obstruction_length is None:
+        cleared = past_corner(corner_before, corner_aside, eye_behind, crossing)
         all_times = changes(one, other, cleared, -plain(start), 0.0)
     else:
         heading = 0.0 if obstruction is None else obstruction.heading
