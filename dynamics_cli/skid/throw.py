@@ -125,8 +125,9 @@ def on_grade(
 
     Equation
     --------
-    v = √(2g (μ cosφ + sinφ)(S − μH))/(cosα + μ sinα), with S along the road, H across it, α from the road and φ the
-    slope; least, over all angles, √(2g (μ cosφ + sinφ)(S − μH)/(1 + μ²)). Vehicle: V = v (1 + m_b/m_v)/η.
+    v = √(2g (μ cosφ + sinφ)(S − μH))/(cosα + μ sinα), α from the road, φ its slope, H = h cosφ across it and
+    S = s/cosφ − h sinφ along it; least, over all angles, √(2g (μ cosφ + sinφ)(S − μH)/(1 + μ²)).
+    Vehicle: V = v (1 + m_b/m_v)/η.
 
     Returns
     -------
@@ -141,9 +142,9 @@ def on_grade(
 
     Notes
     -----
-    Distances and the launch angle are measured from the horizontal, as on a level road; the launch height is that above
-    the road, less the same at rest. The landing takes the speed w into the road and μw along it. The greatest speed is
-    stated for level roads only.
+    Distances are horizontal and the launch angle is from the horizontal, as on a level road; the launch height is that
+    above the road, less the same at rest. The landing takes the speed w into the road and μw along it. The greatest
+    speed is stated for level roads only.
 
     References
     ----------
@@ -165,7 +166,9 @@ def on_grade(
         hint="uphill grades are positive; check the sign of grade, and friction",
     )  # fmt: skip
     height = launch_height / road
-    over = multiply_add(-friction, height, throw_distance * road)
+    # from the foot of the normal, which lies up the road of that of the vertical
+    along = throw_distance * road - slope * height
+    over = multiply_add(-friction, height, along)
     require(
         over > 0.0,
         "the throw of {distance} is not above friction × launch height: landing stops the body at once",
@@ -224,7 +227,7 @@ def _stages(
         hint="a flatter launch, or read the least speed, which holds always",
     )  # fmt: skip
     left = maximum(left, 0.0)
-    flight = time * multiply_add(-0.5 * fall * slope, time, speed * along) / road
+    flight = (time * multiply_add(-0.5 * fall * slope, time, speed * along) + slope * height) / road
     return speed, time, flight, left / slowing, 0.5 * left * left / slowing / road
 
 

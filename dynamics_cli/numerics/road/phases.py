@@ -87,13 +87,13 @@ def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, 
     """One phase, from the speed at the side where the chain comes from."""
     phase = phases[index]
     name = f"phases[{index}]: " if len(phases) > 1 else ""
-    if phase.kind in EVEN:
-        return _even(phase, speed, name, forward=forward)
     require(
         phase.fade is None or phase.kind == "start-up", "{name}fade has no meaning in a phase of {kind}",
         code="surplus", hint="kind=start-up is the phase whose acceleration falls with the speed",
         name=name, kind=str(phase.kind),
     )  # fmt: skip
+    if phase.kind in EVEN:
+        return _even(phase, speed, name, forward=forward)
     if phase.kind == "start-up":
         return start_up(phase, speed, name, forward=forward)
     if phase.kind == "build-up":

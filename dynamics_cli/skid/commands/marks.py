@@ -212,7 +212,7 @@ THROW = Task(
         "dynamics_cli.skid.throw:on_grade",
         source=SEARLE + "; grade and launch height derived",
         formula="{speed|v} = √(2·{gravity|g}·({friction|μ}·cosφ + sinφ)·({throw_distance|s}/cosφ − "
-        "{friction|μ}·{launch_height|H}·cosφ))/(cosα + {friction|μ}·sinα), tanφ = {grade|G}, "
+        "{launch_height|h}·(sinφ + {friction|μ}·cosφ)))/(cosα + {friction|μ}·sinα), tanφ = {grade|G}, "
         "α = {launch_angle|launch} − φ",
         assumptions=("one grade along the whole throw", "friction acts on the landing as on the slide"),
     ),
