@@ -153,7 +153,7 @@ def on_grade(
     Examples
     --------
     >>> round(on_grade(throw_distance=25.0, friction=0.66, grade=-0.05).least_speed, 4)
-    14.437
+    14.4342
     """
     require_throw(throw_distance, friction)
     slope = 0.0 * throw_distance if grade is None else grade
