@@ -65,7 +65,7 @@ def surveyed(path: Points) -> Survey:
     given = None if path.point_deviation is None else plain(path.point_deviation)
     sigma = max((part for part in (given, circle.residual) if part is not None), default=None)
     _judge(circle, sigma)
-    radius = settled_radius(x, y, circle) if any(is_tracked(number) for number in path.points) else circle.radius
+    radius = settled_radius(x, y, circle)
     halves = _halves([plain(a) for a in x], [plain(b) for b in y])
     return Survey(
         radius=radius,
@@ -102,7 +102,7 @@ def _radius_alone(*numbers: float) -> float:
     """The radius of one of many sets of points; of points on a line, one of a circle without end."""
     _, x, y = _from_first(numbers)
     circle = circle_through(x, y)
-    return circle.radius if circle is not None else 1e12
+    return float(settled_radius(x, y, circle)) if circle is not None else 1e12
 
 
 def _refuse_line(count: int) -> None:
@@ -168,4 +168,5 @@ def yaw_scatter(speed: float, radius: float, survey: "Survey | None") -> "float 
     """Standard deviation of a critical speed by its points: half the relative one of the path's radius."""
     if survey is None or survey.deviation is None:
         return None
-    return speed * (0.5 * survey.deviation / radius)
+    # the fit's deviation is known to few digits, so this carries no bound
+    return plain(speed) * (0.5 * survey.deviation / plain(radius))
