@@ -119,13 +119,13 @@ def _judge(circle: Circle, sigma: "float | None") -> None:
     spread = circle.factor * sigma
     judge(
         spread <= MOST_OF_RADIUS * circle.radius,
-        "the points do not decide the radius: {radius:3} with a standard deviation of {spread:3}",
+        "the points do not decide the radius: {radius} with a standard deviation of {spread}",
         radius=(circle.radius, Distance), spread=(spread, Distance), results=("speed",),
         hint="survey a longer part of the mark, or more points",
     )  # fmt: skip
     judge(
         circle.sagitta >= LEAST_SAGITTA * sigma,
-        "the mark is bent by {sagitta:3} only, and its points scatter by {sigma:3}",
+        "the mark is bent by {sagitta} only, and its points scatter by {sigma}",
         sagitta=(circle.sagitta, Distance), sigma=(sigma, Distance), results=("speed",),
         hint="survey a longer part of the mark",
     )  # fmt: skip
