@@ -18,7 +18,7 @@ from dynamics_cli.quantities import (
     Slope,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.curved.survey import Points, surveyed, yaw_scatter
+from dynamics_cli.skid.curved.survey import Points, SurveyFile, surveyed, yaw_scatter
 from dynamics_cli.skid.diagnostics import balance
 
 
@@ -68,7 +68,8 @@ class CriticalSpeed:
 def yaw(
     *,
     path: Annotated[
-        Radius | Chord | Points, "The radius of the mark, or a chord and its middle ordinate, or surveyed points."
+        Radius | Chord | Points | SurveyFile,
+        "The radius of the mark, or a chord and its middle ordinate, or surveyed points, listed or in a file.",
     ],
     friction: Annotated[Friction, "Coefficient of side friction between tyre and road [-]."],
     superelevation: Annotated[
@@ -83,8 +84,8 @@ def yaw(
     ] = None,
     test_error: Annotated[
         Ratio | None,
-        "Speed by this method over the true one, less one, as tests found it: 4.1 % ± 6.3 % for a 20 m chord, "
-        "-2 % ± 5.2 % for the path of the mass centre [-].",
+        "Speed by this method over the true one, less one, as tests found it: 4.1 % ± 6.3 % by a 20 m chord, "
+        "-2 % ± 5.2 % by the path of the mass centre; e.g. 4 % [-].",
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> CriticalSpeed:
@@ -125,7 +126,7 @@ def yaw(
     """
     if isinstance(path, Chord):
         _require_arc(path)
-    survey = surveyed(path) if isinstance(path, Points) else None
+    survey = surveyed(path) if isinstance(path, Points | SurveyFile) else None
     mark_radius = survey.radius if survey is not None else path.radius  # type: ignore[union-attr]
     require(mark_radius > 0.0, "the radius of the mark must be more than zero", code="radius")
     path_radius = mark_radius
@@ -211,7 +212,7 @@ def _check(friction: float, bank: float, share: float) -> tuple[Check, ...]:
     return balance("forces across the path", outward, inward, scale, friction, bank, share)
 
 
-def _arc_advice(path: Radius | Chord | Points) -> tuple[Advice, ...]:
+def _arc_advice(path: Radius | Chord | Points | SurveyFile) -> tuple[Advice, ...]:
     if not isinstance(path, Chord) or not single(path.chord, path.middle_ordinate):
         return ()
     chord, ordinate = plain(path.chord), plain(path.middle_ordinate)

@@ -230,6 +230,19 @@ def test_grid_coordinates_keep_the_decimals_as_typed() -> None:
     assert document["results"]["mark_radius"]["value"] == about(REFERENCE["marks"]["whole"]["radius"], 1e-12)
 
 
+def test_a_survey_in_a_file_is_the_same_mark(tmp_path: Path) -> None:
+    rows = [f"A,{1640000 + x / 0.3048!r},{y / 0.3048!r}" for x, y in zip(MARK[::2], MARK[1::2], strict=True)]
+    file = tmp_path / "survey.csv"
+    words = ("skid", "yaw", "--survey", str(file), "--friction", "0.72", "--point-deviation", "3 cm")
+    file.write_text("\n".join(["# right rear", "point,Easting[ft],Northing[ft]", *rows]))
+    assert answer(*words)["results"]["mark_radius"]["value"] == about(REFERENCE["marks"]["whole"]["radius"], 1e-7)
+    for text, wanted in (("", "empty"), ("a,b\n1,2", "no columns"), ("x[m],y[chain]", "unit"), ("x,y\n1,?", "'?'"),
+                         ("x,y\n1,2\n2,2.5", "three points")):  # fmt: skip
+        file.write_text(text)
+        outcome = run(*words)
+        assert (outcome.status, wanted in outcome.err) == (3, True), outcome.err
+
+
 @given(st.floats(-3.0, 3.0), st.floats(-1e3, 1e3), st.floats(-1e3, 1e3), st.booleans())
 def test_turned_moved_and_mirrored_marks_have_one_radius(turn: float, x: float, y: float, mirrored: bool) -> None:
     cosine, sine, sign = math.cos(turn), math.sin(turn), -1.0 if mirrored else 1.0

@@ -36,6 +36,7 @@ ROLLOVER = Task(
         '--turns 3 --trip-distance "12 ft" --trip-deceleration "1.4 g" --units us',
     ),
     plot="dynamics_cli.skid.rollover.pictures:rollover",
+    notes="Published ranges with their sources: dynamics skid values roll",
 )
 
 VALUES = Task(

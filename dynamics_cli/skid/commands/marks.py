@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10"
+RANGES = "Published ranges with their sources: dynamics skid values friction"
 SLIDES = "every braked wheel slides the whole way"
 POINT = "the vehicle is a point mass; air drag and wheel inertia are neglected"
 
@@ -24,6 +25,7 @@ SPEED = Task(
         '--segment "distance=20 ft, friction=0.35" --end-speed "10 mph" --units us',
     ),
     plot="dynamics_cli.skid.pictures:speed",
+    notes=RANGES,
 )
 
 DISTANCE = Task(
@@ -40,6 +42,7 @@ DISTANCE = Task(
     headline=("distance", "time", "deceleration", "drag_factor: drag factor f"),
     examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
     plot="dynamics_cli.skid.pictures:distance",
+    notes=RANGES,
 )
 
 FRICTION = Task(
@@ -123,6 +126,7 @@ STOP = Task(
     examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
     table="timeline",
     plot="dynamics_cli.skid.pictures:stop",
+    notes=RANGES,
 )
 
 YAW = Task(
@@ -150,10 +154,11 @@ YAW = Task(
     examples=(
         'dynamics skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72 --superelevation "2 %" '
         '--track-width "5 ft" --units us',
-        'dynamics skid yaw --points "0, 0, 5, 2.29, 10, 4.30, 15, 6.07, 20, 7.53, 25, 8.74, 30, 9.65, 35, 10.31, '
-        '40, 10.70 m" --point-deviation "3 cm" --friction 0.72 --track-width "1.5 m"',
+        'dynamics skid yaw --points "0, 0, 10, 4.30, 20, 7.53, 30, 9.65, 40, 10.70 m" --point-deviation "3 cm" '
+        '--friction 0.72 --track-width "1.5 m"',
     ),
     plot="dynamics_cli.skid.pictures:yaw",
+    notes=RANGES,
 )
 
 VAULT = Task(
@@ -232,6 +237,7 @@ THROW = Task(
         '--launch-angle "12 deg" --launch-height "1 m" --grade "-4 %" --efficiency "80 %"',
     ),
     plot="dynamics_cli.skid.pictures:throw",
+    notes="Published ranges with their sources: dynamics skid values slide",
     also=("pedestrian",),
 )
 
@@ -262,6 +268,7 @@ AVOID = Task(
     ),
     table="approaches",
     plot="dynamics_cli.skid.pictures:avoid",
+    notes=RANGES,
 )
 
 SPIN = Task(
@@ -276,6 +283,7 @@ SPIN = Task(
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
     plot="dynamics_cli.skid.pictures:spin",
+    notes=RANGES,
     headline=(
         "speed",
         "speed_lost",

@@ -17,7 +17,8 @@ ENLARGED = 20.0
 
 def surveyed(made: "Any", path: "Any") -> Picture:
     """The points, the circle through them, and their distances from it twenty times enlarged."""
-    x, y = [plain(a) for a in path.points[0::2]], [plain(b) for b in path.points[1::2]]
+    points = [float(plain(number)) for number in path.points]
+    x, y = points[0::2], points[1::2]
     circle = circle_through([a - x[0] for a in x], [b - y[0] for b in y])
     assert circle is not None
     cx, cy, radius = x[0] + circle.x, y[0] + circle.y, float(made.mark_radius)
@@ -41,10 +42,12 @@ def surveyed(made: "Any", path: "Any") -> Picture:
     return Picture((Panel(Axis("x", Length), Axis("y", Length), tuple(items), equal=True),), "yaw mark")
 
 
-def swerve(made: "Any", *, speed: float, lateral_shift: float, reaction_time: float = 0.0, steering_lag: float = 0.0,
-           **_: "Any") -> Picture:  # fmt: skip
+def swerve(
+    made: "Any", *, speed: float, lateral_shift: float, reaction_time: "float | None" = None,
+    steering_lag: "float | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
     """The two arcs in plan after reaction and lag, one arc beside them, and where braking would have stopped."""
-    start, radius = speed * (reaction_time + steering_lag), float(made.arc_radius)
+    start, radius = speed * ((reaction_time or 0.0) + (steering_lag or 0.0)), float(made.arc_radius)
     half = 0.5 * float(made.distance)
     near = [half * i / (POINTS - 1) for i in range(POINTS)]
     low = [radius - math.sqrt(radius * radius - a * a) for a in near]

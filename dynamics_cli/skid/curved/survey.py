@@ -5,8 +5,9 @@ from dynamics_cli.numerics.elementary import hypot, only_in_doubles, over_array
 from dynamics_cli.numerics.exact.typed import TypedNumber
 from dynamics_cli.numerics.fitting.circle import Circle, circle_through, settled_radius
 from dynamics_cli.numerics.number import is_array, is_tracked, plain
-from dynamics_cli.quantities import Annotated, Distance, Length, SurveyCoordinate
+from dynamics_cli.quantities import Annotated, Distance, InputFile, Length, SurveyCoordinate
 from dynamics_cli.records import Advice, record
+from dynamics_cli.skid.curved.file import read_points
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,6 +33,23 @@ class Points:
 
 
 @record
+class SurveyFile:
+    """A mark surveyed point by point, in a file."""
+
+    survey: Annotated[
+        InputFile, "CSV with x[m],y[m] or easting[ft],northing[ft] of points along the mark, e.g. survey.csv."
+    ]
+    point_deviation: Annotated[
+        Distance | None, "Standard deviation of a point across the mark; from the scatter unless given, e.g. 3 cm [m]."
+    ] = None
+
+    @property
+    def points(self) -> tuple[float, ...]:
+        """The points, as those of a list."""
+        return read_points(self.survey)
+
+
+@record
 class Survey:
     """What the points say: the radius, its deviation, and those of both halves."""
 
@@ -45,19 +63,20 @@ class Survey:
     advice: tuple[Advice, ...] = ()
 
 
-def surveyed(path: Points) -> Survey:
+def surveyed(path: Points | SurveyFile) -> Survey:
     """The circle of least squares through the points, refused where they do not decide its radius."""
-    count = len(path.points) // 2
+    points = path.points
+    count = len(points) // 2
     require(
-        len(path.points) % 2 == 0 and count >= 3,
+        len(points) % 2 == 0 and count >= 3,
         "{given} numbers are not three points or more: each has an x and a y",
-        given=len(path.points), code="too-few-points", hint="write x1, y1, x2, y2, x3, y3, … with the unit at the end",
+        given=len(points), code="too-few-points", hint="write x1, y1, x2, y2, x3, y3, … with the unit at the end",
     )  # fmt: skip
-    if any(is_array(number) for number in path.points):
-        radius = over_array(_radius_alone, *path.points)
+    if any(is_array(number) for number in points):
+        radius = over_array(_radius_alone, *points)
         return Survey(radius, None, None, None, None, None, None)
-    only_in_doubles(*path.points)
-    origin, x, y = _from_first(path.points)
+    only_in_doubles(*points)
+    origin, x, y = _from_first(points)
     circle = circle_through([plain(a) for a in x], [plain(b) for b in y])
     if circle is None:
         _refuse_line(count)

@@ -1,7 +1,7 @@
 """Swerve: how far and how long it takes to move aside, and the speed above which it needs less room than braking."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import asin, atan, pi_beside, sqrt
+from dynamics_cli.numerics.elementary import asin, atan, pi_beside, sqrt, total
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import HIGHEST_FRICTION
 from dynamics_cli.quantities import (
@@ -24,8 +24,10 @@ class Swerve:
 
     distance: Annotated[Distance, "Along the road, in two equal arcs that end straight, without the reaction [m]."]
     time: Annotated[Time, "Time of the two arcs [s]."]
-    total_distance: Annotated[Distance, "The two arcs with reaction and steering lag before them [m]."]
-    total_time: Annotated[Time, "The same in time [s]."]
+    total_distance: Annotated[
+        Distance | None, "The two arcs with what comes before them; needs reaction time or steering lag [m]."
+    ]
+    total_time: Annotated[Time | None, "The same in time; needs reaction time or steering lag [s]."]
     one_arc_distance: Annotated[Distance, "Along the road to the same lateral shift in one arc, not straightened [m]."]
     sine_time: Annotated[Time, "Time of the same shift with a sine of lateral acceleration [s]."]
     sine_distance: Annotated[Distance, "Along the road in that time [m]."]
@@ -43,8 +45,8 @@ def swerve(
     speed: Annotated[RoadSpeed, "Speed, kept through the swerve, e.g. 90 km/h [m/s]."],
     lateral_shift: Annotated[Distance, "How far it must move aside, e.g. 3.5 m [m]."],
     lateral_acceleration: Annotated[Deceleration, "Lateral acceleration of the arcs, e.g. 0.35 g [m/s^2]."],
-    reaction_time: Annotated[Time, "Reaction before the steering begins [s]."] = 0.0,
-    steering_lag: Annotated[Time, "From the steering wheel to the lateral acceleration, e.g. 0.2 s [s]."] = 0.0,
+    reaction_time: Annotated[Time | None, "Reaction before the steering begins, e.g. 1.2 s [s]."] = None,
+    steering_lag: Annotated[Time | None, "From steering wheel to lateral acceleration, e.g. 0.2 s [s]."] = None,
     drag_factor: Annotated[DragFactor | None, "Drag factor of braking instead, e.g. 0.7 [-]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Swerve:
@@ -92,7 +94,8 @@ def swerve(
     along = sqrt(lateral_shift * (4.0 * radius - lateral_shift))
     time = 4.0 * (radius / speed) * asin(sqrt(0.25 * lateral_shift / radius))
     sine = sqrt(2.0 * pi_beside(lateral_shift, lateral_acceleration) * (lateral_shift / lateral_acceleration))
-    before = reaction_time + steering_lag
+    waits = [wait for wait in (reaction_time, steering_lag) if wait is not None]
+    before = total(waits) if waits else None
     braking, equal = None, None
     if drag_factor is not None:
         require(drag_factor > 0.0, "a drag factor of zero does not stop anything", code="no-drag")
@@ -103,8 +106,8 @@ def swerve(
     return Swerve(
         distance=along,
         time=time,
-        total_distance=along + speed * before,
-        total_time=time + before,
+        total_distance=None if before is None else along + speed * before,
+        total_time=None if before is None else time + before,
         one_arc_distance=one_arc,
         sine_time=sine,
         sine_distance=speed * sine,
