@@ -145,6 +145,7 @@ if TYPE_CHECKING:
     Coordinate = float
     SectionSize = float
     SectionCoordinate = float
+    SurveyCoordinate = float
     Area = float
     Volume = float
     Module = float
@@ -207,6 +208,7 @@ if TYPE_CHECKING:
     LineForce = float
     CrushStiffness = float
     SpeedSlope = float
+    SpeedFade = float
     Damping = float
     Temperature = float
     Unbalance = float
@@ -275,6 +277,9 @@ else:
     )
     SectionCoordinate = Kind(
         "size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part", exact=True
+    )
+    SurveyCoordinate = Kind(
+        "length", "m", si="m", us="ft", example="5.2 m", about="a coordinate of a survey, of either sign", exact=True
     )
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
@@ -454,6 +459,9 @@ else:
         above=0.0,
         example="1.6 mph/in",
         about="impact speed per depth of crush",
+    )
+    SpeedFade = Kind(
+        "acceleration per speed", "1/s", si="1/s", us="1/s", low=0.0, example="0.12 1/s", about="acceleration per speed"
     )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")

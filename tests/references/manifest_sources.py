@@ -72,8 +72,8 @@ FILES: dict[str, Origin] = {
     ),
     "skid": Origin(
         "skid",
-        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "pedestrian", "avoid", "spin")
-        | {"vault_least_speed": "vault", "vault_known_angle": "vault"},
+        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "avoid", "spin")
+        | {"vault_least_speed": "vault", "vault_known_angle": "vault", "pedestrian": "throw"},
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
