@@ -9,6 +9,7 @@ import numpy as np
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.numerics.eigen3.residual import Rows, Triple
@@ -22,10 +23,11 @@ _SMALLEST, _LARGEST = 2.0**-700, 2.0**900
 _SPLIT = 2.0**27 + 1.0
 
 
-def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
-    """Rayleigh's quotients vᵀ A v/vᵀ v of symmetric 3 × 3 matrices whose elements are arrays, each rounded once."""
-    from dynamics_cli.numerics.eigen3.residual import quotients as exact
+def quotients(matrix: "Rows", vectors: "Rows", exact: "Callable[[Any, Any], Triple]") -> "Triple":
+    """Rayleigh's quotients vᵀ A v/vᵀ v of symmetric 3 × 3 matrices whose elements are arrays, each rounded once.
 
+    `exact` gives those of one matrix of doubles.
+    """
     leaves = [x for row in (*matrix, *vectors) for x in row]
     kind = next(type(x) for x in leaves if isinstance(x, np.ndarray))
     numbers = np.array(np.broadcast_arrays(*leaves))

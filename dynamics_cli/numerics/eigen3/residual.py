@@ -152,7 +152,7 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     if any(is_array(x) for row in matrix for x in row):
         from dynamics_cli.numerics.eigen3.quotients_lanes import quotients as of_lanes
 
-        return of_lanes(matrix, vectors)
+        return of_lanes(matrix, vectors, quotients)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
     a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
