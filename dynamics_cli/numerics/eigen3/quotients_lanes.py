@@ -12,9 +12,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.numerics.eigen3.residual import Rows, Triple
-
     Array = np.ndarray[Any, np.dtype[Any]]
+    # three elements, or rows of them: arrays of one number for each matrix
+    Triple = tuple[Any, Any, Any]
+    Rows = tuple[Triple, Triple, Triple]
 
 # Share of the sizes added up that the error of a pair is below, at least 2⁶ times what the roundings may add up to.
 _OPEN = 2.0**-97
