@@ -80,14 +80,14 @@ FILES: dict[str, Origin] = {
     "path": Origin(
         "path",
         _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
-        | {"moving_frame": "moving-frame"},
+        | {"rectilinear_law": "rectilinear", "moving_frame": "moving-frame"},
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
     "linkage": Origin(
         "linkage",
         _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
-        "angles by the cosine rule, velocities and accelerations by linear loop equations",
+        "angles by the cosine rule, rates by linear loop equations; of double sliders by differentiation over time",
         "60 digits", "", "drawn|\\d links",
     ),
     "inertia_bodies": Origin(

@@ -174,7 +174,7 @@ class Tasks(dict[str, Task]):
                 return task
         raise KeyError(name)
 
-    def get(self, name: str, default: "Any" = None) -> "Any":
+    def get(self, name: str, default: "Task | None" = None) -> "Task | None":  # type: ignore[override]
         """The task of a name, or of a further name."""
         try:
             return self[name]
