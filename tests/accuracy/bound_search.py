@@ -213,7 +213,7 @@ def evaluate(start: Start, numbers: list[float], found: Findings) -> bool:
     worse = False
     for address, own, exact, plain in leaves:
         if type(own) is Tracked:
-            echoed = start.task in AS_TYPED and own.error == 0.0 and own.value in numbers
+            echoed = start.task.startswith(AS_TYPED) and own.error == 0.0 and own.value in numbers
             known = isfinite(own.error) and isfinite(own.value) and not _iterated(start, address) and not echoed
             if type(exact) is Precise and known:
                 worse |= _compare(start, numbers, address, own, exact.exact, found)
@@ -225,12 +225,12 @@ def evaluate(start: Start, numbers: list[float], found: Findings) -> bool:
 
 # Tasks that take a double for the decimal that was typed (numerics/typed_products.py), and never iterate in doubles.
 DECIMALS = 1e-60
-AS_TYPED = ("vec angle", "vec product", "vec resolve")
+AS_TYPED = "vec "
 
 
 def _precisely(start: Start, numbers: list[float]) -> Any:
     """The answer in 240 bits; where decimals are taken as typed, of the same decimals as tracked numbers take."""
-    if start.task not in AS_TYPED:
+    if not start.task.startswith(AS_TYPED):
         return start.call(Precise.inputs(numbers))
     if any(0.0 < abs(number) < LEAST for number in numbers):
         raise ArithmeticError("the decimal of a subnormal double is another number")
@@ -251,7 +251,7 @@ def _compare(start: Start, numbers: list[float], address: str, own: Tracked, exa
     true = difference(own.value, exact)
     error = float(true)
     # in 240 bits a decimal is rounded too
-    if start.task in AS_TYPED and error <= DECIMALS * max(map(abs, numbers)) ** 2:
+    if start.task.startswith(AS_TYPED) and error <= DECIMALS * max(map(abs, numbers)) ** 2:
         error = true = 0.0
     # an error below the least double cannot be stated
     if true > own.error and error > 0.0:
