@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 # A margin smaller than this share of the lengths is formed from decimals; above it doubles lose nothing that matters.
 NEAR = 2.0**-10
 UNIT = 2.0**-53
+# Covers the rounding of a bound's own arithmetic.
+SLACK = 1.0 + 2.0**-40
 # Fourth powers of lengths beyond these leave the range of a double.
 SMALLEST, LARGEST = 1e-75, 1e75
 LINKS = ("crank", "coupler", "rocker", "ground")
@@ -82,7 +84,7 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
         return exact
     # the bound is of the doubles: it covers what the decimals differ by
     own: Any = total
-    error = own.error + abs(exact - own.value) + UNIT * abs(exact)
+    error = (own.error + abs(exact - own.value) + UNIT * abs(exact)) * SLACK
     return type(own)(exact, error, own.slopes)  # type: ignore[no-any-return]
 
 
