@@ -175,3 +175,26 @@ class Picture:
     subtitle: str = ""
     views: bool = False
     notes: "tuple[tuple[str, float, Any], ...]" = ()
+
+
+@record
+class Listing:
+    """A table of a data sheet: a heading, the heads of its columns, and rows of words; values may be `worded`.
+
+    Under an axis in the head stand numbers in SI; infinity is written as a dash.
+    """
+
+    title: str
+    head: "tuple[str | Axis, ...]"
+    rows: "tuple[tuple[str | float, ...], ...]"
+
+
+@record
+class Sheet:
+    """A result on one page, to go with a drawing: `left` and `right` side by side, then `foot` over the whole width."""
+
+    title: str
+    subtitle: str
+    left: "tuple[Picture | Listing, ...]"
+    right: "tuple[Picture | Listing, ...]"
+    foot: "tuple[Picture | Listing, ...]" = ()

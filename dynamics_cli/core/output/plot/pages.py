@@ -19,10 +19,16 @@ if TYPE_CHECKING:
 
 # Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
 WIDTHS = (6.6, 7.6, 8.4)
+# A picture for a column of a page.
+NARROW = 5.0
 HEIGHT = 3.0
+# Panels above one another over one axis: inches, and at most this share of a narrow picture's width.
+SHARED_SHAPE = 0.34
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
+# Shapes in a narrow column are no higher than this share of its width.
+CAPPED, CAPPED_BELOW = 0.8, 4.0
 # Letters of a title and ticks of an axis over the whole width.
 LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
@@ -118,7 +124,8 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     # panels one below another over the same stretch of one axis name it once
     shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
     for index in [index for index, share in enumerate(shared) if share]:
-        tall[index : index + 2] = [SHARED_HEIGHT, SHARED_HEIGHT + ROOM_FOR_TICKS]
+        height = min(SHARED_HEIGHT, SHARED_SHAPE * wide)
+        tall[index : index + 2] = [height, height + ROOM_FOR_TICKS]
     figure = _blank(wide, sum(tall) + head, layout="constrained")
     grid = figure.add_gridspec(len(lines), columns, height_ratios=tall)
     for row, line in enumerate(lines):
@@ -197,13 +204,18 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
     """Height of a panel that shares a line of this width with `columns`."""
     legend = 0.2 * len(_legend(panel)) if columns > 1 else 0.0
     if panel.equal:
+        row = _in_one_row(panel, wide) if columns == 1 and wide < NARROW else 0
+        legend += 0.2 * (-(-len(_legend(panel)) // row)) if row else 0.0
+        highest = CAPPED * wide if wide < CAPPED_BELOW else EQUAL_HEIGHT
         share = (0.97 if panel.bare else 0.85) * wide / columns
-        return legend + min(EQUAL_HEIGHT, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
+        return legend + min(highest, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
     tables = [len(item.rows) for item in panel.items if isinstance(item, Rows)]
     if tables:
         return 0.3 + 0.26 * max(tables)
     bars = [len(item.names) * (1 + isinstance(item, Ranges)) for item in panel.items if isinstance(item, Bars | Ranges)]
-    return legend + (max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, 0.55 * wide))
+    return legend + (
+        max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, (0.42 if wide < CAPPED_BELOW else 0.55) * wide)
+    )
 
 
 def _slenderness(panel: "Panel") -> float:
@@ -278,16 +290,24 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
                 isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
             )
         )
-        names = _legend(panel)
-        if not full or not panel.equal or sum(map(len, names)) + LETTERS_OF_A_LINE * len(names) > LONGEST_TITLE:
+        ncols = _in_one_row(panel, axes.figure.get_figwidth())
+        if not full or not panel.equal or not ncols:
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
-        ncols = len(names)
     else:
         ncols = 1
     from matplotlib.transforms import ScaledTranslation
 
-    below = axes.transAxes + ScaledTranslation(0.0, -0.42, axes.figure.dpi_scale_trans)
+    below = axes.transAxes + ScaledTranslation(0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans)
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
+
+
+def _in_one_row(panel: "Panel", wide: float) -> int:
+    """How many names of shapes stand side by side under a picture so wide; none where they are long for a whole page."""
+    names = _legend(panel)
+    letters = [len(name) + LETTERS_OF_A_LINE for name in names]
+    if sum(letters) <= LONGEST_TITLE * wide / WIDTHS[0]:
+        return len(names)
+    return int(LONGEST_TITLE * wide / WIDTHS[0] / max(letters)) if wide < NARROW else 0
 
 
 def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
