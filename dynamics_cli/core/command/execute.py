@@ -226,7 +226,10 @@ def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
     from dynamics_cli.pictures import Picture
 
     panels = (*one.panels, *other.panels)
-    return Picture(panels, one.title, one.columns, scene=one.scene, distributions=len(other.panels))
+    return Picture(
+        panels, one.title, one.columns, width=one.width, scene=one.scene, distributions=len(other.panels),
+        subtitle=one.subtitle,
+    )  # fmt: skip
 
 
 def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task) -> "Picture | None":

@@ -19,6 +19,7 @@ DASHES: "tuple[Any, ...]" = (
     "-", (0, (7, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (1.2, 1.2)), (0, (12, 3)),
 )  # fmt: skip
 MARKERS = "os^Dv<>"
+GROUND, TRACK = "#eceef0", "#8f8f8f"
 _STYLES: "dict[str, dict[str, Any]]" = {
     "solid": {"linestyle": "-", "linewidth": 1.5},
     "dashed": {"linestyle": "--", "linewidth": 1.3},
@@ -31,6 +32,7 @@ _STYLES: "dict[str, dict[str, Any]]" = {
     "fill": {"linestyle": "none"},
     "dots": {"linestyle": ":", "linewidth": 0.8},
     "thick": {"linestyle": "-", "linewidth": 2.6, "solid_capstyle": "butt"},
+    "track": {"linestyle": "-", "linewidth": 2.2, "solid_capstyle": "butt", "zorder": 1.0},
     "centre": {"linestyle": (0, (9, 2, 1.5, 2)), "linewidth": 0.7},
 }
 # Words stand out from the lines that they cross.
@@ -54,7 +56,9 @@ class Pens:
             self.last += 1
         nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
         style = {**_STYLES[item.style], "color": COLOURS[nth]}
-        if item.style == "points":
+        if item.style == "track":
+            style["color"] = TRACK
+        elif item.style == "points":
             style["marker"] = MARKERS[nth]
         elif self.dashed and item.style in ("solid", "steps"):
             style["linestyle"] = DASHES[nth]
@@ -63,6 +67,9 @@ class Pens:
 
 def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: Pens) -> None:
     across, up = x(item.x), y(item.y)
+    if item.style == "ground":
+        axes.fill(across, up, color=GROUND, linewidth=0.0, zorder=0.0)
+        return
     style = pens.style(item)
     axes.plot(across, up, label=item.label or None, **style)
     if item.style in ("filled", "fill"):

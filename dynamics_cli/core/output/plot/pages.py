@@ -34,6 +34,7 @@ LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
 MOST_TICKS = 12
 RESOLUTION = 160
+KEPT = 0.25
 _SETTINGS = {
     "svg.hashsalt": "dynamics",
     "svg.fonttype": "path",
@@ -54,7 +55,7 @@ _SETTINGS = {
     "axes.formatter.useoffset": False,
 }
 # More names than this find no place among the curves.
-MOST_INSIDE = 4
+MOST_INSIDE, FEW = 4, 2
 # Letters that the line of a curve and the room around it take in a legend.
 LETTERS_OF_A_LINE = 8
 # No dates and no version of a library, so that a file depends on its numbers alone.
@@ -120,6 +121,9 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     lines = _lines(panels, columns)
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
     tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
+    # what the words of other panels take, all panels lose alike; a scene shall keep its size
+    bare = [len(lines) > 1 and len(line) == 1 and line[0].bare for line in lines]
+    tall = [height * (1.0 + KEPT * alone) for height, alone in zip(tall, bare, strict=True)]
     head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
     # panels one below another over the same stretch of one axis name it once
     shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
@@ -173,7 +177,19 @@ def _settle(figure: "Any") -> None:
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
+        # a scene has no axes to stand in line with those of other panels
+        if not axes.axison and axes.get_aspect() != "auto" and len(figure.axes) > 1 and whole_width(axes):
+            place = axes.get_position(original=True).bounds
+            axes.set_position([0.01, round(place[1], 6), 0.98, round(place[3], 6)])
+            axes.apply_aspect()
+            continue
         axes.set_position([round(part, 6) for part in axes.get_position().bounds])
+
+
+def whole_width(axes: "Any") -> bool:
+    """Whether a panel takes the whole line of its grid."""
+    place = axes.get_subplotspec()
+    return bool(place.colspan.start == 0 and place.colspan.stop == place.get_gridspec().ncols)
 
 
 def _shares_axis(panel: "Panel", below: "Panel") -> bool:
@@ -292,6 +308,9 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
         )
         ncols = _in_one_row(panel, axes.figure.get_figwidth())
         if not full or not panel.equal or not ncols:
+            if any(isinstance(item, Bars) for item in panel.items) and len(_legend(panel)) <= FEW:
+                # the longest bars stand on top
+                return {"loc": "lower right"}
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
     else:
         ncols = 1
@@ -302,7 +321,7 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
 
 
 def _in_one_row(panel: "Panel", wide: float) -> int:
-    """How many names of shapes stand side by side under a picture so wide; none where they are long for a whole page."""
+    """How many names of shapes stand side by side under a picture; none where they are long for a whole page."""
     names = _legend(panel)
     letters = [len(name) + LETTERS_OF_A_LINE for name in names]
     if sum(letters) <= LONGEST_TITLE * wide / WIDTHS[0]:
