@@ -271,7 +271,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if settings.only:
         return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
     if settings.table:
-        return whole_table(document, settings.table, digits, settings.format)
+        return whole_table(document, settings.table, digits, settings.format, width)
     if settings.format != "table":
         listed = task.table if task.listing else ""
         return render(document, settings.format, digits, table if table == "sweep" else listed)
@@ -279,7 +279,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         layout = load(task.layout)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     if settings.all:
-        return to_full_table(document, digits)
+        return to_full_table(document, digits, screen=width)
     from dynamics_cli.core.output.answer import to_answer
 
     return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))

@@ -42,7 +42,6 @@ SOLVE = Task(
     ),
     headline=(
         "assembly: assembly",
-        "pin_error: pins proved to",
         "motion: motion | driver_angle=driver, angle, speed=ω, acceleration=α, position, velocity, pin_acceleration=a",
         "links: link | name, angle, speed=ω, acceleration=α",
         "pins: pin | name, position, velocity, acceleration",
