@@ -20,8 +20,8 @@ LETTER, LINE, ROOM, STEP = 0.068, 0.15, 0.03, 0.06
 DISTANCES = (0.06, 0.16, 0.3, 0.5, 0.8, 1.2)
 FAR = 0.25
 WAYS = 16
-# What a covered point, an inch away and a turn to the other side cost.
-COVERED, AWAY, TURNED = 2.0, 1.5, 0.8
+# What a covered point, an inch away, a turn to the other side and words over words cost.
+COVERED, AWAY, TURNED, CLASH = 2.0, 1.5, 0.8, 1000.0
 GROUND = ("ground",)
 
 
@@ -94,7 +94,7 @@ def _cost(
     way = 0.5 * (box[0] + box[2]) - words.at[0], 0.5 * (box[1] + box[3]) - words.at[1]
     size = math.hypot(*way) * math.hypot(*words.way)
     turn = 1.0 - (way[0] * words.way[0] + way[1] * words.way[1]) / size if size else 0.0
-    return COVERED * hidden + 50.0 * COVERED * clashes + AWAY * far / metres + TURNED * turn
+    return COVERED * hidden + CLASH * clashes + AWAY * far / metres + TURNED * turn
 
 
 def _leader(words: Words, box: "Box") -> Curve:

@@ -25,6 +25,7 @@ KM_H = 1.0 / 3.6
 WHOLE = 5.0
 # Inches beneath a scene for its scales and notes.
 FOOT = 0.95
+MOST_TRIES = 8
 # Half the width of a lane.
 LANE = 1.75
 
@@ -94,7 +95,7 @@ def collision(
     after: "Sequence[Pair]",
     north: "Pair | None",
     centres: "tuple[Pair, Pair] | None" = None,
-    inches: "Pair" = (3.9, 4.6),
+    inches: "Pair" = (3.4, 3.6),
 ) -> Panel:
     """Two vehicles at the impact with their velocities before (behind them, dashed) and after (from their centres)."""
     speeds = [math.hypot(*velocity) for velocity in (*before, *after)]
@@ -147,9 +148,12 @@ def finished(
     """
     metres = _metres(bounds(items, 0.0), inches)
     # how much room words take depends on the scale, and the scale on how much room they take
-    for _ in range(3):
+    for _ in range(MOST_TRIES):
         whole = [*items, *placed(items, words, metres)]
-        metres = _metres(bounds(whole, metres), inches)
+        wanted = _metres(bounds(whole, metres), inches)
+        if wanted <= metres:
+            break
+        metres = wanted
     whole += _foot(bounds(whole, metres), metres, inches[0], speeds, note)
     if north is not None:
         whole += _north(whole, metres)
@@ -199,22 +203,26 @@ def _scale_bar(at: "Pair", length: float, text: str, metres: float) -> "list[Any
 
 
 def _north(whole: "Sequence[Any]", metres: float) -> "list[Any]":
-    """An arrow to the north in the corner that is farthest from everything else."""
+    """An arrow to the north at the highest place that is free."""
     left, low, right, high = bounds(whole, metres)
     size = 0.24 * metres
     covered = [point for item in whole if getattr(item, "style", "") != "ground" for point in ends(item)]
     for label in (item for item in whole if isinstance(item, Label)):
         x0, y0, x1, y1 = bounds([label], metres)
-        covered += [(x0, y0), (x0, y1), (x1, y0), (x1, y1)]
-    corners = [(x, y) for x in (left + size, right - size) for y in (high - 2.0 * size, low + 1.2 * size)]
+        covered += [(x0 + 0.05 * nth * (x1 - x0), y) for nth in range(21) for y in (y0, y1)]
+    # the scales stand beneath
+    across, up = right - left - 2.0 * size, high - low - FOOT * metres - 2.0 * size
+    places = [
+        (left + size + 0.125 * i * across, high - 2.0 * size - 0.125 * j * up) for j in range(9) for i in range(9)
+    ]
 
-    def free(corner: "Pair") -> float:
-        x, y = corner
+    def free(place: "Pair") -> float:
+        x, y = place
         return min(math.dist((x, y + part * size), point) for part in (-1.0, 0.0, 1.0, 2.0) for point in covered)
 
-    x, y = max(corners, key=free)
-    if free((x, y)) < 0.5 * size:
-        y = high + 1.5 * size
+    x, y = max(places, key=lambda place: min(free(place), 1.5 * size))
+    if free((x, y)) < 0.6 * size:
+        x, y = left + size, high + 1.5 * size
     return [Arrow(x, y - size, 0.0, 2.0 * size, "", 6), Label(x, y + size + 0.1 * metres, "N", 6)]
 
 

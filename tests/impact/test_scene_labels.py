@@ -30,7 +30,7 @@ def test_words_cover_no_other_words_and_stay_in_the_picture(turn: float, after: 
     panel = scene(turn, after)
     assert panel.x.ends is not None
     assert panel.y.ends is not None
-    metres = (panel.x.ends[1] - panel.x.ends[0]) / 3.9
+    metres = (panel.x.ends[1] - panel.x.ends[0]) / 3.4
     labels = [item for item in panel.items if isinstance(item, Label)]
     assert {label.text.partition("\n")[0] for label in labels} >= {
         f"{name} {word}" for name in NAMES for word in ("before", "after")

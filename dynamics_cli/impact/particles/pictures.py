@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 POINTS = 61
 # Of the polygon of momenta on paper.
 INCHES = 2.6
+ROOM = 0.1
 
 
 def oblique(made: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
@@ -81,10 +82,12 @@ def _polygon(
     items.append(Arrow(0.0, 0.0, *total, "", 6))
     words.append(Words((0.4 * total[0], 0.4 * total[1]), (-total[1], total[0]), "sum", 6))
     left, low, right, high = bounds(items, 0.0)
-    items += placed(items, words, max(right - left, high - low) / INCHES or 1.0)
-    return Panel(
-        Axis("momentum along x", Impulse), Axis("momentum along y", Impulse), tuple(items), "momentum", equal=True
-    )
+    inch = max(right - left, high - low) / INCHES or 1.0
+    items += placed(items, words, inch)
+    left, low, right, high = bounds(items, inch)
+    across = Axis("momentum along x", Impulse, ends=(left - ROOM * inch, right + ROOM * inch))
+    up = Axis("momentum along y", Impulse, ends=(low - ROOM * inch, high + ROOM * inch))
+    return Panel(across, up, tuple(items), "momentum", equal=True)
 
 
 def _away(
