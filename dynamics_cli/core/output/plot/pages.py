@@ -169,7 +169,7 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
 
 def sentence(text: str) -> str:
     """A title, its first letter large where it begins a word."""
-    return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
+    return text[:1].upper() + text[1:] if text[1:2].isalpha() or text.startswith("a ") else text
 
 
 def _settle(figure: "Any") -> None:
@@ -308,8 +308,7 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
         )
         ncols = _in_one_row(panel, axes.figure.get_figwidth())
         if not full or not panel.equal or not ncols:
-            if any(isinstance(item, Bars) for item in panel.items) and len(_legend(panel)) <= FEW:
-                # the longest bars stand on top
+            if len(_legend(panel)) <= FEW and _free_beneath(panel):
                 return {"loc": "lower right"}
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
     else:
@@ -318,6 +317,15 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
 
     below = axes.transAxes + ScaledTranslation(0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans)
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
+
+
+def _free_beneath(panel: "Panel") -> bool:
+    """Whether the lowest bars leave the right half free, as those of a tornado do."""
+    bars = next((item for item in panel.items if isinstance(item, Bars)), None)
+    if bars is None or len(bars.names) <= FEW + 1:
+        return False
+    low, high = min(bars.low), max(bars.high)
+    return all(end < low + 0.65 * (high - low) for end in bars.high[-FEW:])
 
 
 def _in_one_row(panel: "Panel", wide: float) -> int:
