@@ -41,7 +41,9 @@ def placed(items: "Sequence[Any]", wanted: "Sequence[Words]", metres: float) -> 
     labels: list[Any] = []
     boxes: list[Box] = []
     for words in wanted:
-        box, far = min(_choices(words, metres), key=lambda choice: _cost(words, *choice, metres, covered, boxes))
+        box, far = min(
+            _choices(words, metres), key=lambda choice: _cost(words, choice[0], choice[1], metres, covered, boxes)
+        )
         boxes.append(box)
         middle = 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])
         if far > FAR * metres:
