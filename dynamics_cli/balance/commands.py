@@ -127,8 +127,8 @@ TRIAL = Task(
     examples=(
         'dynamics balance trial --sensor "initial=6 mil @ 40 deg, first=8 mil @ 110 deg" --first-trial-mass "5 g" '
         '--first-trial-angle "0 deg"',
-        'dynamics balance trial --sensor "initial=170 um @ 112 deg, first=235 um @ 94 deg, second=186 um @ 115 deg" '
-        '--sensor "initial=53 um @ 78 deg, first=58 um @ 68 deg, second=77 um @ 104 deg" '
+        'dynamics balance trial --sensor "initial=170um@112deg, first=235um@94deg, second=186um@115deg" '
+        '--sensor "initial=53um@78deg, first=58um@68deg, second=77um@104deg" '
         '--first-trial-mass "1.15 g" --first-trial-angle "0 deg" --second-trial-mass "1.15 g" '
         '--second-trial-angle "0 deg"',
     ),

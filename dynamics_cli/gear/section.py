@@ -114,7 +114,12 @@ def contact_points(along: "list[tuple[str, float]]", radius: float, angle: float
 
 
 def contact_panel(
-    gears: "list[Curve]", points: "list[tuple[str, float, float]]", module: float, *, wide: bool = False
+    gears: "list[Curve]",
+    points: "list[tuple[str, float, float]]",
+    module: float,
+    *,
+    wide: bool = False,
+    titled: bool = True,
 ) -> Panel:
     """The teeth about the pitch point with the path of contact from the first of the points to the last."""
     (_, x0, y0), (_, x1, y1) = points[0], points[-1]
@@ -133,7 +138,7 @@ def contact_panel(
         Axis("x", Coordinate, ends=(middle[0] - across, middle[0] + across)),
         Axis("y", Coordinate, ends=(middle[1] - reach, middle[1] + reach)),
         items,
-        "" if wide else f"Path of contact, {points[0][0]} to {points[-1][0]}",
+        "" if wide or not titled else f"Path of contact, {points[0][0]} to {points[-1][0]}",
         equal=True,
         bare=True,
         wide=wide,

@@ -39,7 +39,7 @@ def section(one: "Calculation", drawn: "Sequence[Image]" = ()) -> "list[Block]":
         blocks += _formula(steps)
     blocks += _where(one)
     blocks += _results(one)
-    blocks += [*_warnings(one.document), *drawn, Paragraph(_basis(one), small=True)]
+    blocks += [*warnings_of(one.document), *drawn, Paragraph(basis(one), small=True)]
     return [*blocks, Paragraph(_sentence(one.again.words), small=one.again.same)]
 
 
@@ -146,7 +146,8 @@ def table(node: "Any", caption: str, digits: int) -> Table:
     return _table(node, caption, digits, small=True)
 
 
-def _warnings(document: "Document") -> "list[Block]":
+def warnings_of(document: "Document") -> "list[Items]":
+    """Warnings with their remedies, worst first."""
     lines = []
     for item in sorted(document["warnings"], key=lambda item: item["severity"] == "note"):
         remedy = f" Remedy: {item['remedy']}." if item.get("remedy") else ""
@@ -154,7 +155,7 @@ def _warnings(document: "Document") -> "list[Block]":
     return [Items(lines)] if lines else []
 
 
-def _basis(one: "Calculation") -> str:
+def basis(one: "Calculation") -> str:
     """Assumptions, source and checks."""
     document = one.document
     assert document is not None

@@ -291,7 +291,7 @@ def test_the_picture_has_the_marks_and_every_outline_to_scale() -> None:
 
     scene = example()
     panel = pictures.crash(crash(scene), scene).panels[0]
-    marks = [item for item in panel.items if isinstance(item, Curve) and item.style == "thick" and item.role == 6]
+    marks = [item for item in panel.items if isinstance(item, Curve) and item.style == "track"]
     assert sum(item.x[1] - item.x[0] == pytest.approx(12.4) for item in marks) == 2
     bodies = [item for item in panel.items if isinstance(item, Curve) and item.style == "filled" and len(item.x) == 9]
     assert len(bodies) == 5

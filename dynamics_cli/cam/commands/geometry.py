@@ -50,6 +50,7 @@ PROFILE = Task(
     tracked=False,
     writers={"svg": "dynamics_cli.cam.geometry.animation:animation"},
     plot="dynamics_cli.cam.geometry.pictures:profile_picture",
+    sheet="dynamics_cli.cam.export.sheet:cam_sheet",
 )
 
 SIZE = Task(
@@ -166,6 +167,7 @@ EXPORT = Task(
         "st": "dynamics_cli.cam.export.writers:codesys",
         "mc": "dynamics_cli.cam.export.writers:twincat",
     },
+    sheet="dynamics_cli.cam.export.sheet:cam_sheet",
 )
 
 TASKS: "tuple[Task, ...]" = (PROFILE, SIZE, CHECK, EXPORT)

@@ -52,7 +52,8 @@ def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") 
         ends = found[order]
         if ends is not None:
             items += extreme_mark(ends.greatest_at, ends.greatest, kind, ABOVE)
-            items += extreme_mark(ends.least_at, ends.least, kind, BELOW)
+            # that the follower starts from rest needs no words
+            items += extreme_mark(ends.least_at, ends.least or None, kind, BELOW)
         panels.append(Panel(turn_axis(motion), Axis(symbols[name], kind), tuple(items)))
     title = worded(
         "Cam motion, continuity {continuity}\n{program}",

@@ -91,6 +91,7 @@ class Task:
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
         plot: str = "",
+        sheet: str = "",
         layout: str = "",
         verdict: bool = False,
         names: "dict[str, str] | None" = None,
@@ -105,6 +106,7 @@ class Task:
         self.also = also
         self.summary = summary
         self.plot = plot
+        self.sheet = sheet
         self.notes = notes
         self.scene = scene or {}
         self.headline = tuple(_labelled(entry) for entry in headline)

@@ -227,7 +227,10 @@ def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
     from dynamics_cli.pictures import Picture
 
     panels = (*one.panels, *other.panels)
-    return Picture(panels, one.title, one.columns, scene=one.scene, distributions=len(other.panels))
+    return Picture(
+        panels, one.title, one.columns, width=one.width, scene=one.scene, distributions=len(other.panels),
+        subtitle=one.subtitle,
+    )  # fmt: skip
 
 
 def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task) -> "Picture | None":
@@ -276,7 +279,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if settings.only:
         return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
     if settings.table:
-        return whole_table(document, settings.table, digits, settings.format)
+        return whole_table(document, settings.table, digits, settings.format, width)
     if settings.format != "table":
         listed = task.table if task.listing else ""
         return render(document, settings.format, digits, table if table == "sweep" else listed)
@@ -284,7 +287,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         layout = load(task.layout)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     if settings.all:
-        return to_full_table(document, digits)
+        return to_full_table(document, digits, screen=width)
     from dynamics_cli.core.output.answer import to_answer
 
     return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))

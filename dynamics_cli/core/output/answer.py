@@ -20,8 +20,10 @@ from dynamics_cli.core.output.answer_words import (
     deviation,
     headline_labels,
     in_words,
+    input_in_words,
     is_in_parts,
     listed,
+    message_in_words,
     node_at,
     parts_in_words,
     percent,
@@ -212,7 +214,7 @@ class _Answer:
         return lines
 
     def _input(self, address: str) -> str:
-        return with_name(in_words(address), self.names)
+        return input_in_words(address, self.document["inputs"], self.names)
 
     def _inputs(self) -> str:
         entries = []
@@ -221,6 +223,8 @@ class _Answer:
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
             given = value_in_words(value, unit)
             whole = given.replace(" ", JOINED) if len(given) < self.width // 3 else given
+            if not name:
+                given = self._counted(given)
             if name.removesuffix(".name") not in self.names:
                 entries.append(f"{self._input(name)} {whole}{standard}" if name else given)
         entries += [f"{in_words(axis['parameter'])} as listed" for axis in inputs.get("sweep", ())]
@@ -235,6 +239,12 @@ class _Answer:
             kept.append(entry)
         more = len(entries) - len(kept)
         return ", ".join([*kept, f"and {more} more input{'s' if more > 1 else ''}"])
+
+    def _counted(self, given: str) -> str:
+        """How many records there are, `2 first after`, by the name of their body."""
+        count, _, what = given.partition(" ")
+        named = with_name(what, self.names)
+        return given if named == what else f"{named}: {count}"
 
     def _method(self) -> str:
         model = self.document["model"]
@@ -282,7 +292,8 @@ class _Answer:
         given = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
         for nth, item in enumerate(given):
             remedy = item.get("remedy")
-            text = f"{item['severity']}: {item['message']}" + (f". Remedy: {remedy}" if remedy else "")
+            message = message_in_words(item["message"], self.document["inputs"], self.names)
+            text = f"{item['severity']}: {message}" + (f". Remedy: {remedy}" if remedy else "")
             paragraph = ["", *wrapped(text, self.width, 2)]
             if nth and len(lines) + len(paragraph) + (2 if given[nth + 1 :] else 0) > space:
                 counts = [(sum(each["severity"] == name for each in given[nth:]), name) for name in SEVERITIES]

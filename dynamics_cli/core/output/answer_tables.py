@@ -1,7 +1,7 @@
 """Tables and written files in a short answer: within the width and the lines there are."""
 
 from dynamics_cli.core.documents import columns, number, quantity
-from dynamics_cli.core.output.answer_words import in_words
+from dynamics_cli.core.output.answer_words import in_words, without_rounding
 from dynamics_cli.core.output.wrapping import wrapped
 
 TYPE_CHECKING = False
@@ -21,7 +21,7 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     cells = [[heads_of.get(name, in_words(name)) for name, _, _ in made], [unit for _, unit, _ in made]]
     body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
     heads = len(body)
-    body += [[number(value, digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
+    body += [[number(_cleared(value), digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
     words = [any(isinstance(value, str) for value in values) for _, _, values in made]
     widths = [max(len(row[i]) for row in body) for i in range(len(made))]
     kept, total = 0, 2
@@ -46,6 +46,10 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
         named = f"  and {', '.join(left)}: --all"
         lines.append(named if len(named) <= width else f"  and {len(left)} more columns: --all")
     return lines
+
+
+def _cleared(value: "Any") -> "Any":
+    return without_rounding(value) if isinstance(value, list) else value
 
 
 def _whole(address: str) -> str:

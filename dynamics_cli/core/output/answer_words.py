@@ -1,5 +1,6 @@
 """The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
 
+import re
 from math import floor, log10
 
 from dynamics_cli.core.documents import is_quantity, quantity
@@ -16,6 +17,9 @@ MOST_UNDECLARED = 8
 MOST_DIGITS = 15
 
 
+AXES = "xyz"
+# A number of so many digits was calculated, not typed.
+CALCULATED = 16
 # Beside the largest component of a vector, what is smaller is rounding.
 ROUNDING = 1e-12
 
@@ -45,6 +49,24 @@ def in_words(address: str) -> str:
     return address.replace("_", " ").replace(".", " ")
 
 
+def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
+    """An input as people name it: a body by its name, `segments[0].friction` as segment 1, `velocity[0]` along x."""
+    words = with_name(in_words(address), names)
+    node = node_at(inputs, address.rpartition("[")[0]) if address.endswith("]") else None
+    vector = isinstance(node, dict) and isinstance(node.get("value"), list) and len(node["value"]) <= len(AXES)
+    if vector:
+        return f"{words[: words.rindex('[')]} along {AXES[int(address[:-1].rpartition('[')[2])]}"
+    return re.sub(r"(\w+?)(?<![sui])s?\[(\d+)\]", lambda item: f"{item[1]} {int(item[2]) + 1}", words)
+
+
+def message_in_words(message: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
+    """A message whose first word is an address, with that input as people name it."""
+    address, colon, rest = message.partition(": ")
+    if colon and re.fullmatch(r"[a-z_]+(\[\d+\])?(\.[a-z_]+(\[\d+\])?)+|[a-z]+_[a-z_]+", address):
+        return f"{input_in_words(address, inputs, names)}: {rest}"
+    return message
+
+
 def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
     """Inputs by address with the numbers of one list, `stations[0]`, `stations[1]` …, as one entry of several values.
 
@@ -69,7 +91,16 @@ def value_in_words(value: "Any", unit: str) -> str:
     """An input with its unit in full; a list of one as its value."""
     if isinstance(value, list) and len(value) == 1 and not isinstance(value[0], list):
         value = value[0]
-    return quantity(value, unit, 17)
+    return quantity(_as_typed(value), unit, 17)
+
+
+def _as_typed(value: "Any") -> "Any":
+    """Numbers without the digits that nobody types: those that a conversion to components left."""
+    if isinstance(value, list):
+        return [_as_typed(item) for item in value]
+    if isinstance(value, float) and len(repr(value).partition("e")[0].strip("-0.").replace(".", "")) >= CALCULATED:
+        return float(f"{value:.6g}")
+    return value
 
 
 def node_at(results: "Any", address: str) -> "Any":

@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     Document = dict[str, Any]
 
 
+# Columns before a table.
+MARGIN = 4
+
+
 def to_pretty_json(document: "Document") -> str:
     """JSON for eyes and pipes alike: small things on one line, large ones indented."""
     return _pretty(document, "") + "\n"
@@ -61,17 +65,22 @@ def _grid(table: "Any", digits: int) -> "list[list[str]]":
 
 
 def to_full_table(
-    document: "Document", digits: int, layout: "Callable[[Any], list[str]] | None" = None, width: int = 0
+    document: "Document",
+    digits: int,
+    layout: "Callable[[Any], list[str]] | None" = None,
+    width: int = 0,
+    screen: int = 0,
 ) -> str:
     """The whole document for people: inputs, results with their error bounds, tables, checks, warnings, source.
 
-    `layout` writes the results, where a task has a way of its own; what stands beneath is then as wide as `width`.
+    Tables are no wider than the `screen`. `layout` writes the results, where a task has a way of its own; what stands
+    beneath is then as wide as `width`.
     """
     lines = [document["command"]]
     inputs = flatten(document["inputs"])
     tables = {name: node for name, node in document["inputs"].items() if is_table(node)}
     if inputs or tables:
-        lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
+        lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17, screen)]
     bounds = document["numerics"].get("error_bound", {})
     tails = {name: f"(error ≤ {bound_text(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     uncertain = "uncertainty" in document["numerics"]
@@ -84,7 +93,7 @@ def to_full_table(
         lines += layout(results)
     else:
         lines += ["", *_aligned(flatten(results), digits, tails)]
-        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits)
+        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits, screen)
     lines += driver_lines(document, digits) if uncertain else []
     notes = _notes(document)
     lines += ["", *(f"  {line}" for note in notes for line in (wrapped(note, width - 2, 2) if width else [note]))]
@@ -109,18 +118,29 @@ def _notes(document: "Document") -> "list[str]":
     return notes + [f"written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
 
 
-def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
+def _tables(tables: "dict[str, Any]", digits: int, width: int = 0) -> "list[str]":
+    """Tables with all their rows; one wider than the screen in blocks of columns, each with the first of them."""
     lines = []
     for name, table in tables.items():
         words = [any(isinstance(value, str) for value in values) for _, _, values in columns(table)]
         grid = _grid(table, digits)
         widths = [max(len(row[i]) for row in grid) for i in range(len(grid[0]))]
-        lines += ["", f"  {name}"]
-        for row in grid:
-            cells = zip(row, widths, words, strict=True)
-            shown = [f"{cell:<{width}}" if word else f"{cell:>{width}}" for cell, width, word in cells]
-            lines.append("    " + "  ".join(shown).rstrip())
+        for nth, block in enumerate(_blocks(widths, width - MARGIN if width else 0)):
+            lines += ["", f"  {name}{', continued' if nth else ''}"]
+            for row in grid:
+                shown = [f"{row[i]:<{widths[i]}}" if words[i] else f"{row[i]:>{widths[i]}}" for i in block]
+                lines.append(" " * MARGIN + "  ".join(shown).rstrip())
     return lines
+
+
+def _blocks(widths: "list[int]", room: int) -> "list[list[int]]":
+    """The columns of each block that fits into the room (0: endless); every one begins with the first column."""
+    blocks = [[0]] if widths else []
+    for column in range(1, len(widths)):
+        if room and len(blocks[-1]) > 1 and sum(widths[i] + 2 for i in [*blocks[-1], column]) - 2 > room:
+            blocks.append([0])
+        blocks[-1].append(column)
+    return blocks
 
 
 def check_line(check: "dict[str, Any]") -> str:
@@ -304,8 +324,8 @@ def _quantity_node(value: "Any", unit: str) -> "Any":
     return {"value": value, "unit": unit} if unit else {"value": value}
 
 
-def whole_table(document: "Document", name: str, digits: int, form: str) -> str:
-    """One table of the result with all its rows, as CSV, JSON, Markdown or columns."""
+def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0) -> str:
+    """One table of the result with all its rows, as CSV, JSON, Markdown or columns no wider than `width`."""
     sides = {**document["inputs"], **document["results"]}
     tables = [own for own, node in sides.items() if is_table(node)]
     if name not in tables:
@@ -321,4 +341,5 @@ def whole_table(document: "Document", name: str, digits: int, form: str) -> str:
         return to_csv({**document, "results": {name: sides[name]}}, name)
     if form == "markdown":
         return "\n".join(_markdown_table(sides[name], digits)) + "\n"
-    return "\n".join(line[2:] for line in _tables({name: sides[name]}, digits)[2:]) + "\n"
+    lines = _tables({name: sides[name]}, digits, width + 2 if width else 0)[2:]
+    return "\n".join("" if line == f"  {name}, continued" else line[2:] for line in lines) + "\n"

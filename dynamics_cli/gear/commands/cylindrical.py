@@ -124,6 +124,7 @@ PAIR = Task(
         '--first-bearings-left "50 mm" --first-bearings-right "50 mm"',
     ),
     plot="dynamics_cli.gear.pair.pictures:pair",
+    sheet="dynamics_cli.gear.pair.sheet:pair_sheet",
     table="points",
     arrays=False,
     headline=(

@@ -133,7 +133,7 @@ def data_block(
     lines.number("Number of teeth", "z", -teeth if internal else teeth)
     lines.length("Normal module", "m_n", gear.normal_module)
     lines.angle("Normal pressure angle", "α_n", pressure_angle)
-    lines.word("Basic rack", "", _rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
+    lines.word("Basic rack", "", rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
     lines.angle("Helix angle", "β", abs(helix_angle))
     if gear.hand is not None:
         lines.word("Hand of helix", "", str(gear.hand))
@@ -149,7 +149,8 @@ def data_block(
     return DataBlock(tuple(lines.rows), gear.advice, Numerics("rounded to the decimals asked for", tuple(lines.bounds)))
 
 
-def _rack_name(profile: str, *factors: float | None) -> str:
+def rack_name(profile: str, *factors: float | None) -> str:
+    """The basic rack as a drawing names it, with the factors that are not its own."""
     name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
     own = [
         f"{symbol} {factor:g}"

@@ -90,7 +90,7 @@ SPATIAL = Task(
     ),
     plot=PICTURES + "spatial",
     examples=(
-        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02, 0, 0], [0, 0.03, 0.004], [0, 0.004, '
+        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02,0,0],[0,0.03,0.004],[0,0.004,'
         '0.04]] kg*m^2" --first-lever "0.1, 0.05, -0.2 m" --first-velocity "3, 1, -4 m/s" --first-spin "0, 5, 2 rad/s" '
         '--second-fixed --normal "0, 0, -1" --friction 0.4 --restitution 0.6',
         'dynamics impact spatial --first-mass "1500 kg" --first-inertia "[[500, 0, 0], [0, 2400, 0], [0, 0, 2500]] '

@@ -64,7 +64,7 @@ def seize(result: "Any", *, body: "Any", **_: "Any") -> Picture:
             ),
         )
         across, up = (Axis(f"about {'xyz'[k]}", AngularSpeed) for k in (i, j))
-        panels.append(Panel(across, up, items, f"{'xyz'[i]}{'xyz'[j]}", equal=True))
+        panels.append(Panel(across, up, items, f"plane of {'xyz'[i]} and {'xyz'[j]}", equal=True))
     return Picture(tuple(panels), "angular velocity before and after", columns=3)
 
 

@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
+from dynamics_cli.impact.scene_labels import Words, bounds, placed
 from dynamics_cli.impact.scene_pictures import collision, velocities
 from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Energy, Impulse, Inertia, Length, Size, Speed, Time
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
     from typing import Any
 
 POINTS = 61
+# Of the polygon of momenta on paper.
+INCHES = 2.6
+ROOM = 0.1
 
 
 def oblique(made: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
@@ -62,6 +66,7 @@ def _polygon(
 ) -> Panel:
     """Momenta head to tail, before dashed and after, which end at the same point: their sum."""
     items: list[Any] = []
+    words: list[Words] = []
     total = (
         sum(mass * u for mass, (u, _) in zip(masses, after, strict=True)),
         sum(mass * v for mass, (_, v) in zip(masses, after, strict=True)),
@@ -72,13 +77,17 @@ def _polygon(
             items.append(Arrow(x, y, mass * u, mass * v, "", role, dashed=word == "before"))
             if u or v:
                 middle = x + 0.5 * mass * u, y + 0.5 * mass * v
-                items.append(Mark(*middle, f"{name} {word}", _away(middle, (u, v), total), dot=False, role=role))
+                words.append(Words(middle, _away(middle, (u, v), total), f"{name} {word}", role))
             x, y = x + mass * u, y + mass * v
     items.append(Arrow(0.0, 0.0, *total, "", 6))
-    items.append(Mark(0.4 * total[0], 0.4 * total[1], "sum", (5.0, -2.0), dot=False))
-    return Panel(
-        Axis("momentum along x", Impulse), Axis("momentum along y", Impulse), tuple(items), "momentum", equal=True
-    )
+    words.append(Words((0.4 * total[0], 0.4 * total[1]), (-total[1], total[0]), "sum", 6))
+    left, low, right, high = bounds(items, 0.0)
+    inch = max(right - left, high - low) / INCHES or 1.0
+    items += placed(items, words, inch)
+    left, low, right, high = bounds(items, inch)
+    across = Axis("momentum along x", Impulse, ends=(left - ROOM * inch, right + ROOM * inch))
+    up = Axis("momentum along y", Impulse, ends=(low - ROOM * inch, high + ROOM * inch))
+    return Panel(across, up, tuple(items), "momentum", equal=True)
 
 
 def _away(

@@ -115,6 +115,8 @@ def _paths(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
 
 
 def _shown(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
+    if isinstance(item, Curve) and item.style == "ground":
+        return []
     if isinstance(item, Curve):
         points = list(zip(x(item.x), y(item.y), strict=True))
         return [[point] for point in points] if item.style == "points" else [points]
