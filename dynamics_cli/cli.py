@@ -94,7 +94,8 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
     except DynamicsError as error:
         from dynamics_cli.core.output.failure import error_text, wants_json
 
-        terminal.tell(error_text(error, json=wants_json(argv, terminal.environ), typed=argv))
+        json, columns = wants_json(argv, terminal.environ), terminal.error_columns
+        terminal.tell(error_text(error, json=json, typed=argv, columns=columns))
         status = error.status
     except KeyboardInterrupt:
         status = ExitStatus.INTERRUPTED

@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.path.formulas import law_of
 from dynamics_cli.path.straight.laws import Run, estimate, run
 from dynamics_cli.path.straight.phases import Phase, Solution, solutions
 from dynamics_cli.quantities import (
@@ -231,7 +231,7 @@ def _total(parts: "list[float]") -> float:
 
 def _stop(one: Solution) -> "tuple[float, float] | None":
     """When and where it is first at rest, if it ever is from its start on."""
-    if plain(one.acceleration) == 0.0 or plain(one.start_speed) * plain(one.acceleration) > 0.0:
+    if plain(one.acceleration) == 0.0 or plain(one.start_speed) * plain(one.acceleration) >= 0.0:
         return None
     time = -one.start_speed / one.acceleration
     return time, time * (0.5 * one.start_speed)
