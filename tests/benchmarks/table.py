@@ -168,18 +168,19 @@ def meshes(count: int, rounds: int, folder: Path) -> Iterator[Line]:
     inertia_mesh.write(file, made)
     faces = len(made)
     ours = yardstick = math.inf
-    processor = math.inf
+    processor = plain = math.inf
     for _ in range(rounds):
-        start = time.perf_counter()
+        start, busy = time.perf_counter(), time.process_time()
         inertia_mesh.read_whole(str(file))
         yardstick = min(yardstick, time.perf_counter() - start)
+        plain = min(plain, time.process_time() - busy)
         start, busy = time.perf_counter(), time.process_time()
         inertia_mesh.ours(str(file))
         ours = min(ours, time.perf_counter() - start)
         processor = min(processor, time.process_time() - busy)
     own, least_time = 1e9 * ours / faces, 1e9 * yardstick / faces
     yield f"mesh, {faces:,} triangles, ns each", own, least_time, "read+sum", 7.0, False
-    yield "  processor time, ns each", 1e9 * processor / faces, least_time, "read+sum", 14.0, False
+    yield "  processor time, ns each", 1e9 * processor / faces, 1e9 * plain / faces, "read+sum", 14.0, False
     if inertia_mesh.trimesh is not None:
         start = time.perf_counter()
         loaded = inertia_mesh.trimesh.load(str(file))
