@@ -283,10 +283,11 @@ def _integrated(
     if goal.limits:
         found = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
         spread.beyond = list(zip(goal.limits, found.tolist(), strict=True))
-    if goal.curve and spread.interval[0] < spread.interval[1]:
+    classical = method in ("linear", "second-order", "unscented")
+    if goal.curve and not classical and spread.interval[0] < spread.interval[1]:
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
-    if method in ("linear", "second-order", "unscented"):
+    if classical:
         spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal)
     return spread
 
@@ -306,7 +307,9 @@ def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping
 def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Spread:
     """A classical method's numbers; its error is the distance from the quadrature's; probabilities as if normal."""
     made = _of_plain(spread.name, plain, goal)
-    made.cumulative = spread.cumulative
+    if goal.curve and plain.std > 0.0:
+        values = across_range(made.interval).tolist()
+        made.cumulative = (values, [1.0 - normal.upper((v - plain.mean) / plain.std) for v in values])
     apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
     scale = outcome.std if outcome.std > 0.0 else 1.0
     made.estimate = float(max(apart)) / scale + outcome.estimate
