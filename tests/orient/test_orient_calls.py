@@ -175,6 +175,13 @@ def test_a_scalar_call_loads_no_numpy() -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
+def test_no_column_of_rows_has_the_name_of_another() -> None:
+    rows = "quaternion[0],quaternion[1],quaternion[2],quaternion[3]\n1,0,0,0.5\n"
+    head = run("orient", "convert", "--rows", "-", stdin=rows).out.splitlines()[0].split(",")
+    assert len(set(head)) == len(head)
+    assert "results.quaternion[0]" in head
+
+
 def test_yaw_pitch_and_roll_are_the_angles_zyx() -> None:
     named = answer("orient", "convert", "--yaw", "30 deg", "--pitch", "20 deg", "--roll", "-40 deg")["results"]
     listed = answer("orient", "convert", "--euler-angles", "30, 20, -40 deg", "--euler-order", "zyx")["results"]

@@ -453,6 +453,14 @@ def test_bad_formulas_are_told_with_their_option(option: str, text: str, words: 
     assert words in outcome.err
 
 
+def test_a_time_beyond_the_doubles_is_refused_by_name() -> None:
+    outcome = run("path", "rectilinear", "--start-speed", "3 m/s", "--distance", "1e308 m", "--acceleration", "1 m/s^2",
+                  "--json")  # fmt: skip
+    assert outcome.status == 3
+    assert outcome.error["code"] == "range"
+    assert "nan" not in outcome.err
+
+
 def test_relative_motion_of_formulas_agrees_with_constant_accelerations() -> None:
     plain = Mover((0.0, 9.0, 0.0), (0.8, -1.0, 0.0), (0.0, 0.3, 0.1))
     typed = Mover(x=metres("0.8*t"), y=metres("9 - t + 0.15*t^2"), z=metres("0.05*t^2"))

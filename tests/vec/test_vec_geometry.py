@@ -256,3 +256,11 @@ def test_determinants_change_sign_with_their_rows() -> None:
 )  # fmt: skip
 def test_refusals(argv: tuple[str, ...], expected: tuple[int, str]) -> None:
     assert code(*argv) == expected
+
+
+def test_directions_of_many_turns_still_close_the_polygon() -> None:
+    """The difference of such angles is rounded by more than a check of closure allows; their sines are not."""
+    made = answer("vec", "polygon", "0, -500 N", "--directions", "36000000030, 135 deg")["results"]["solutions"]
+    near = answer("vec", "polygon", "0, -500 N", "--directions", "30, 135 deg")["results"]["solutions"]
+    assert made[0]["first_magnitude"]["value"] == pytest.approx(near[0]["first_magnitude"]["value"], rel=1e-6)
+    assert run("vec", "polygon", "0, -500 N", "--directions", "3e10..3.9e10, 135 deg").status == 0
