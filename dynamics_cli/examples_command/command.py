@@ -122,6 +122,12 @@ WORKED = (
         "six_bar.toml",
     ),
     Example(
+        "peaucellier",
+        "Peaucellier's cell: a linkage that draws an exact straight line.",
+        "dynamics linkage solve peaucellier.toml --follow Q --steps 12",
+        "peaucellier.toml",
+    ),
+    Example(
         "flywheel",
         "A flywheel with holes and a keyway: an assembly of shapes.",
         "dynamics inertia body flywheel.toml --about hub",

@@ -68,6 +68,8 @@ def test_a_kite_at_its_free_turn_is_refused_and_beside_it_answers() -> None:
         pose((2.0, 3.0, 3.0, 2.0), 0.0)
     made = pose((2.0, 3.0, 3.0, 2.0), 1e-9)
     assert (made.coupler_ratio, made.rocker_ratio) == pytest.approx((1.0 / 6.0, 5.0 / 6.0))  # type: ignore[attr-defined]
+    other = pose((2.0, 3.0, 3.0, 2.0), 1e-9, "crossed")
+    assert (other.coupler_ratio, other.rocker_ratio) == pytest.approx((5.0 / 6.0, 1.0 / 6.0))  # type: ignore[attr-defined]
 
 
 def test_equality_is_of_the_decimals_and_not_of_the_doubles() -> None:
