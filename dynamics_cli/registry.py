@@ -105,6 +105,11 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "vibration": Entry(
+        "dynamics_cli.vibration.commands",
+        GROUPS[5],
+        "Vibration of machines, rotors, shafts, beams; shocks, isolation.",
+    ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."
     ),
