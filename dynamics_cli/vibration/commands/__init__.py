@@ -1,10 +1,8 @@
 """The tasks of `dynamics vibration`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.vibration.commands import single
+from dynamics_cli.vibration.commands import shocks, single, systems
 
-FAMILIES = {
-    "vibration": Family(
-        "vibration", "Vibration of machines, rotors, shafts and beams; shocks and isolation.", *single.TASKS
-    )
-}
+SUMMARY = "Vibration of machines, rotors, shafts, beams; shocks, isolation."
+
+FAMILIES = {"vibration": Family("vibration", SUMMARY, *single.TASKS, *shocks.TASKS, *systems.TASKS)}
