@@ -36,6 +36,14 @@ def modes(made: "Any", **_: "Any") -> Picture:
     return Picture(tuple(panels), "mode shapes", columns=2 if len(panels) > 1 else 1)
 
 
+def _continuous(angles: "list[float]") -> "list[float]":
+    """Angles in degrees without jumps of a turn."""
+    made = angles[:1]
+    for angle in angles[1:]:
+        made.append(angle + 360.0 * round((made[-1] - angle) / 360.0))
+    return made
+
+
 def response(
     made: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0, damping_ratio: "float | None" = None,
     excitation: "Any" = None, **_: "Any",
@@ -48,7 +56,7 @@ def response(
     rates = of.grid(low, high)
     curve = of.curve(rates, a, b) * abs(force)
     hertz = [float(rate) / (2.0 * math.pi) for rate in rates]
-    lags = [math.degrees(-math.atan2(z.imag, z.real)) % 360.0 for z in curve]
+    lags = _continuous([math.degrees(-math.atan2(z.imag, z.real)) % 360.0 for z in curve])
     frequency = Axis("frequency", Frequency, logarithmic=True, ends=(hertz[0], hertz[-1]))
     items: list[Any] = [Curve(hertz, [abs(z) for z in curve], role=0)]
     if made.amplitude is not None:
@@ -56,7 +64,7 @@ def response(
         items.append(Mark(at, made.amplitude, "running here"))
     panels = (
         Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items), f"{read_at} for a force on {force_at}"),
-        Panel(frequency, Axis("lag [deg]", ends=(0.0, 360.0), step=90.0), (Curve(hertz, lags, role=0),)),
+        Panel(frequency, Axis("lag [deg]", step=90.0), (Curve(hertz, lags, role=0),)),
         Panel(
             Axis("in phase with the force", Coordinate), Axis("across", Coordinate),
             (Curve([z.real for z in curve], [z.imag for z in curve], role=0),), "Nyquist", equal=True,

@@ -239,7 +239,7 @@ def _peaks(of: Receptances, a: int, b: int, force: float) -> "tuple[Peak, ...]":
 
 
 def _golden(function: "Any", low: float, high: float) -> float:
-    """The place of a maximum; a parabola through the last three points sharpens what a flat top leaves."""
+    """The place of a maximum by golden section; a flat top hardly changes its height."""
     one, other = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     f, g = function(one), function(other)
     while high - low > 1e-7 * high:
