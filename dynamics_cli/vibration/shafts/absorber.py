@@ -49,15 +49,15 @@ class Masses:
 
 
 @record
-class Own:
-    """A tuning of one's own."""
+class ChosenTuning:
+    """A tuning as wanted."""
 
     frequency_ratio: Annotated[Positive, "Frequency of the absorber alone over that of the machine, e.g. 0.95."]
     damping_ratio: Annotated[DampingRatio, "Damping over critical damping of the absorber alone, e.g. 0.13."]
 
 
 @record
-class Standard:
+class RuleTuning:
     """A tuning by rule."""
 
     tuning: Annotated[Tuning, "den-hartog: equal fixed points; minimax: the least peak."] = DEN_HARTOG
@@ -122,7 +122,7 @@ def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
 
 
 def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
-    """u between the peaks from which the curve rises to both sides: where the slope turns from falling to rising."""
+    """U between the peaks from which the curve rises to both sides: where the slope turns from falling to rising."""
     looks = [low * (high / low) ** (i / 400.0) for i in range(-100, 501)]
     signs = [_slope(mu, f, zeta, u) > 0.0 for u in looks]
     turns = [nth for nth in range(600) if not signs[nth] and signs[nth + 1]]
@@ -144,7 +144,7 @@ def _bend(mu: float, f: float, zeta: float, u: float) -> float:
 
 
 def _place(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
-    """r of a peak: found in doubles, then one step of Newton in the arithmetic of the inputs."""
+    """R of a peak: found in doubles, then one step of Newton in the arithmetic of the inputs."""
     if is_array(mu) or is_array(f) or is_array(zeta):
         u: Any = over_array(_peak, mu, f, zeta, upper)
         bend: Any = over_array(_bend, mu, f, zeta, u)
@@ -163,7 +163,7 @@ def absorber(
     *,
     size: Annotated[MassRatio | Masses, "Mass of the absorber."],
     natural_frequency: Annotated[Frequency | None, "Natural frequency of the machine alone, e.g. 12 Hz."] = None,
-    tune: Annotated[Standard | Own, "How it is tuned."] = Standard(),
+    tune: Annotated[RuleTuning | ChosenTuning, "How it is tuned."] = RuleTuning(),
 ) -> Absorber:
     """A damped absorber on an undamped machine under a force: tuning, its true peaks, spring and damper.
 
@@ -229,9 +229,9 @@ def absorber(
     )
 
 
-def _tuned(mu: "Any", tune: "Standard | Own") -> "tuple[Any, Any]":
+def _tuned(mu: "Any", tune: "RuleTuning | ChosenTuning") -> "tuple[Any, Any]":
     """Frequency ratio and damping ratio of the absorber alone."""
-    if isinstance(tune, Own):
+    if isinstance(tune, ChosenTuning):
         require_damping(tune.damping_ratio, DampingRatio)
         require(
             tune.damping_ratio > 0.0, "an absorber without damping has two peaks without height",

@@ -46,7 +46,9 @@ def _campbell(made: "Any", orders: "tuple[float, ...]", low: "float | None", hig
         items.append(Label(0.01 * top, mode.frequency + 0.02 * ceiling, text, left=True))
     for nth, order in enumerate(orders):
         end = min(top, ceiling * 2.0 * math.pi / order)
-        items.append(Curve([0.0, end], [0.0, order * end / (2.0 * math.pi)], f"order {order:g}", "dashed", role=1 + nth))
+        items.append(
+            Curve([0.0, end], [0.0, order * end / (2.0 * math.pi)], f"order {order:g}", "dashed", role=1 + nth)
+        )
         for mode in shown:
             speed = mode.speed / order
             if speed <= top:

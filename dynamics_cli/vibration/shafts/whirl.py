@@ -82,7 +82,9 @@ def whirl(
     eccentricity: Annotated[Eccentricity, "Centre of mass off the shaft, e.g. 20 um."],
     speed: Annotated[ShaftSpeed, "Speed of the shaft, e.g. 3000 rpm."],
     damping_ratio: Annotated[DampingRatio, "External damping over critical damping, e.g. 0.02."] = 0.0,
-    polar_inertia: Annotated[Inertia | None, "Of the disk about its axis; tilting counts then, e.g. 0.5 kg*m^2."] = None,
+    polar_inertia: Annotated[
+        Inertia | None, "Of the disk about its axis; tilting counts then, e.g. 0.5 kg*m^2."
+    ] = None,
     diametral_inertia: Annotated[Inertia | None, "Of the disk about a diameter, e.g. 0.25 kg*m^2."] = None,
 ) -> Whirl:
     """Critical speed and whirl of one disk on a flexible shaft with an eccentric mass.
@@ -131,7 +133,7 @@ def whirl(
     size, lag = magnification(gap, ratio, damping_ratio)
     response = ratio * ratio * size
     forward, backward = _tilting(mass, stiffness, across, tilting, polar_inertia, diametral_inertia)
-    peaks = 0.0 < damping_ratio and damping_ratio < NO_PEAK
+    peaks = damping_ratio > 0.0 and damping_ratio < NO_PEAK
     square = damping_ratio * damping_ratio
     return Whirl(
         critical_speed=critical,

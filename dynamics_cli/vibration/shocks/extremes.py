@@ -35,7 +35,9 @@ class Extremes:
                 self.low[row], self.low_time[row] = value, time
 
 
-def over_piece(of: Oscillators, start: "tuple[Any, Any]", piece: Piece, length: float, mix: "Any", into: Extremes) -> None:
+def over_piece(
+    of: Oscillators, start: "tuple[Any, Any]", piece: Piece, length: float, mix: "Any", into: Extremes
+) -> None:
     """Extremes over a piece: sign changes of the derivative at close looks, each refined by Newton's method."""
     fastest = max(float(np.max(of.omega)), piece.p)
     looks = max(int(LOOKS * fastest * length / (2.0 * math.pi)) + 1, LOOKS)
@@ -77,9 +79,7 @@ def over_rest(of: Oscillators, start: "tuple[Any, Any]", at: float, mix: "Any", 
         into.take(rows, y * c + (dy + of.sigma * y) * s, at + t)
 
 
-def over_record(
-    of: Oscillators, times: "Any", loads: "Any", mix: "Any", into: Extremes
-) -> "tuple[Any, Any]":
+def over_record(of: Oscillators, times: "Any", loads: "Any", mix: "Any", into: Extremes) -> "tuple[Any, Any]":
     """Extremes over a record of straight lines between samples, and the state at its end."""
     state = np.zeros((2, len(of.omega)))
     alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)

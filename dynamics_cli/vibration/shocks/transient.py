@@ -186,8 +186,8 @@ def transient(
     steady = loaded.shape in ("step", "ramp")
     table = _history(of, loaded)
     force = table["load"]
-    table["acceleration"] = -2.0 * of.sigma * table["velocity"] - square * table["displacement"] + (
-        0.0 if loaded.based else force
+    table["acceleration"] = (
+        -2.0 * of.sigma * table["velocity"] - square * table["displacement"] + (0.0 if loaded.based else force)
     )
     strongest = pushed.high[0] if pushed.high[0] >= -pushed.low[0] else pushed.low[0]
     return Transient(
@@ -250,4 +250,3 @@ def _history(of: "Oscillators", loaded: Load) -> "dict[str, Any]":
         if math.isfinite(piece.end):
             state = of.after(*state, piece, piece.end - piece.start)
     return {"time": times, "displacement": z, "velocity": v, "load": f}
-

@@ -228,7 +228,9 @@ def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale
         )  # fmt: skip
     notes = list(those.advice)
     if len(real):
-        rates = ", ".join(f"{-x:.4g}" for x in sorted(real, reverse=True) if abs(x) > 1e-9 * abs(values).max(initial=0.0))
+        rates = ", ".join(
+            f"{-x:.4g}" for x in sorted(real, reverse=True) if abs(x) > 1e-9 * abs(values).max(initial=0.0)
+        )
         if rates:
             notes.append(Advice("overdamped", f"motions that do not swing decay at {rates} 1/s", severity="note"))
     rigid = None if those.elements is None else sum(not held for _, held in those.elements.groups())
