@@ -109,6 +109,8 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.vibration.commands",
         GROUPS[5],
         "Vibration of machines, rotors, shafts, beams; shocks, isolation.",
+        references=("vibration.json",),
+        questions="dynamics_cli.accuracy.alternatives.vibration",
     ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."

@@ -74,7 +74,9 @@ BEAM = Task(
         formula="{first_frequency|f} = (βL)²/(2π·{length|L}²)·√({elastic_modulus|E}·I/m)",
         assumptions=("slender and uniform; shear and rotary inertia are neglected", "small deflections"),
     ),
-    headline=("first_frequency: lowest frequency", "modes: modes | number=mode, frequency, root=βL, nodes=nodes at x/L"),
+    headline=(
+        "first_frequency: lowest frequency", "modes: modes | number=mode, frequency, root=βL, nodes=nodes at x/L",
+    ),
     examples=(
         'dynamics vibration beam --ends clamped-free --length "800 mm" --width "40 mm" --height "10 mm"',
         'dynamics vibration beam --ends pinned-pinned --length "6 ft" --diameter "2 in" --bore "1.5 in" --units us',

@@ -47,7 +47,8 @@ SHOCK = Task(
     ),
     headline=(
         "worst: largest response", "worst_frequency: at", "factor: over the peak of the input",
-        "velocity_change: velocity change", "spectrum: spectrum | frequency, maximax, primary, residual, pseudo_velocity",
+        "velocity_change: velocity change",
+        "spectrum: spectrum | frequency, maximax, primary, residual, pseudo_velocity",
     ),
     examples=(
         'dynamics vibration shock --shape half-sine --base-acceleration "30 g" --duration "11 ms" --lowest "20 Hz" '

@@ -19,7 +19,8 @@ MODES = Task(
     ),
     headline=(
         "kind: damping", "rigid_modes: rigid modes", "coordinates: shapes list",
-        "modes: modes | number=mode, frequency, damping_ratio=ζ, effective_share=effective mass, shape, phases=lead in deg",
+        "modes: modes | number=mode, frequency, damping_ratio=ζ, effective_share=effective mass, shape, "
+        "phases=lead in deg",
     ),
     examples=(
         'dynamics vibration modes --masses "1, 2, 3 kg" --stiffnesses "1, 1e14, 1000 N/m"',

@@ -145,7 +145,7 @@ def _branches(made: "Any", given: ForcedDuffing) -> Picture:
     for nth, jump in enumerate(made.jumps):
         items.append(Band(jump, jump, "jumps" if nth == 0 else ""))
     for row in made.branches:
-        aside = (6.0, 6.0) if row.stable else (6.0, -16.0)
+        aside = (-6.0, 8.0) if row.stable else (6.0, -16.0)
         items.append(Mark(given.frequency_ratio, row.true_amplitude or row.amplitude, "integrated", aside))
     axes = Axis("frequency over linear", ends=(0.0, end)), Axis("amplitude", ends=(0.0, 1.3 * largest))
     return Picture((Panel(*axes, tuple(items)),), "steady amplitudes under the force")

@@ -63,6 +63,9 @@ class RuleTuning:
     tuning: Annotated[Tuning, "den-hartog: equal fixed points; minimax: the least peak."] = DEN_HARTOG
 
 
+BY_RULE = RuleTuning()
+
+
 @record
 class Absorber:
     """A tuned absorber."""
@@ -107,7 +110,7 @@ def _slope(mu: "Any", f: "Any", zeta: "Any", u: "Any") -> "Any":
 def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
     """r² of a peak, by bisection of the slope between the valley and beyond the peak; zero where there is none."""
     middle, product = 0.5 * (1.0 + f * f * (1.0 + mu)), f * f
-    root = sqrt(middle * middle - product)
+    root: float = sqrt(middle * middle - product)
     low, high = product / (middle + root), middle + root
     valley = _valley(mu, f, zeta, low, high)
     if valley == 0.0:
@@ -122,13 +125,14 @@ def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
 
 
 def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
-    """U between the peaks from which the curve rises to both sides: where the slope turns from falling to rising."""
+    """The r² between the peaks from which the curve rises to both sides: where the slope turns from falling to rising."""
     looks = [low * (high / low) ** (i / 400.0) for i in range(-100, 501)]
     signs = [_slope(mu, f, zeta, u) > 0.0 for u in looks]
     turns = [nth for nth in range(600) if not signs[nth] and signs[nth + 1]]
     if not turns:
         return 0.0
-    a, b = looks[turns[0]], looks[turns[0] + 1]
+    a: float = looks[turns[0]]
+    b: float = looks[turns[0] + 1]
     for _ in range(STEPS):
         half = 0.5 * (a + b)
         if half in (a, b):
@@ -163,7 +167,7 @@ def absorber(
     *,
     size: Annotated[MassRatio | Masses, "Mass of the absorber."],
     natural_frequency: Annotated[Frequency | None, "Natural frequency of the machine alone, e.g. 12 Hz."] = None,
-    tune: Annotated[RuleTuning | ChosenTuning, "How it is tuned."] = RuleTuning(),
+    tune: Annotated[RuleTuning | ChosenTuning, "How it is tuned."] = BY_RULE,
 ) -> Absorber:
     """A damped absorber on an undamped machine under a force: tuning, its true peaks, spring and damper.
 

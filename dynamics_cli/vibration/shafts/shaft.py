@@ -16,7 +16,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 from dynamics_cli.vibration.shafts.line import Gear, Rotor, Shaft, ShaftLine
-from dynamics_cli.vibration.systems.modes import undamped
+from dynamics_cli.vibration.systems.modes import ROUNDED, undamped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ def _mode(line: ShaftLine, elements: "Elements", nth: int, value: float, shape: 
 def _bounds(count: int, width: float) -> "tuple[ErrorBound, ...]":
     """What counts prove of every frequency."""
     names = ("frequency", "speed") if width else ()
-    return tuple(ErrorBound(f"modes[{nth}].{name}", width) for nth in range(count) for name in names)
+    return tuple(ErrorBound(f"modes[{nth}].{name}", width + ROUNDED) for nth in range(count) for name in names)
 
 
 def _range(low: "float | None", high: "float | None") -> "tuple[float | None, float | None]":

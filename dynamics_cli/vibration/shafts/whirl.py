@@ -1,4 +1,4 @@
-"""A disk on a flexible shaft: critical speed, whirl amplitude, bearing force; gyroscopic splitting of a tilting disk."""
+"""A disk on a flexible shaft: critical speed, whirl, bearing force; gyroscopic splitting of a disk that tilts."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, pi_beside, sqrt
@@ -82,9 +82,7 @@ def whirl(
     eccentricity: Annotated[Eccentricity, "Centre of mass off the shaft, e.g. 20 um."],
     speed: Annotated[ShaftSpeed, "Speed of the shaft, e.g. 3000 rpm."],
     damping_ratio: Annotated[DampingRatio, "External damping over critical damping, e.g. 0.02."] = 0.0,
-    polar_inertia: Annotated[
-        Inertia | None, "Of the disk about its axis; tilting counts then, e.g. 0.5 kg*m^2."
-    ] = None,
+    polar_inertia: Annotated[Inertia | None, "Of the disk about its axis, if it tilts, e.g. 0.5 kg*m^2."] = None,
     diametral_inertia: Annotated[Inertia | None, "Of the disk about a diameter, e.g. 0.25 kg*m^2."] = None,
 ) -> Whirl:
     """Critical speed and whirl of one disk on a flexible shaft with an eccentric mass.
@@ -102,7 +100,7 @@ def whirl(
     Raises
     ------
     InadmissibleError
-        At the critical speed without damping, for negative damping, a disk off the shaft, or an inertia without the other.
+        At the critical speed without damping, for negative damping, a disk off the shaft, or one inertia alone.
 
     References
     ----------

@@ -83,7 +83,8 @@ def over_record(of: Oscillators, times: "Any", loads: "Any", mix: "Any", into: E
     """Extremes over a record of straight lines between samples, and the state at its end."""
     state = np.zeros((2, len(of.omega)))
     alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)
-    last_step, factors = -1.0, ()
+    last_step = -1.0
+    factors: tuple[Any, ...] = ()
     for begin in range(0, len(times) - 1, BLOCK):
         end = min(begin + BLOCK, len(times) - 1)
         states = np.empty((2, end - begin + 1, len(of.omega)))
@@ -145,7 +146,8 @@ def _within(of: Oscillators, times: "Any", loads: "Any", states: "Any", mix: "An
 def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any, Any]":
     """Displacement and velocity of a lone oscillator at every sample."""
     made = np.zeros((len(times), 2))
-    last_step, factors = -1.0, ()
+    last_step = -1.0
+    factors: tuple[Any, ...] = ()
     for i in range(len(times) - 1):
         step = float(times[i + 1] - times[i])
         if abs(step - last_step) > EVEN * step:

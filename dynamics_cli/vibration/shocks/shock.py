@@ -187,7 +187,7 @@ def _extremes(of: "Any", input_: "Pulse | Recorded") -> "tuple[Any, Any, Any, _S
         end = float(times[-1])
     else:
         require(input_.shape in AREAS, "a {shape} has no end: a shock spectrum is of a pulse", shape=str(input_.shape),
-                code="no-pulse", hint="for example --shape half-sine; a step: dynamics vibration transient")  # fmt: skip
+                code="no-pulse", hint="for example --shape half-sine; steps: dynamics vibration transient")  # fmt: skip
         require(input_.duration > 0.0, "the duration is zero", code="no-duration")
         size, end = input_.base_acceleration, input_.duration
         require(size != 0.0, "the pulse has no height", code="no-load")
@@ -206,7 +206,7 @@ def _of_record(times: "Any", values: "Any") -> _Source:
     peak = float(abs(values).max())
     require(peak > 0.0, "the record is zero throughout", code="no-load")
     change = float(((values[1:] + values[:-1]) * (times[1:] - times[:-1])).sum() * 0.5)
-    notes = ()
+    notes: tuple[Advice, ...] = ()
     if max(abs(values[0]), abs(values[-1])) > LEFT * peak:
         text = "the record does not begin and end at rest: low frequencies of the spectrum are of its offset"
         notes = (Advice("offset", text, remedy="take the mean before the shock off"),)

@@ -213,13 +213,13 @@ def _peaks(of: "Oscillators", loaded: Load, mix: "tuple[float, float]") -> "Any"
     from dynamics_cli.vibration.shocks.extremes import Extremes, over_piece, over_record, over_rest
 
     into = Extremes(1)
+    state: Any = (np.zeros(1), np.zeros(1))
     weights = (np.full(1, mix[0]), np.full(1, mix[1]))
     if not loaded.pieces:
         state = over_record(of, loaded.times, loaded.values, weights, into)
         if of.zeta < 1.0:
             over_rest(of, state, loaded.end, weights, into)
         return into
-    state = (np.zeros(1), np.zeros(1))
     period = 2.0 * math.pi / float(of.omega[0])
     for piece in loaded.pieces:
         length = piece.end - piece.start if math.isfinite(piece.end) else 1.5 * period * max(1.0, 4.0 * of.zeta)
@@ -242,7 +242,7 @@ def _history(of: "Oscillators", loaded: Load) -> "dict[str, Any]":
         }  # fmt: skip
     times = np.linspace(0.0, min(loaded.end + AFTER * period, max(MOST * period, 2.0 * loaded.end)), ROWS)
     z, v, f = np.zeros(ROWS), np.zeros(ROWS), np.zeros(ROWS)
-    state = (np.zeros(1), np.zeros(1))
+    state: Any = (np.zeros(1), np.zeros(1))
     for piece in loaded.pieces:
         here = (times >= piece.start) & (times <= piece.end)
         z[here], v[here] = of.after(*state, piece, times[here] - piece.start)

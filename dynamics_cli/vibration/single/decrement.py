@@ -80,7 +80,7 @@ def decrement(*, measured: Annotated[Peaks | HalfPower | Recorded, "What was mea
     Examples
     --------
     >>> round(decrement(measured=Peaks((1.0, 0.5))).damping_ratio, 9)
-    0.109653431
+    0.109652581
     """
     if isinstance(measured, HalfPower):
         return _half_power(measured.lower_frequency, measured.upper_frequency)

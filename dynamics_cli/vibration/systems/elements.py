@@ -25,7 +25,7 @@ MOST_PROVED = 60
 
 
 class Elements:
-    """Masses and springs (i, j, k); j is −1 for the ground. Springs of no stiffness are left out, parallel ones joined."""
+    """Masses and springs (i, j, k); j is −1 for the ground. Parallel springs are joined."""
 
     def __init__(self, masses: "Sequence[float]", springs: "Sequence[Spring]") -> None:
         self.masses = list(masses)
@@ -91,7 +91,7 @@ class Elements:
         return math.sqrt(above / math.fsum(m * x * x for m, x in zip(self.masses, shape, strict=True)))
 
     def order(self) -> "list[tuple[int, int, float]] | None":
-        """Bodies from the leaves to the roots, each with what carries it (−1: none) and by which spring; None for loops."""
+        """Bodies from leaves to roots, each with what carries it (−1: none), by which spring; None for loops."""
         n = len(self.masses)
         beside: list[list[tuple[int, float]]] = [[] for _ in range(n)]
         inner = [(i, j, k) for i, j, k in self.springs if j != GROUND]
@@ -117,7 +117,7 @@ class Elements:
         return walk[::-1]
 
     def count_below(self, square: "Any", exact: bool = True) -> int | None:
-        """How many ω² lie below `square`, by the signs of the pivots; exact in fractions. None where springs form loops."""
+        """How many ω² lie below `square`, by signs of pivots, exact in fractions; None where springs form loops."""
         walk = self.order()
         if walk is None:
             return None

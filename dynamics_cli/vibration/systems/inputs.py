@@ -96,14 +96,15 @@ class System:
         require(n > 0, "no mass is given", code="missing")
         require(
             s in (n - 1, n, n + 1),
-            "{s} springs do not go with {n} masses in a row: {n} from a wall, one less with free ends, one more between walls",
+            "{s} springs do not go with {n} masses in a row",
             s=str(s),
             n=str(n),
             code="count",
+            hint="{n} from a wall, one less with free ends, one more between walls",
         )
         dampings = given.dampings or (0.0,) * s
-        require(len(dampings) == s, "there are {s} springs and {d} dampers", s=str(s), d=str(len(dampings)), code="count",
-                hint="give 0 where there is none")  # fmt: skip
+        require(len(dampings) == s, "there are {s} springs and {d} dampers", s=str(s), d=str(len(dampings)),
+                code="count", hint="give 0 where there is none")  # fmt: skip
         ends = [(i - 1, i) for i in range(1, n)]
         if s >= n:
             ends.insert(0, (GROUND, 0))
@@ -198,11 +199,11 @@ class System:
             mass, stiffness = read_matrix(given.mass_file), read_matrix(given.stiffness_file)
             damping = read_matrix(given.damping_file) if given.damping_file else None
         else:
-            mass, stiffness, damping = (
+            mass, stiffness, damping = (  # type: ignore[assignment]
                 None if one is None else [[a / b for a, b in row] for row in one]
                 for one in (given.mass_matrix, given.stiffness_matrix, given.damping_matrix)
             )
-        self.names = [str(i + 1) for i in range(len(mass))]  # type: ignore[arg-type]
+        self.names = [str(i + 1) for i in range(len(mass))]
         self.kept = list(range(len(self.names)))
         self.mass, self.stiffness, self.damping = checked(mass, stiffness, damping)
 

@@ -61,7 +61,7 @@ def _scaled(mass: "Any") -> "Any":
 
 
 def symmetric_modes(mass: "Any", stiffness: "Any") -> "tuple[Any, Any, Any]":
-    """Angular frequencies, shapes of unit modal mass as columns, and the relative error that rounding leaves to each."""
+    """Angular frequencies, shapes of unit modal mass in columns, and what rounding leaves to each, relatively."""
     from scipy.linalg import eigh
 
     root = np.sqrt(np.diag(mass))

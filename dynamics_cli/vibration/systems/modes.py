@@ -28,6 +28,8 @@ SAME = 1e-9
 # A frequency with fewer digits than this is none.
 LOST = 0.01
 ORTHOGONAL = 1e-9
+# What turning radians into hertz adds to a bound.
+ROUNDED = 4.5e-16
 
 
 class Scale(Choice):
@@ -152,7 +154,7 @@ def undamped(those: System) -> "tuple[list[float], list[list[float]], list[float
             method = "one-sided Jacobi on the factor of springs and masses; checked by element Rayleigh quotients"
             return omega, shapes, [0.0] * len(omega), Numerics(method)
         bounds = tuple(
-            ErrorBound(f"modes[{nth}].{name}", width)
+            ErrorBound(f"modes[{nth}].{name}", width + ROUNDED)
             for nth, value in enumerate(omega) if value for name in ("frequency", "angular_frequency")
         )  # fmt: skip
         method = "one-sided Jacobi on the factor; every frequency proved by exact counts below and above it"

@@ -45,8 +45,8 @@ def _continuous(angles: "list[float]") -> "list[float]":
 
 
 def response(
-    made: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0, damping_ratio: "float | None" = None,
-    excitation: "Any" = None, **_: "Any",
+    made: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0,
+    damping_ratio: "float | None" = None, excitation: "Any" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Amplitude and lag over frequency, and the curve of Nyquist."""
     those = System(system)
@@ -62,8 +62,9 @@ def response(
     if made.amplitude is not None:
         at = excitation.frequency if hasattr(excitation, "frequency") else abs(excitation.speed) / (2.0 * math.pi)
         items.append(Mark(at, made.amplitude, "running here"))
+    title = f"{read_at} for a force on {force_at}"
     panels = (
-        Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items), f"{read_at} for a force on {force_at}"),
+        Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items), title),
         Panel(frequency, Axis("lag [deg]", step=90.0), (Curve(hertz, lags, role=0),)),
         Panel(
             Axis("in phase with the force", Coordinate), Axis("across", Coordinate),
