@@ -28,7 +28,7 @@ def _assembled(system: "Any") -> "tuple[Any, Any]":
 def _listed(squares: "Any") -> "dict[str, float]":
     """Frequencies by address, the lowest first; what came out negative is none."""
     rates = [math.sqrt(max(float(square), 0.0)) for square in sorted(squares)]
-    made = {}
+    made: dict[str, float] = {}
     for nth, rate in enumerate(rates):
         made |= {f"modes[{nth}].angular_frequency": rate, f"modes[{nth}].frequency": rate / (2.0 * math.pi)}
     return made

@@ -6,7 +6,6 @@ from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
     Annotated,
     Inertia,
-    Positive,
     Pressure,
     Ratio,
     Size,
@@ -95,12 +94,13 @@ class ByTeeth:
 class BySpeeds:
     """A ratio by speeds."""
 
-    ratio: Annotated[Positive, "Speed of the driver over that of the driven wheel, e.g. 3."]
+    ratio: Annotated[Ratio, "Speed of the driver over that of the driven wheel; its sign is left out, e.g. 3."]
 
     @property
     def turns(self) -> float:
         """Turns of the driver for one of the driven wheel."""
-        return self.ratio
+        require(self.ratio != 0.0, "a ratio of zero drives nothing", code="ratio", hint="give --gear ratio=3")
+        return abs(self.ratio)
 
 
 @record

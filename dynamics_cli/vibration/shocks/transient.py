@@ -224,7 +224,7 @@ def _peaks(of: "Oscillators", loaded: Load, mix: "tuple[float, float]") -> "Any"
     for piece in loaded.pieces:
         length = piece.end - piece.start if math.isfinite(piece.end) else 1.5 * period * max(1.0, 4.0 * of.zeta)
         over_piece(of, state, piece, length, weights, into)
-        state = of.after(*state, piece, length)
+        state = of.after(state[0], state[1], piece, length)
     return into
 
 
@@ -245,8 +245,8 @@ def _history(of: "Oscillators", loaded: Load) -> "dict[str, Any]":
     state: Any = (np.zeros(1), np.zeros(1))
     for piece in loaded.pieces:
         here = (times >= piece.start) & (times <= piece.end)
-        z[here], v[here] = of.after(*state, piece, times[here] - piece.start)
+        z[here], v[here] = of.after(state[0], state[1], piece, times[here] - piece.start)
         f[here] = piece.at(times[here] - piece.start)
         if math.isfinite(piece.end):
-            state = of.after(*state, piece, piece.end - piece.start)
+            state = of.after(state[0], state[1], piece, piece.end - piece.start)
     return {"time": times, "displacement": z, "velocity": v, "load": f}
