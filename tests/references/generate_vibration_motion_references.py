@@ -1,13 +1,15 @@
-"""Writes tests/vibration/motion.json: shocks, transients, nonlinear oscillators, complex modes, to 20 digits.
+"""Writes tests/vibration/motion.json: shocks, nonlinear oscillators, complex modes, to 20 digits.
 
-Shocks by exponentials of the matrix of oscillator and load, extremes as zeros of the derivative; nonlinear periods by Taylor series in 32 digits or by quadrature of the energy integral; complex modes as
-roots of the characteristic polynomial.
+Shocks by exponentials of the matrix of oscillator and load, extremes as zeros of the derivative; van der Pol by Taylor
+series in 32 digits, other nonlinear periods by quadrature of the energy integral; complex modes as roots of the
+characteristic polynomial.
 
 Run: python tests/references/generate_vibration_motion_references.py [FILE]. The same bytes every time.
 """
 
 import json
 import sys
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,8 @@ from mpmath import cos, diff, expm, findroot, matrix, mp, mpf, nstr, pi, polyroo
 
 mp.dps = 32
 FILE = Path(__file__).resolve().parents[1] / "vibration" / "motion.json"
+
+
 def text(value: Any) -> str:
     return nstr(value, 20, min_fixed=1, max_fixed=0)
 
@@ -57,7 +61,7 @@ def extremes(shape: str, tau: Any, hertz: Any, zeta: Any) -> dict[str, str]:
         for i in range(41):
             looks.append((length * i / 40, (row * rate * here)[0]))
             here = hop * here
-        for (low, f), (high, g) in zip(looks[:-1], looks[1:], strict=True):
+        for (low, f), (high, g) in pairwise(looks):
             if f * g < 0:
                 at = findroot(lambda t, a=rate, x=start: (row * a * expm(a * t) * x)[0], (low, high),
                               solver="anderson", tol=mpf("1e-42"), maxsteps=40)  # fmt: skip
@@ -70,7 +74,8 @@ def extremes(shape: str, tau: Any, hertz: Any, zeta: Any) -> dict[str, str]:
 def shocks() -> list[dict[str, Any]]:
     made = []
     for shape, hertz in (
-        ("half-sine", 20), ("half-sine", 100), ("half-sine", 500), ("triangle", 80), ("versed-sine", 80), ("sawtooth", 60),
+        ("half-sine", 20), ("half-sine", 100), ("half-sine", 500), ("triangle", 80), ("versed-sine", 80),
+        ("sawtooth", 60),
     ):  # fmt: skip
         made.append({"shape": shape, "frequency": float(hertz), "duration": 0.011, "damping_ratio": 0.05,
                      **extremes(shape, mpf(0.011), mpf(hertz), mpf(0.05))})  # fmt: skip
@@ -118,7 +123,7 @@ def van_der_pol(mu: Any) -> dict[str, str]:
             a, b = taylor(mu, x, v, step)
             ahead = at(b, step)
             if time > 0.5 and v < 0 <= ahead:
-                h = findroot(lambda s: at(b, s), (mpf(0), step), solver="anderson", tol=mpf("1e-50"), maxsteps=80)
+                h = findroot(lambda s, b=b: at(b, s), (mpf(0), step), solver="anderson", tol=mpf("1e-50"), maxsteps=80)
                 return time + h, at(a, h)
             x, v, time = at(a, step), ahead, time + step
 

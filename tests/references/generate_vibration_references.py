@@ -15,8 +15,28 @@ from pathlib import Path
 from typing import Any
 
 from mpmath import (
-    arg, conj, cos, cosh, diff, diag, eigsy, expm, findroot, log, lu_solve, matrix, mp, mpc, mpf, nstr, pi, polyroots, sin,
-    sinh, sqrt, tan, tanh,
+    arg,
+    conj,
+    cos,
+    cosh,
+    diag,
+    diff,
+    eigsy,
+    expm,
+    findroot,
+    log,
+    lu_solve,
+    matrix,
+    mp,
+    mpc,
+    mpf,
+    nstr,
+    pi,
+    polyroots,
+    sin,
+    sqrt,
+    tan,
+    tanh,
 )  # fmt: skip
 
 mp.dps = 120
@@ -112,8 +132,8 @@ def base(spring: Any, motion: Any, excitation: Any, mass: float | None = None, d
     c, w = damping_of(k, m, damping), rate_of(k, m, excitation)
     y = mpf(motion["base_amplitude"]) if "base_amplitude" in motion else mpf(motion["base_acceleration"]) / w**2
     x = (k + mpc(0, 1) * w * c) / (k - m * w * w + mpc(0, 1) * w * c)
-    out = {"transmissibility": abs(x), "amplitude": abs(x) * y, "acceleration": abs(x) * y * w * w, "phase": arg(conj(x)),
-           "relative_ratio": abs(x - 1), "relative_amplitude": abs(x - 1) * y}  # fmt: skip
+    out = {"transmissibility": abs(x), "amplitude": abs(x) * y, "acceleration": abs(x) * y * w * w,
+           "phase": arg(conj(x)), "relative_ratio": abs(x - 1), "relative_amplitude": abs(x - 1) * y}  # fmt: skip
     zeta = c / (2 * sqrt(k * m))
     if zeta:
         square = lambda u: (1 + 4 * zeta**2 * u) / ((1 - u) ** 2 + 4 * zeta**2 * u)  # noqa: E731
@@ -356,67 +376,217 @@ def piece(one: str, other: str, k: float) -> dict[str, Any]:
 def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     moving = {"mass": 2.0, "spring": spring(50.0), "displacement": 0.1, "start_velocity": -0.2, "time": 0.7}
     for c, why in ((4.0, ""), (20.00000000001, NEAR), (19.99999999999, NEAR),
-                   (400.0, "heavy damping: the slow root is a small difference"), (1e-9, "hardly any damping")):  # fmt: skip
+                   (400.0, "heavy damping: the slow root is a small difference"),
+                   (1e-9, "hardly any damping")):  # fmt: skip
         yield "free", f"damper of {c!r}", why, {**moving, "damping": of("Damper", damping=c)}
-    yield "free", "a long time, hardly damped", "the phase after 1,600 radians", {
-        "spring": of("Natural", natural_frequency=8.0), "damping": share(1e-6), "displacement": 0.01, "time": 31.7}
-    yield "free", "dry friction", "what ten bands leave of the start", {"mass": 1.0, "spring": spring(200.0), "displacement": 0.05,
-                                       "damping": of("DryFriction", friction=0.1)}
+    yield (
+        "free",
+        "a long time, hardly damped",
+        "the phase after 1,600 radians",
+        {"spring": of("Natural", natural_frequency=8.0), "damping": share(1e-6), "displacement": 0.01, "time": 31.7},
+    )
+    yield (
+        "free",
+        "dry friction",
+        "what ten bands leave of the start",
+        {"mass": 1.0, "spring": spring(200.0), "displacement": 0.05, "damping": of("DryFriction", friction=0.1)},
+    )
     unit = {"mass": 1.0, "spring": ONE, "force": 1.0}
-    yield "forced", "ζ = 1e-8, beside resonance by 1e-9", "1 − r² cancels unless the distance itself is given", {
-        **unit, "damping": share(1e-8), "excitation": of("AtDetuning", detuning=1e-9)}
+    yield (
+        "forced",
+        "ζ = 1e-8, beside resonance by 1e-9",
+        "1 − r² cancels unless the distance itself is given",
+        {**unit, "damping": share(1e-8), "excitation": of("AtDetuning", detuning=1e-9)},
+    )
     yield "forced", "ζ = 0.05", "", {**unit, "damping": share(0.05), "excitation": of("AtRatio", frequency_ratio=0.8)}
-    yield "forced", "from rest beside resonance by 1e-10", "two cosines that cancel", {
-        "mass": 2.0, "spring": spring(200.0), "force": 5.0, "excitation": of("AtDetuning", detuning=1e-10),
-        "time": 100.0}
-    yield "forced", "from rest at resonance, ζ = 1e-6", "steady and free vibration cancel", {
-        "mass": 2.0, "spring": spring(200.0), "force": 5.0, "damping": share(1e-6),
-        "excitation": of("AtDetuning", detuning=1e-7), "time": 40.0}
-    yield "base", "ζ = 0.15 at its peak", "", {"spring": ONE, "damping": share(0.15), "motion": of("Shaking",
-        base_amplitude=0.001), "excitation": of("AtRatio", frequency_ratio=0.9791041774103826)}
-    yield "base", "far above resonance, hardly damped", "a small transmissibility", {"spring": ONE,
-        "damping": share(1e-4), "motion": of("BaseAcceleration", base_acceleration=5.0),
-        "excitation": of("AtRatio", frequency_ratio=300.0)}
-    yield "unbalance", "ζ = 0.15 at its peak", "", {"mass": 200.0, "unbalance": 0.002, "spring": ONE,
-        "damping": share(0.15), "excitation": of("AtRatio", frequency_ratio=1.0232890201933018)}
-    yield "isolator", "a tenth at 25 Hz", "", {"excitation": of("AtFrequency", frequency=25.0),
-        "wish": of("Passing", transmissibility=0.1), "damping_ratio": 0.05, "mass": 400.0}
-    yield "isolator", "one part in 1e8", "a root far out", {"excitation": of("AtFrequency", frequency=25.0),
-        "wish": of("Passing", transmissibility=1e-8), "damping_ratio": 1e-3}
-    yield "decrement", "four peaks", "logarithms that nearly lie on a line leave little", {"measured": of("Peaks", peaks=[12.1, 9.8, 7.9, 6.5])}
-    yield "decrement", "peaks that hardly fall", "logarithms of nearly equal numbers cancel", {
-        "measured": of("Peaks", peaks=[1.0, 0.99999999, 0.99999998])}
-    yield "decrement", "half power, ζ = 0.05", "", {"measured": of("HalfPower", lower_frequency=9.461105000066637,
-                                                                    upper_frequency=10.463627104294146)}
+    yield (
+        "forced",
+        "from rest beside resonance by 1e-10",
+        "two cosines that cancel",
+        {
+            "mass": 2.0,
+            "spring": spring(200.0),
+            "force": 5.0,
+            "excitation": of("AtDetuning", detuning=1e-10),
+            "time": 100.0,
+        },
+    )
+    yield (
+        "forced",
+        "from rest at resonance, ζ = 1e-6",
+        "steady and free vibration cancel",
+        {
+            "mass": 2.0,
+            "spring": spring(200.0),
+            "force": 5.0,
+            "damping": share(1e-6),
+            "excitation": of("AtDetuning", detuning=1e-7),
+            "time": 40.0,
+        },
+    )
+    yield (
+        "base",
+        "ζ = 0.15 at its peak",
+        "",
+        {
+            "spring": ONE,
+            "damping": share(0.15),
+            "motion": of("Shaking", base_amplitude=0.001),
+            "excitation": of("AtRatio", frequency_ratio=0.9791041774103826),
+        },
+    )
+    yield (
+        "base",
+        "far above resonance, hardly damped",
+        "a small transmissibility",
+        {
+            "spring": ONE,
+            "damping": share(1e-4),
+            "motion": of("BaseAcceleration", base_acceleration=5.0),
+            "excitation": of("AtRatio", frequency_ratio=300.0),
+        },
+    )
+    yield (
+        "unbalance",
+        "ζ = 0.15 at its peak",
+        "",
+        {
+            "mass": 200.0,
+            "unbalance": 0.002,
+            "spring": ONE,
+            "damping": share(0.15),
+            "excitation": of("AtRatio", frequency_ratio=1.0232890201933018),
+        },
+    )
+    yield (
+        "isolator",
+        "a tenth at 25 Hz",
+        "",
+        {
+            "excitation": of("AtFrequency", frequency=25.0),
+            "wish": of("Passing", transmissibility=0.1),
+            "damping_ratio": 0.05,
+            "mass": 400.0,
+        },
+    )
+    yield (
+        "isolator",
+        "one part in 1e8",
+        "a root far out",
+        {
+            "excitation": of("AtFrequency", frequency=25.0),
+            "wish": of("Passing", transmissibility=1e-8),
+            "damping_ratio": 1e-3,
+        },
+    )
+    yield (
+        "decrement",
+        "four peaks",
+        "logarithms that nearly lie on a line leave little",
+        {"measured": of("Peaks", peaks=[12.1, 9.8, 7.9, 6.5])},
+    )
+    yield (
+        "decrement",
+        "peaks that hardly fall",
+        "logarithms of nearly equal numbers cancel",
+        {"measured": of("Peaks", peaks=[1.0, 0.99999999, 0.99999998])},
+    )
+    yield (
+        "decrement",
+        "half power, ζ = 0.05",
+        "",
+        {"measured": of("HalfPower", lower_frequency=9.461105000066637, upper_frequency=10.463627104294146)},
+    )
     for mu in (0.05, 0.01, 0.2):
         yield "absorber", f"Den Hartog, μ = {mu}", "", {"size": of("MassRatio", mass_ratio=mu)}
-    yield "absorber", "least peak, μ = 0.05", "", {"size": of("MassRatio", mass_ratio=0.05),
-                                                    "tune": of("RuleTuning", tuning={"word": "minimax"})}
-    yield "absorber", "as wanted", "", {"size": of("MassRatio", mass_ratio=0.1),
-                                        "tune": of("ChosenTuning", frequency_ratio=0.92, damping_ratio=0.15)}
-    yield "modes", "soft mount on a stiff chain", SOFT, {"system": of("Line", masses=[1.0] * 4,
-        stiffnesses=[1e-3, 1e15, 1e15, 1e15])}
-    yield "modes", "chain of 1, 1e14 and 1000 N/m", SOFT, {"system": of("Line", masses=[1.0, 2.0, 3.0],
-        stiffnesses=[1.0, 1e14, 1e3])}
-    yield "modes", "free line of 1, 1e12 and 1e12", SOFT, {"system": of("Line", masses=[1.0] * 4,
-        stiffnesses=[1.0, 1e12, 1e12])}
-    yield "modes", "masses of 1e-6, 1 and 1e6", "a light mass beside heavy ones", {"system": of("Line",
-        masses=[1e-6, 1.0, 1e6], stiffnesses=[1.0, 2.0, 3.0])}
+    yield (
+        "absorber",
+        "least peak, μ = 0.05",
+        "",
+        {"size": of("MassRatio", mass_ratio=0.05), "tune": of("RuleTuning", tuning={"word": "minimax"})},
+    )
+    yield (
+        "absorber",
+        "as wanted",
+        "",
+        {"size": of("MassRatio", mass_ratio=0.1), "tune": of("ChosenTuning", frequency_ratio=0.92, damping_ratio=0.15)},
+    )
+    yield (
+        "modes",
+        "soft mount on a stiff chain",
+        SOFT,
+        {"system": of("Line", masses=[1.0] * 4, stiffnesses=[1e-3, 1e15, 1e15, 1e15])},
+    )
+    yield (
+        "modes",
+        "chain of 1, 1e14 and 1000 N/m",
+        SOFT,
+        {"system": of("Line", masses=[1.0, 2.0, 3.0], stiffnesses=[1.0, 1e14, 1e3])},
+    )
+    yield (
+        "modes",
+        "free line of 1, 1e12 and 1e12",
+        SOFT,
+        {"system": of("Line", masses=[1.0] * 4, stiffnesses=[1.0, 1e12, 1e12])},
+    )
+    yield (
+        "modes",
+        "masses of 1e-6, 1 and 1e6",
+        "a light mass beside heavy ones",
+        {"system": of("Line", masses=[1e-6, 1.0, 1e6], stiffnesses=[1.0, 2.0, 3.0])},
+    )
     yield "modes", "three alike", "", {"system": of("Line", masses=[1.0] * 3, stiffnesses=[1.0] * 3)}
-    yield "shaft", "geared 20:60", "", {"rotors": [rotor("motor", 0.5), rotor("pinion", 0.01), rotor("wheel", 0.3),
-        rotor("drum", 4.0)], "shafts": [piece("motor", "pinion", 2000.0), piece("wheel", "drum", 9000.0)],
-        "gears": [of("Gear", driver={"word": "pinion"}, driven={"word": "wheel"}, ratio_of=of("BySpeeds", ratio=3.0))]}
-    yield "shaft", "a stiff coupling beside a soft one", SOFT, {"rotors": [rotor("a", 1.0), rotor("b", 1.0),
-        rotor("c", 1.0), rotor("d", 2.0)], "shafts": [piece("a", "b", 1e13), piece("b", "c", 0.5),
-        piece("b", "d", 1e13)]}
+    yield (
+        "shaft",
+        "geared 20:60",
+        "",
+        {
+            "rotors": [rotor("motor", 0.5), rotor("pinion", 0.01), rotor("wheel", 0.3), rotor("drum", 4.0)],
+            "shafts": [piece("motor", "pinion", 2000.0), piece("wheel", "drum", 9000.0)],
+            "gears": [
+                of("Gear", driver={"word": "pinion"}, driven={"word": "wheel"}, ratio_of=of("BySpeeds", ratio=3.0))
+            ],
+        },
+    )
+    yield (
+        "shaft",
+        "a stiff coupling beside a soft one",
+        SOFT,
+        {
+            "rotors": [rotor("a", 1.0), rotor("b", 1.0), rotor("c", 1.0), rotor("d", 2.0)],
+            "shafts": [piece("a", "b", 1e13), piece("b", "c", 0.5), piece("b", "d", 1e13)],
+        },
+    )
     steel = of("Rectangle", width=0.04, height=0.01)
     for word in ("clamped-free", "pinned-pinned", "clamped-clamped", "clamped-pinned", "free-free", "free-pinned"):
         yield "beam", word, "", {"ends": {"word": word}, "length": 0.8, "section": steel}
     bar = of("Bar", diameter=0.04, length=0.9, position=0.3)
-    yield "whirl", "a disk that tilts", "", {"mass": 30.0, "shaft": bar, "eccentricity": 2e-5, "speed": 377.0,
-        "damping_ratio": 0.02, "polar_inertia": 0.5, "diametral_inertia": 0.25}
-    yield "whirl", "just beside the critical speed", "the difference of speeds cancels", {"mass": 1.0, "shaft": of(
-        "Known", stiffness=1e4), "eccentricity": 2e-5, "speed": 100.00000001, "damping_ratio": 1e-9}
+    yield (
+        "whirl",
+        "a disk that tilts",
+        "",
+        {
+            "mass": 30.0,
+            "shaft": bar,
+            "eccentricity": 2e-5,
+            "speed": 377.0,
+            "damping_ratio": 0.02,
+            "polar_inertia": 0.5,
+            "diametral_inertia": 0.25,
+        },
+    )
+    yield (
+        "whirl",
+        "just beside the critical speed",
+        "the difference of speeds cancels",
+        {
+            "mass": 1.0,
+            "shaft": of("Known", stiffness=1e4),
+            "eccentricity": 2e-5,
+            "speed": 100.00000001,
+            "damping_ratio": 1e-9,
+        },
+    )
 
 
 def drawn(generator: random.Random) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -425,24 +595,70 @@ def drawn(generator: random.Random) -> Iterator[tuple[str, dict[str, Any]]]:
 
     for _ in range(6):
         m, k, zeta = size(0.1, 1e3), size(1e3, 1e6), size(1e-3, 0.35)
-        yield "free", {"mass": m, "spring": spring(k), "damping": share(zeta), "displacement": size(1e-3, 0.1),
-                       "start_velocity": -size(1e-2, 1.0), "time": size(1e-3, 1.0)}
+        yield (
+            "free",
+            {
+                "mass": m,
+                "spring": spring(k),
+                "damping": share(zeta),
+                "displacement": size(1e-3, 0.1),
+                "start_velocity": -size(1e-2, 1.0),
+                "time": size(1e-3, 1.0),
+            },
+        )
         excitation = of("AtFrequency", frequency=size(1.0, 100.0))
-        yield "forced", {"mass": m, "spring": spring(k), "damping": share(zeta), "force": size(1.0, 1e3),
-                         "excitation": excitation}
-        yield "base", {"mass": m, "spring": spring(k), "damping": share(zeta), "excitation": excitation,
-                       "motion": of("Shaking", base_amplitude=size(1e-5, 1e-2))}
-        yield "unbalance", {"mass": m, "spring": spring(k), "damping": share(zeta), "unbalance": size(1e-4, 1e-2),
-                            "excitation": of("AtSpeed", speed=size(10.0, 600.0))}
-        yield "isolator", {"excitation": excitation, "wish": of("Kept", isolation=size(0.3, 0.98)),
-                           "damping_ratio": size(1e-3, 0.2)}
+        yield (
+            "forced",
+            {"mass": m, "spring": spring(k), "damping": share(zeta), "force": size(1.0, 1e3), "excitation": excitation},
+        )
+        yield (
+            "base",
+            {
+                "mass": m,
+                "spring": spring(k),
+                "damping": share(zeta),
+                "excitation": excitation,
+                "motion": of("Shaking", base_amplitude=size(1e-5, 1e-2)),
+            },
+        )
+        yield (
+            "unbalance",
+            {
+                "mass": m,
+                "spring": spring(k),
+                "damping": share(zeta),
+                "unbalance": size(1e-4, 1e-2),
+                "excitation": of("AtSpeed", speed=size(10.0, 600.0)),
+            },
+        )
+        yield (
+            "isolator",
+            {"excitation": excitation, "wish": of("Kept", isolation=size(0.3, 0.98)), "damping_ratio": size(1e-3, 0.2)},
+        )
         n = generator.randint(2, 6)
-        yield "modes", {"system": of("Line", masses=[size(0.1, 100.0) for _ in range(n)],
-                                     stiffnesses=[size(1e2, 1e6) for _ in range(n)])}
-        yield "shaft", {"rotors": [rotor(name, size(0.01, 10.0)) for name in "abcd"],
-                        "shafts": [piece("a", "b", size(1e3, 1e5)), piece("c", "d", size(1e3, 1e5))],
-                        "gears": [of("Gear", driver={"word": "b"}, driven={"word": "c"},
-                                     ratio_of=of("BySpeeds", ratio=size(0.2, 5.0)))]}
+        yield (
+            "modes",
+            {
+                "system": of(
+                    "Line", masses=[size(0.1, 100.0) for _ in range(n)], stiffnesses=[size(1e2, 1e6) for _ in range(n)]
+                )
+            },
+        )
+        yield (
+            "shaft",
+            {
+                "rotors": [rotor(name, size(0.01, 10.0)) for name in "abcd"],
+                "shafts": [piece("a", "b", size(1e3, 1e5)), piece("c", "d", size(1e3, 1e5))],
+                "gears": [
+                    of(
+                        "Gear",
+                        driver={"word": "b"},
+                        driven={"word": "c"},
+                        ratio_of=of("BySpeeds", ratio=size(0.2, 5.0)),
+                    )
+                ],
+            },
+        )
 
 
 def written(tree: Any) -> Any:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import shlex
 from pathlib import Path
 
@@ -75,7 +76,7 @@ def test_refusals(name: str) -> None:
     outcome = run("vibration", *shlex.split(command), "--json")
     assert outcome.status == 3, outcome.out or outcome.err
     assert outcome.error["code"] == code
-    assert "nan" not in outcome.err.lower()
+    assert re.search(r"\bnan\b", outcome.err.lower()) is None
     assert "None" not in outcome.err
 
 
@@ -93,9 +94,7 @@ def test_critical_damping_is_neither_under_nor_over() -> None:
 
 
 def test_a_mode_lost_in_a_matrix_is_null_and_said() -> None:
-    document = answer(
-        "vibration", "modes", "--mass-matrix", "1,0;0,1", "--stiffness-matrix", "1e20,-1e20;-1e20,1e20"
-    )
+    document = answer("vibration", "modes", "--mass-matrix", "1,0;0,1", "--stiffness-matrix", "1e20,-1e20;-1e20,1e20")
     assert document["results"]["modes"][0].get("frequency") in (None, {"value": None, "unit": "Hz"})
     assert "lost" in [one["code"] for one in document["warnings"]]
 
@@ -119,14 +118,16 @@ def test_repeated_frequencies_are_said() -> None:
 
 
 def test_rows_are_the_single_answers() -> None:
-    table = "mass[kg],stiffness[N/m],damping[N*s/m],displacement[mm],time[s]\n1,100,0,1,1\n1,100,500,1,1\n1,100,20,1,1\n"
+    table = (
+        "mass[kg],stiffness[N/m],damping[N*s/m],displacement[mm],time[s]\n1,100,0,1,1\n1,100,500,1,1\n1,100,20,1,1\n"
+    )
     lines = run("vibration", "free", "--rows", "-", "--format", "ndjson", stdin=table).out.splitlines()
     for line, row in zip(lines, table.splitlines()[1:], strict=True):
         m, k, c, x, t = row.split(",")
         alone = results(
             f'free --mass "{m} kg" --stiffness "{k} N/m" --damping "{c} N*s/m" --displacement "{x} mm" --time "{t} s"'
         )
-        assert json.loads(line)["position"]["value"] == alone["position"]["value"]  # type: ignore[index]
+        assert json.loads(line)["results"]["position"]["value"] == alone["position"]["value"]  # type: ignore[index]
 
 
 def test_uncertain_stiffness_reaches_the_frequency() -> None:
@@ -145,7 +146,7 @@ def test_damping_from_a_record(tmp_path: Path) -> None:
     file = tmp_path / "decay.csv"
     file.write_text("t[s],x[mm]\n" + "".join(f"{t!r},{x!r}\n" for t, x in rows))
     made = answer("vibration", "decrement", "--file", str(file))["results"]
-    assert made["damping_ratio"]["value"] == pytest.approx(zeta, rel=2e-4)
+    assert made["damping_ratio"]["value"] == pytest.approx(zeta, rel=5e-4)
     assert made["natural_frequency"]["value"] == pytest.approx(5.0, rel=1e-4)
 
 
@@ -162,10 +163,9 @@ def test_a_recorded_shock_is_read_between_its_samples(tmp_path: Path) -> None:
 
 
 def test_modes_below_are_counted() -> None:
-    made = results(
-        "shaft " + LOOP.replace("ratio=2", "ratio=1") + '--rotor "name=d, inertia=1 kg*m^2" '
-        '--shaft "from=b, to=d, stiffness=5 N*m/rad" --below "1 Hz"'
-    )
-    assert made["modes_below"] == sum(mode["frequency"]["value"] < 1.0 for mode in made["modes"]) or (  # type: ignore
-        made["modes_below"]["value"] == sum(mode["frequency"]["value"] < 1.0 for mode in made["modes"])  # type: ignore
-    )
+    more = '--rotor "name=d, inertia=1 kg*m^2" --shaft "from=b, to=d, stiffness=5 N*m/rad" --below "1 Hz"'
+    made = results(f"shaft {LOOP} {more}")
+    below = made["modes_below"]
+    count = below["value"] if isinstance(below, dict) else below
+    rows: list[dict[str, dict[str, float]]] = made["modes"]  # type: ignore[assignment]
+    assert count == sum(row["frequency"]["value"] < 1.0 for row in rows) > 0

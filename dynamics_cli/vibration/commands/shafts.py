@@ -47,7 +47,7 @@ ABSORBER = Task(
     Model(
         "damped absorber on an undamped machine",
         "dynamics_cli.vibration.shafts.absorber:absorber",
-        source="Den Hartog, Mechanical Vibrations, section 3.3; Nishihara & Asami, J. Vib. Acoust. 124 (2002) 576",
+        source="Den Hartog, Mechanical Vibrations; least peak after Nishihara & Asami (2002)",
         formula="{frequency_ratio|f} = 1/(1 + {mass_ratio|μ}), {damping_ratio|ζ}² = 3·{mass_ratio|μ}/(8·(1 + "
         "{mass_ratio|μ}))",
         assumptions=("the machine has no damping of its own", "a sine force acts on the machine"),
@@ -70,7 +70,7 @@ BEAM = Task(
     Model(
         "Euler–Bernoulli beam",
         "dynamics_cli.vibration.shafts.beam:beam",
-        source="Blevins, Formulas for Natural Frequency and Mode Shape, chapter 8",
+        source="Thomson, Theory of Vibration with Applications, appendix D",
         formula="{first_frequency|f} = (βL)²/(2π·{length|L}²)·√({elastic_modulus|E}·I/m)",
         assumptions=("slender and uniform; shear and rotary inertia are neglected", "small deflections"),
     ),

@@ -101,7 +101,7 @@ class Forced:
         return made if dense else made.y[:, -1]
 
     def cycle(self, amplitude: float, lag: float) -> "tuple[float, float, bool] | None":
-        """First harmonic and largest displacement of the true cycle near to that of harmonic balance, and whether stable."""
+        """First harmonic and largest displacement of the true cycle near to an averaged one; whether it is stable."""
         state = np.array([amplitude * math.cos(lag), amplitude * self.omega * math.sin(lag)])
         for _ in range(NEWTON):
             end = self.over_period(state)

@@ -125,7 +125,7 @@ def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
 
 
 def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
-    """The r² between the peaks from which the curve rises to both sides: where the slope turns from falling to rising."""
+    """The r² between the peaks from which the curve rises to both sides; zero where there is none."""
     looks = [low * (high / low) ** (i / 400.0) for i in range(-100, 501)]
     signs = [_slope(mu, f, zeta, u) > 0.0 for u in looks]
     turns = [nth for nth in range(600) if not signs[nth] and signs[nth + 1]]
@@ -189,7 +189,8 @@ def absorber(
 
     References
     ----------
-    Den Hartog, Mechanical Vibrations, section 3.3; Nishihara & Asami, J. Vib. Acoust. 124 (2002) 576 (least peak).
+    Den Hartog, Mechanical Vibrations; least peak after Nishihara & Asami, J. Vib. Acoust. 124 (2002), confirmed by
+    search.
 
     Examples
     --------

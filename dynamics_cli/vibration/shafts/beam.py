@@ -132,7 +132,7 @@ def beam(
 
     References
     ----------
-    Euler–Bernoulli beam theory; Blevins, Formulas for Natural Frequency and Mode Shape, chapter 8.
+    Thomson, Theory of Vibration with Applications, appendix D (roots and their squares as printed).
 
     Examples
     --------
