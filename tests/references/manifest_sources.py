@@ -139,9 +139,10 @@ FILES: dict[str, Origin] = {
     "vibration": Origin(
         "vibration",
         _same(
-            "free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "modes", "shaft", "beam", "whirl",
+            "free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "modes", "shaft", "beam",
+            "whirl",
         ),
-        "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues of assembled matrices",
+        "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues",
         "120 digits", "", r"drawn",
     ),
     "vec": Origin(
