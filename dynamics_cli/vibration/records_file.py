@@ -1,6 +1,5 @@
 """Files of measured signals: CSV with a time and a value, and matrices of numbers."""
 
-import csv
 import math
 from itertools import pairwise
 
@@ -13,6 +12,8 @@ MOST = 200_000
 
 
 def _cells(file: str) -> "list[list[str]]":
+    import csv
+
     with open(file, encoding="utf-8-sig", newline="") as stream:
         rows = [row for row in csv.reader(stream) if row and not row[0].lstrip().startswith("#")]
     require(bool(rows), "the file is empty", code="record")

@@ -4,10 +4,14 @@ import json
 import math
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from harness import answer, run
+
+from dynamics_cli import cli
 
 ONE = '--mass "2 kg" --stiffness "50 N/m"'
 LINE = '--masses "1, 1 kg" --stiffnesses "10, 10 N/m"'
@@ -81,7 +85,8 @@ def test_refusals(name: str) -> None:
 
 
 def results(command: str) -> dict[str, object]:
-    return answer("vibration", *shlex.split(command))["results"]
+    made: dict[str, object] = answer("vibration", *shlex.split(command))["results"]
+    return made
 
 
 def test_critical_damping_is_neither_under_nor_over() -> None:
@@ -169,3 +174,24 @@ def test_modes_below_are_counted() -> None:
     count = below["value"] if isinstance(below, dict) else below
     rows: list[dict[str, dict[str, float]]] = made["modes"]  # type: ignore[assignment]
     assert count == sum(row["frequency"]["value"] < 1.0 for row in rows) > 0
+
+
+LIGHT = """
+import sys
+sys.path.insert(0, {root!r})
+from dynamics_cli.cli import main
+sys.argv = ["dynamics", *{argv!r}]
+status = main()
+print(*sorted(set(sys.modules) & {heavy!r}), file=sys.stderr)
+sys.exit(status)
+"""
+SCALAR = ("free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "beam", "whirl")
+
+
+@pytest.mark.parametrize("task", SCALAR)
+def test_closed_forms_start_without_numpy(task: str) -> None:
+    argv = shlex.split(cli.family("vibration").tasks[task].examples[0])[1:]
+    heavy = {"numpy", "scipy", "typing", "re", "csv", "dataclasses", "fractions"}
+    code = LIGHT.format(root=str(Path(cli.__file__).parents[1]), argv=argv, heavy=heavy)
+    done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr.strip()) == (0, "")
