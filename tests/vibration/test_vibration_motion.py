@@ -110,6 +110,18 @@ def test_forced_duffing_and_its_jumps() -> None:
     assert linear.branches[0].error == pytest.approx(0.0, abs=1e-9)
 
 
+def test_a_softening_spring_has_no_amplitude_where_it_pushes_away() -> None:
+    made = nonlinear(oscillator=ForcedDuffing(-0.1, 0.05, 0.1, 0.2))
+    assert made.branches is not None
+    assert [row.stable for row in made.branches] == [True]
+    assert made.jumps == ()
+    assert "pushed-away" in [one.code for one in made.advice]
+    jumps = nonlinear(oscillator=ForcedDuffing(-0.1, 0.03, 0.1, 0.9)).jumps
+    assert jumps is not None
+    assert len(jumps) == 2
+    assert all(one < 1.0 for one in jumps)
+
+
 def test_averaging_of_quadratic_damping_is_its_closed_form() -> None:
     made = nonlinear(oscillator=QuadraticDamping(0.1, 1.0, 5))
     time = (made.period or 0.0) * 5

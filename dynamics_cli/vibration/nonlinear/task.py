@@ -268,15 +268,21 @@ def _forced(given: ForcedDuffing) -> Nonlinear:
     full = Forced(*numbers)
     rows = []
     for nth, a in enumerate(amplitudes):
+        if 1.0 + given.cubic * a * a <= 0.0:
+            continue
         lag = math.atan2(2.0 * given.damping_ratio * omega, (1.0 - omega) * (1.0 + omega) + 0.75 * given.cubic * a * a)
         stable = len(amplitudes) == 1 or nth != 1
         made = full.cycle(a, lag)
         true = None if made is None or made[2] != stable or abs(made[0] / a - 1.0) > 0.5 else made[0]
         rows.append(Branch(a, true, None if true is None else abs(a / true - 1.0), stable))
+    require(bool(rows), "every amplitude lies where the softening spring pushes away", code="no-return",
+            hint="give a smaller force")  # fmt: skip
     top = 3.0 * max(omega, 1.0, math.sqrt(1.0 + 0.75 * abs(given.cubic) * max(amplitudes) ** 2))
     notes = [Advice("averaging", "an amplitude is of the first harmonic; the motion has others", severity="note")]
     if len(rows) > 1:
         notes.append(Advice("several", "which stable amplitude comes depends on how the force began"))
+    if len(rows) < len(amplitudes):
+        notes.append(Advice("pushed-away", "amplitudes at which the spring pushes away are left out", severity="note"))
     if any(row.true_amplitude is None for row in rows):
         notes.append(Advice("not-followed", "no true cycle lies near to one of the averaged amplitudes"))
     return Nonlinear(

@@ -159,5 +159,15 @@ def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float]":
             for _ in range(60):
                 half = 0.5 * (low + high)
                 low, high = (half, high) if (discriminant(half) > 0.0) == start else (low, half)
-            made.append(0.5 * (low + high))
+            if _returns(zeta, cubic, force, 0.5 * (low + high)):
+                made.append(0.5 * (low + high))
     return made
+
+
+def _returns(zeta: float, cubic: float, force: float, omega: float) -> bool:
+    """Whether the amplitude that two branches share at a jump lies where a softening spring still pulls back."""
+    p, q, c = (1.0 - omega) * (1.0 + omega), 4.0 * zeta * zeta * omega * omega, 0.75 * cubic
+    root = math.sqrt(max(p * p - 3.0 * q, 0.0))
+    shared = [(-2.0 * p + sign * root) / (3.0 * c) for sign in (-1.0, 1.0)]
+    u = min(shared, key=lambda u: abs(((c * u + p) ** 2 + q) * u - force * force))
+    return 1.0 + cubic * u > 0.0

@@ -28,6 +28,8 @@ SAME = 1e-9
 # A frequency with fewer digits than this is none.
 LOST = 0.01
 ORTHOGONAL = 1e-9
+# Parts of a shape below this are of rounding.
+NOISE = 1e-15
 # What turning radians into hertz adds to a bound.
 ROUNDED = 4.5e-16
 
@@ -174,6 +176,7 @@ def undamped(those: System) -> "tuple[list[float], list[list[float]], list[float
 def scaled(shape: "Sequence[float]", scale: str) -> "list[float]":
     """A shape with its largest or first part one, or as it is (unit modal mass), its largest part positive."""
     largest = max(shape, key=abs)
+    shape = [0.0 if abs(x) <= NOISE * abs(largest) else x for x in shape]
     if scale == "first" and abs(shape[0]) > 1e-12 * abs(largest):
         return [x / shape[0] for x in shape]
     if scale == "mass":
@@ -218,11 +221,11 @@ def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale
         full = _whole_complex(those, shapes[:, nth])
         largest = max(full, key=abs)
         turned = [x / (full[0] if scale == "first" and abs(full[0]) > 1e-9 * abs(largest) else largest) for x in full]
-        size = abs(value)
+        size = float(abs(value))
         rows.append(
             Mode(
-                number=nth + 1, frequency=size / (2.0 * math.pi), angular_frequency=float(size),
-                damping_ratio=float(-value.real / size), damped_frequency=float(value.imag) / (2.0 * math.pi),
+                number=nth + 1, frequency=size / (2.0 * math.pi), angular_frequency=size,
+                damping_ratio=-float(value.real) / size, damped_frequency=float(value.imag) / (2.0 * math.pi),
                 shape=tuple(abs(x) for x in turned),
                 phases=tuple(math.degrees(math.atan2(x.imag, x.real)) if abs(x) > 1e-12 else 0.0 for x in turned),
                 modal_mass=None, participation=None, effective_share=None,
