@@ -116,7 +116,7 @@ def test_a_softening_spring_has_no_amplitude_where_it_pushes_away() -> None:
     assert [row.stable for row in made.branches] == [True]
     assert made.jumps == ()
     assert "pushed-away" in [one.code for one in made.advice]
-    jumps = nonlinear(oscillator=ForcedDuffing(-0.1, 0.03, 0.1, 0.9)).jumps
+    jumps = nonlinear(oscillator=ForcedDuffing(-0.1, 0.04, 0.1, 0.9)).jumps
     assert jumps is not None
     assert len(jumps) == 2
     assert all(one < 1.0 for one in jumps)
