@@ -2,12 +2,16 @@
 
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Acceleration, Coordinate, Frequency, Time, VibrationSpeed
+from dynamics_cli.vibration.shocks.shock import Pulse
+from dynamics_cli.vibration.shocks.shock import shock as spectrum
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 GREY = 6
+# Oscillators in an octave for a smooth curve.
+SMOOTH = 24
 
 
 def transient(made: "Any", **_: "Any") -> Picture:
@@ -23,8 +27,10 @@ def transient(made: "Any", **_: "Any") -> Picture:
     return Picture((Panel(time, Axis("displacement", Coordinate), items),), "after the load")
 
 
-def shock(made: "Any", **_: "Any") -> Picture:
+def shock(made: "Any", *, per_octave: int = SMOOTH, **given: "Any") -> Picture:
     """The spectrum, primary and residual, and pseudo-velocity; all scales logarithmic."""
+    if per_octave < SMOOTH and isinstance(given["input_"], Pulse):
+        made = spectrum(per_octave=SMOOTH, **given)
     table = made.spectrum.arrays
     x = table["frequency"]
     floor = 1e-3 * made.worst
