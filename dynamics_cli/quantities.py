@@ -216,6 +216,13 @@ if TYPE_CHECKING:
     Eccentricity = float
     BalanceGrade = float
     BalanceMass = float
+    DampingRatio = float
+    ViscousDamping = float
+    TorsionDamping = float
+    SpringRate = float
+    Receptance = float
+    VibrationSpeed = float
+    SagGravity = float
     # read in a way of their own
     Slope = float
     Count = int
@@ -481,6 +488,23 @@ else:
         about="eccentricity times angular velocity: G 6.3 is 6.3 mm/s",
     )  # fmt: skip
     BalanceMass = Kind("mass", "kg", si="g", us="oz", low=0.0, example="20 g", about="a small mass")
+    # vibration; what is negative is refused by physics, which says what becomes of the motion
+    DampingRatio = Kind("damping ratio", "", example="0.05", about="damping over critical damping")
+    ViscousDamping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/in", example="50 N*s/m", about="force per speed")
+    TorsionDamping = Kind(
+        "torsion damping", "N*m*s/rad", si="N*m*s/rad", us="lbf*in*s/rad", low=0.0, example="2 N*m*s/rad",
+        about="torque per angular velocity",
+    )  # fmt: skip
+    SpringRate = Kind("stiffness", "N/m", si="N/mm", us="lbf/in", example="20 N/mm", about="force per deflection")
+    Receptance = Kind("receptance", "m/N", si="um/N", us="in/lbf", example="5 um/N", about="amplitude per force")
+    SagGravity = Kind(
+        "acceleration", "m/s^2", si="m/s^2", us="ft/s^2", above=0.0, example="32.2 ft/s^2",
+        about="the acceleration of gravity", default=STANDARD_GRAVITY_TEXT, variable="DYNAMICS_GRAVITY",
+        needs="static_deflection",
+    )  # fmt: skip
+    VibrationSpeed = Kind(
+        "vibration velocity", "m/s", si="mm/s", us="in/s", example="4.5 mm/s", about="a velocity of vibration"
+    )
     # read in a way of their own
     Slope = Kind(
         "slope", "", form="slope", si="%", us="%", example="-3 %", about="rise over run, or an angle; uphill positive"

@@ -63,6 +63,18 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "machine_mounts",
+        "A fan on mounts: isolation, unbalance, a shock of the floor, the block below.",
+        "cd machine_mounts && sh machine_mounts.sh",
+        "machine_mounts/machine_mounts.sh",
+    ),
+    Example(
+        "shaft_line",
+        "Motor, gearbox and drum: torsional frequencies, critical speeds; inertias from shapes.",
+        "cd shaft_line && sh shaft_line.sh",
+        "shaft_line/shaft_line.sh",
+    ),
+    Example(
         "pid_loop",
         "A position loop with a PI controller: stable gains, ranges of its coefficients, and the delay it bears.",
         "cd pid_loop && sh pid_loop.sh",

@@ -146,6 +146,15 @@ FILES: dict[str, Origin] = {
         "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
         "56 digits", IMPACTS, ".",
     ),
+    "vibration": Origin(
+        "vibration",
+        _same(
+            "free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "modes", "shaft", "beam",
+            "whirl",
+        ),
+        "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues",
+        "120 digits", "", r"drawn",
+    ),
     "vec": Origin(
         "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),
         "sums in ratios, angles by arc cosines, the law of cosines, projection by normal equations, Gram–Schmidt, "
