@@ -21,7 +21,7 @@ class ReferenceCase:
     """A reference case."""
 
     command: Annotated[Text, "The command whose task it is a case of."]
-    name: Annotated[Text, "Its name, which no other case of the task has."]
+    name: Annotated[Text, "Its name, unique within the task."]
     difficulty: Annotated[Text, "ordinary, or hard: chosen, or found by search, for being difficult."]
     why: Annotated[Text | None, "Why it is hard."]
     source: Annotated[
@@ -29,8 +29,8 @@ class ReferenceCase:
         "Where it comes from: drawn at random, chosen by hand, made up for a limit, or found by a search for the "
         "largest error, for the error nearest to its bound, or for the loosest bound.",
     ]
-    file: Annotated[Text, "The file of references that it stands in."]
-    task: Annotated[Text, "The file's own word for what is calculated."]
+    file: Annotated[Text, "The file of references that contains it."]
+    task: Annotated[Text, "The file's name for the calculation."]
 
 
 @cache

@@ -61,7 +61,7 @@ def coords(
     /,
     *,
     from_: Annotated[System, "The system the point is given in."],
-    into: Annotated[System, "The system wanted."],
+    into: Annotated[System, "The system to convert to."],
 ) -> Coordinates:
     """Convert a point between Cartesian, cylindrical and spherical coordinates.
 

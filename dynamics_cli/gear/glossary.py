@@ -13,18 +13,18 @@ class Entry:
     term: Annotated[Text, "The term."]
     symbol: Annotated[Text, "Its symbol in ISO 21771, or AGMA's."]
     also: Annotated[Text, "Other names."]
-    formula: Annotated[Text, "A formula in which it stands."]
-    meaning: Annotated[Text, "What it is."]
+    formula: Annotated[Text, "A formula in which it occurs."]
+    meaning: Annotated[Text, "Its definition."]
 
 
 @record
 class Glossary:
     """Terms of gearing."""
 
-    entries: Annotated[tuple[Entry, ...], "The terms asked for, in alphabetical order."]
+    entries: Annotated[tuple[Entry, ...], "The requested terms, in alphabetical order."]
 
 
-def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all of them unless any is given."]) -> Glossary:
+def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all terms if left out."]) -> Glossary:
     """Explain the terms of gearing, with symbol, other names and a formula.
 
     Equation

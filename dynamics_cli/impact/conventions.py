@@ -74,7 +74,7 @@ class Conventions:
     """The conventions a result is written in."""
 
     axes: Annotated[Text, "The axes of vectors."]
-    headings: Annotated[Text, "How headings and spins are counted."]
+    headings: Annotated[Text, "How headings and spins are measured."]
     pdof: Annotated[Text | None, "The zero and the sense of PDOF."] = None
 
 
@@ -105,7 +105,7 @@ class ByWeight:
 class Fixed:
     """A body that does not give way: a wall, a floor, a barrier."""
 
-    fixed: Annotated[bool, "Yes for a body that keeps its velocity whatever strikes it."]
+    fixed: Annotated[bool, "True for a body that keeps its velocity whatever strikes it."]
 
 
 def side_of(name: str) -> str:
@@ -168,7 +168,7 @@ class DeltaV:
     vector: Annotated[PlanarVelocity, "Change of velocity along the scene's axes [m/s]."]
     magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
     longitudinal: Annotated[RoadVelocity, "Its part along the nose of the body, ahead positive [m/s]."]
-    lateral: Annotated[RoadVelocity, "Its part across: to the left positive, in SAE axes to the right [m/s]."]
+    lateral: Annotated[RoadVelocity, "Its lateral component: positive to the left, in SAE axes to the right [m/s]."]
     pdof: Annotated[
         Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
     ]

@@ -79,5 +79,5 @@ def _require_size(name: str, value: object) -> None:
             name=name,
             value=(value, Ratio),
             code="range",
-            hint="check the size of the number and its unit",
+            hint="check the number and its unit",
         )

@@ -83,8 +83,8 @@ def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -
 
 
 REST = (
-    "the point is at rest: direction, curvature and the parts of the acceleration do not exist; it moves off, or turns "
-    "back, along the acceleration"
+    "the point is at rest: direction, curvature and the parts of the acceleration do not exist; it starts or reverses "
+    "along the acceleration"
 )
 STRAIGHT = "velocity and acceleration are parallel: the curvature is zero and the radius of curvature infinite"
 

@@ -62,7 +62,7 @@ def components(
         JerkVector | None, "Rate of change of the acceleration, for the torsion, e.g. 0, 1, 0 m/s^3."
     ] = None,
     axes: Annotated[
-        Axes, "What the components are along: cartesian, cylindrical (r, θ, z), spherical (ρ, φ, θ)."
+        Axes, "Directions of the components: cartesian, cylindrical (r, θ, z), spherical (ρ, φ, θ)."
     ] = Axes("cartesian"),  # noqa: B008
 ) -> Components:
     """Velocity and acceleration along x, y, z; r, θ, z; ρ, φ, θ; and along and across the path.

@@ -55,7 +55,7 @@ def relative(
     *,
     first: Annotated[Mover, "The point from which the other is seen."],
     second: Annotated[Mover, "The point that is seen."],
-    time: Annotated[Time, "When relative position and velocity are wanted, e.g. 2 s."] = 0.0,
+    time: Annotated[Time, "Time of the relative position and velocity shown, e.g. 2 s."] = 0.0,
 ) -> Relative:
     """Relative position, velocity and acceleration of two points, and their closest approach.
 
@@ -93,7 +93,11 @@ def relative(
     closing = None if plain(apart) == 0.0 else -(dot(here, now) / apart)
     advice: tuple[Advice, ...] = ()
     if closing is None:
-        advice = (Advice("touching", "they are at one place: nothing closes", "note", result="closing_speed"),)
+        advice = (
+            Advice(
+                "touching", "they are at the same place: there is no closing direction", "note", result="closing_speed"
+            ),
+        )
     if plain(when) == 0.0 and not any(map(plain, a)) and not any(map(plain, v)):
         advice += (Advice("at-rest", "they do not move relative to each other: their distance never changes", "note"),)
     elif plain(when) == 0.0:
@@ -191,4 +195,4 @@ def _nearest_check(r: Vector, v: Vector, a: Vector, when: float, gap: float) -> 
     step = 1e-3 * when or 1e-6
     around = [math.hypot(*_at(r, v, a, time)) for time in (max(when - step, 0.0), when + step)]
     short = max(0.0, gap - min(around))
-    return (Check("no closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),)
+    return (Check("not closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),)

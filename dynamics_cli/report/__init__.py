@@ -7,16 +7,18 @@ PAPERS = ("a4", "letter")
 REPORT = Command(
     "report",
     "FILE...",
-    "Gather result documents into one report: HTML, PDF or Markdown.",
+    "Combine result documents into one report: HTML, PDF or Markdown.",
     "Each FILE is a result document (or several, as NDJSON; - is standard input). Each is calculated again from the "
-    "inputs it holds: the report shows what was calculated now, and everything in which the document differs.",
+    "inputs it holds: the report shows the new calculation, and every difference from the document.",
     "dynamics report skid.json crash.json --output report.html",
     (
         Option("format", "FORMAT", "markdown (the default), html or pdf; else by the ending of --output.", FORMS),
-        Option("output", "FILE", "Write the report to a file, whole or not at all: .html, .pdf or .md."),
+        Option(
+            "output", "FILE", "Write the report to a file (.html, .pdf or .md); on failure no partial file is left."
+        ),
         Option("title", "TEXT", "The report's title."),
         Option("case", "TEXT", "Number or name of the case, for the title block."),
-        Option("author", "TEXT", "Who prepared it, for the title block."),
+        Option("author", "TEXT", "Author, for the title block."),
         Option("date", "TEXT", "Date of the report, for the title block (today)."),
         Option("paper", "SIZE", "Paper of the PDF: a4 (the default) or letter.", PAPERS),
         Option("digits", "N", "Significant digits of certain results (6)."),

@@ -80,7 +80,7 @@ def _given_table(one: "Calculation", given: "list[tuple[str, str]]") -> "list[Bl
         blocks.append(Table(["given", *sides], [[label, *pair] for label, pair in paired.items()], "Given"))
     if len(rest) <= MOST_IN_A_SENTENCE:
         text = "; ".join(f"{label} {value}" for label, value in rest)
-        return [*blocks, *([Paragraph(("", "Given besides: " if paired else "Given: ", f"{text}."))] if rest else [])]
+        return [*blocks, *([Paragraph(("", "Other inputs: " if paired else "Given: ", f"{text}."))] if rest else [])]
     return [*blocks, Table(["given", "value"], [list(row) for row in rest], "Given")]
 
 

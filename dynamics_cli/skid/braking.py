@@ -60,7 +60,7 @@ def speed(
         "The surfaces in the order they were crossed; one may be given by its plain fields.",
     ],
     end_speed: Annotated[RoadSpeed, "Speed where the marks end: zero when the vehicle came to rest there [m/s]."] = 0.0,
-    mass: Annotated[Mass | None, "Mass of the vehicle; wanted for the energies only [kg]."] = None,
+    mass: Annotated[Mass | None, "Mass of the vehicle; needed for the energies only [kg]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidSpeed:
     """Speed at the start of skid marks, from the work of friction and grade over every surface crossed.
@@ -140,7 +140,7 @@ class SkidDistance:
     time: Annotated[Time, "Time from speed to end speed [s]."]
     drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
     deceleration: Annotated[Acceleration, "Deceleration along the road [m/s^2]."]
-    exit_speed: Annotated[RoadSpeed | None, "Speed left at the end of the mark; needs the mark [m/s]."] = None
+    exit_speed: Annotated[RoadSpeed | None, "Speed remaining at the end of the mark; needs the mark [m/s]."] = None
     exit_time: Annotated[Time | None, "Time until the end of the mark; needs the mark [s]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -155,7 +155,7 @@ def distance(
         Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
     ] = 1.0,
     end_speed: Annotated[RoadSpeed, "Speed to slow down to [m/s]."] = 0.0,
-    mark: Annotated[Distance | None, "Length of a mark after which the speed left is wanted [m]."] = None,
+    mark: Annotated[Distance | None, "Length of a mark at whose end the remaining speed is calculated [m]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidDistance:
     """Distance and time in which a braked vehicle slows down, and the speed left after a given mark.
@@ -248,7 +248,7 @@ def _stop_advice(left: float, mark: float) -> tuple[Advice, ...]:
     if not single(left, mark) or plain(left) > 0.0 or plain(mark) == 0.0:
         return ()
     message = (
-        "the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
-        "condition number describes how it and the time there depend on the inputs"
+        "the mark ends where the vehicle stops, within rounding: the remaining speed is taken as zero, "
+        "and no condition number describes how it and the time there depend on the inputs"
     )
     return (Advice(code="mark-at-stop", message=message, remedy="read distance and time of the stop instead"),)

@@ -62,7 +62,8 @@ def yaw(
     ] = 0.0,
     track_width: Annotated[
         Distance | None,
-        "Track width, where the outer tyres left the mark and the path of the mass centre is wanted, e.g. 1.5 m [m].",
+        "Track width, if the outer tyres left the mark and the speed is that of the mass centre's path, e.g. 1.5 m "
+        "[m].",
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> CriticalSpeed:
@@ -192,6 +193,7 @@ def _bank_advice(lean: float) -> tuple[Advice, ...]:
     if not single(lean) or plain(lean) > 0.2:
         return ()
     message = worded(
-        "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit", lean=(lean, Ratio)
+        "1 - friction × superelevation is only {lean:3}: as it approaches zero the speed grows without limit",
+        lean=(lean, Ratio),
     )
     return (Advice(code="near-self-holding-bank", message=message, severity="serious"),)

@@ -133,7 +133,7 @@ def angle(made: "Any", *_: "Any", **__: "Any") -> Picture:
     panel = _panel(arrows, kinds.NUMBER, ("", ""), "", (arc, label))
     bare = Panel(panel.x, panel.y, panel.items, equal=True, bare=True)
     return Picture(
-        (bare,), "the angle between two vectors, in their plane", subtitle="directions alone: both of length one"
+        (bare,), "the angle between two vectors, in their plane", subtitle="directions only: both of unit length"
     )
 
 
@@ -235,7 +235,7 @@ def direction(made: "Any", *_: "Any", **__: "Any") -> Picture:
     shadow = [(0.0, 0.0, 0.0), (v[0], v[1], 0.0), v]
     steps = [(v[0], 0.0, 0.0), (v[0], v[1], 0.0), (0.0, v[1], 0.0)]
     lines_ = [_line(points, "thin", SUM) for points in (shadow, steps)]
-    return _scene([*_axes(1.0), *lines_, *_arrow(v, name, 0)], "a direction in space", "seen obliquely; length one")
+    return _scene([*_axes(1.0), *lines_, *_arrow(v, name, 0)], "a direction in space", "seen obliquely; unit length")
 
 
 def product(made: "Any", first: "Any", second: "Any", third: "Any" = None, /) -> Picture:
@@ -246,7 +246,7 @@ def product(made: "Any", first: "Any", second: "Any", third: "Any" = None, /) ->
         items += _arrow(_unit(_spatial(getattr(vector, "value", vector))), name, role)
     if any(made.vector_product.value):
         items += _arrow(_unit(made.vector_product.value), "a×b", 3)
-    return _scene(items, "the vectors and their vector product", "seen obliquely; directions alone, of length one")
+    return _scene(items, "the vectors and their vector product", "seen obliquely; directions only, of unit length")
 
 
 def lines(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
@@ -278,7 +278,7 @@ def lines(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
         items.append(Mark(0.5 * (x0 + x1), 0.5 * (y0 + y1), name, (6.0, -4.0), dot=False, role=SUM))
     if made.intersection is not None:
         items.append(Mark(*_seen(made.intersection.value), "they meet", (6.0, -8.0), role=SUM))
-    return _scene(items, f"how they lie: {made.relation}", "seen obliquely; black: the shortest connection")
+    return _scene(items, f"relative position: {made.relation}", "seen obliquely; black: the shortest connection")
 
 
 def _way(one: "Any", point: "Sequence[float]") -> "tuple[float, ...] | None":

@@ -321,7 +321,7 @@ def test_a_cusp_itself_is_rest() -> None:
         ({"x": metres("tan(t)"), "end": 2.0}, "at 1.5708 s"),
         ({"x": metres("abs(t-1)"), "end": 2.0}, "at 1 s"),
         ({"x": metres("t"), "start": 3.0, "end": 2.0}, "before it starts"),
-        ({"x": metres("t")}, "a time is wanted"),
+        ({"x": metres("t")}, "a time is missing"),
         ({"end": 2.0}, "either formulas"),
         ({"x": metres("t"), "shape": Cycloid(1.0), "end": 1.0}, "either formulas"),
         ({"x": metres("t"), "end": 2.0, "at": 3.0}, "not in the range"),

@@ -22,7 +22,7 @@ def export(
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     follower: Annotated[Follower, "The follower and where it stands."],
-    rotation: Annotated[Rotation, "Which way the cam turns."] = CCW,
+    rotation: Annotated[Rotation, "Sense of rotation of the cam."] = CCW,
     start_angle: Annotated[Angle, "Angle by which the cam's drawing is turned on anticlockwise [rad]."] = 0.0,
     flank: Annotated[Flank, "The inner surface, that of a disc cam, or the outer flank of a closed track."] = INNER,
     curve: Annotated[Curve, "The cam itself, the path of the roller's centre, or the path of a cutter."] = CAM,

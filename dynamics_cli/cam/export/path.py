@@ -80,7 +80,7 @@ class Path:
             "the curve is undercut: at a cam angle of {place:6} it runs backwards and cuts itself",
             place=(place, Angle),
             code="undercut",
-            hint="raise the base radius, take a smaller roller, or find the lift that is lost by `dynamics cam check`",
+            hint="raise the base radius, take a smaller roller, or see the lift that is lost with `dynamics cam check`",
         )
 
     def points(self, theta: "Any", piece: int) -> "tuple[Disc, Disc]":

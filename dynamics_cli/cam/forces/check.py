@@ -42,7 +42,7 @@ class CamCheck:
     binding: Annotated[Text, "The limits that are not kept."]
     undercut: Annotated[bool, "Whether the curve of the cam cuts itself or has a cusp."]
     undercut_stretches: Annotated[
-        Count, "How many stretches of the envelope run backwards; none where flanks far apart cut each other."
+        Count, "How many stretches of the envelope run backwards; zero where flanks far apart cut each other."
     ]
     pieces_cut_off: Annotated[Count | None, "Pieces that an undercut cuts off the cam."]
     lift_lost: Annotated[
@@ -61,14 +61,14 @@ class CamCheck:
         Coordinate | None, "Minimum radius of curvature of the cam where it is concave [m]."
     ]
     least_concave_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
-    curvature_kept: Annotated[bool | None, "Whether the least radius asked for is kept."]
-    largest_pressure_angle: Annotated[Angle, "Largest pressure angle, held against the limit of the rise [rad]."]
+    curvature_kept: Annotated[bool | None, "Whether the given minimum radius is kept."]
+    largest_pressure_angle: Annotated[Angle, "Maximum pressure angle, compared with the limit of the rise [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
-    least_pressure_angle: Annotated[Angle, "Lowest pressure angle, held against the limit of the return [rad]."]
+    least_pressure_angle: Annotated[Angle, "Minimum pressure angle, compared with the limit of the return [rad]."]
     least_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
     pressure_angle_kept: Annotated[bool, "Whether both limits of pressure angle are kept."]
     face_width: Annotated[Size | None, "Length of the flat face that the cam touches [m]."]
-    face_kept: Annotated[bool | None, "Whether the flat face given is long enough."]
+    face_kept: Annotated[bool | None, "Whether the given flat face is long enough."]
     velocity_jumps: Annotated[Count, "Joints where the follower's velocity jumps: an infinite force."]
     acceleration_jumps: Annotated[Count, "Joints where its acceleration jumps."]
     jump_speed: Annotated[ShaftSpeed | None, "Speed of the cam at which the follower leaves it [rad/s]."]
@@ -205,7 +205,7 @@ def check(
         jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
         advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
-            "Chebyshev proxies of every piece, every turning place certified",
+            "Chebyshev proxies of every piece, every extreme certified",
             (
                 *pressure_bounds(analysis),
                 *radius_bounds(geometry, analysis),
@@ -249,7 +249,7 @@ def _cusp(loss: "Any", forward: bool) -> tuple[Advice, ...]:
     """Advice on a curve that is not undercut as computed, but undercut within its error."""
     if loss is not None or forward:
         return ()
-    message = "the cam has a cusp at a point, to the accuracy of the calculation"
+    message = "the cam has a cusp, to the accuracy of the calculation"
     return (Advice("cusp", message, "caution", "raise the base radius a little"),)
 
 
@@ -258,7 +258,7 @@ def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
     arm = geometry.oscillating
     remedy = "raise the base radius, take a smaller roller, or give the motion a larger angle"
     if isinf(loss.lift):
-        message = "the cam is undercut: nothing of it is left to support the follower"
+        message = "the cam is undercut: nothing is left of it to support the follower"
         return Advice("undercut", message, "serious", remedy, "swing_lost" if arm else "lift_lost")
     template = "the cam is undercut: it loses {amount:6} of {what}"
     if geometry.side < 0.0:

@@ -38,13 +38,14 @@ def force(
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     shaft_speed: Annotated[ShaftSpeed, "Speed of the cam shaft [rad/s]."],
     train: Annotated[
-        Train, "What moves and what presses it: mass and forces of a slide, moment of inertia and torques of an arm."
+        Train,
+        "The moving parts and what loads them: mass and forces of a slide, moment of inertia and torques of an arm.",
     ],
     follower: Annotated[
         DrivenFollower | None, "The follower and where it stands, for the force along the common normal."
     ] = None,
     rotation: Annotated[Rotation, "Which way the cam turns."] = CCW,
-    contact: Annotated[Contact | None, "Width and materials of the contact, for the Hertz stress."] = None,
+    contact: Annotated[Contact | None, "Width and materials of the contact, for the Hertz pressure."] = None,
     at_lifts: Annotated[
         tuple[Size, ...] | None,
         "Lifts of a slide above the lowest at which durations are wanted; 0.050 in and 1 mm when not given [m].",

@@ -93,7 +93,7 @@ def require_lever(geometry: Geometry, motion: "Motion") -> None:
     if not geometry.oscillating:
         require(
             least > 0.0,
-            "the follower comes down to {least} above the cam's axis: the pressure angle reaches a right angle",
+            "the follower comes down to {least} above the cam's axis: the pressure angle reaches 90 deg",
             least=(least, Coordinate),
             code="through-axis",
             hint="take a larger base circle, or a smaller offset",

@@ -64,7 +64,7 @@ def refuse_size() -> None:
     """Refuse a cam whose proxies are not finite."""
     require(
         False,
-        "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
+        "a cam of this size is impossible: the point of contact passes through the cam's axis, or numbers overflow",
         code="through-axis",
         hint="take a base radius above zero, of the size of the lift",
     )

@@ -73,7 +73,7 @@ class Geometry:
         sizes = [abs(size) for size in vars(follower).values()]
         require(
             all(size == 0.0 or SMALLEST < size < LARGEST for size in sizes),
-            "a length of the follower is beyond what any cam has",
+            "a length of the follower is larger than any cam could have",
             code="range",
             hint="check the units of its lengths",
         )

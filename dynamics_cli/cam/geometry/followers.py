@@ -120,7 +120,7 @@ def require_lift(motion: "Any", oscillating: bool) -> None:
     most = max(map(abs, motion.stroke)) if oscillating else 0.0
     require(
         most < 2.0 * pi,
-        "a swing of {swing} takes the arm right round its pivot",
+        "a swing of {swing} takes the arm all the way round its pivot",
         swing=(most, Angle),
         turn=(2.0 * pi, Angle),
         code="swing",
@@ -206,8 +206,8 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
     prime, difference, both = base_radius + roller_radius, abs(pivot_distance - arm), pivot_distance + arm
     require(
         difference <= prime <= both and prime > 0.0 and arm > 0.0 and pivot_distance > 0.0,
-        "arm {arm}, pivot distance {pivot} and start radius {prime} make no triangle: the roller cannot touch the base "
-        "circle",
+        "arm {arm}, pivot distance {pivot} and start radius {prime} do not form a triangle: the roller cannot touch "
+        "the base circle",
         arm=(arm, Size), pivot=(pivot_distance, Size), prime=(prime, Size),
         code="no-triangle",
         hint="take a base radius of {least:6} to {most:6}"

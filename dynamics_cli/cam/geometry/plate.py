@@ -48,13 +48,15 @@ class Plate:
     y: Annotated[float, "Centroid in the cam's frame [m]."]
     polar: Annotated[float, "Second moment of the area about the cam's axis [m⁴]."]
     area_error: Annotated[
-        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+        float,
+        "Twice the change that halving the last pieces of the quadrature made, plus rounding, relative to each size.",
     ]
     perimeter_error: Annotated[
-        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+        float,
+        "Twice the change that halving the last pieces of the quadrature made, plus rounding, relative to each size.",
     ]
     centroid_error: Annotated[float, "The same of the centroid [m]."]
-    polar_error: Annotated[float, "The same of the second moment, as a share of it."]
+    polar_error: Annotated[float, "The same for the second moment, relative to it."]
 
 
 @record
@@ -259,7 +261,9 @@ def _missing(name: str) -> Advice:
 
 
 def _trimmed(loss: "Loss") -> Advice:
-    message = "area, perimeter, centroid and inertia are those of the plate that is left; the table is of all the curve"
+    message = (
+        "area, perimeter, centroid and inertia are those of the plate that is left; the table covers the whole curve"
+    )
     if loss.pieces:
         message += f"; pieces cut off: {loss.pieces}"
     return Advice("trimmed-plate", message, "note")

@@ -65,7 +65,7 @@ class CamProfile:
     ]
     least_convex_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
     least_concave_radius: Annotated[
-        Size | None, "Minimum radius of curvature of the cam where it is concave; left out where it is nowhere [m]."
+        Size | None, "Minimum radius of curvature of the cam where it is concave; absent if it is concave nowhere [m]."
     ]
     least_concave_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
     face_low: Annotated[
@@ -206,7 +206,7 @@ def profile(
         checks=_checks(geometry, touch),
         advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
-            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it stands",
+            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it settles",
             (*body.bounds, *pressure_bounds(analysis), *radius_bounds(geometry, analysis)),
         ),
     )

@@ -38,7 +38,9 @@ class Loss:
     at: Annotated[float, "Cam angle there [rad]."]
     error: Annotated[float, "Bound of the error of the lift lost [m or rad]."]
     stretches: Annotated[tuple[tuple[float, float], ...], "Cam angles between which the envelope runs backwards."]
-    corners: Annotated[tuple[Corner, ...], "Corners of what is left about the axis; none where nothing is."]
+    corners: Annotated[
+        tuple[Corner, ...], "Corners of the piece that is left about the axis; empty if nothing is left."
+    ]
     pieces: Annotated[int, "Pieces of the cam that are cut off."]
 
 

@@ -52,10 +52,10 @@ def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> L
     solved = _solve(rows)
     require(
         solved is not None,
-        "no polynomial of degree {degree}, or more than one, meets these conditions",
+        "these conditions are met by no polynomial of degree {degree}, or by more than one",
         degree=count - 1,
         code="conditions",
-        hint="give the lift at one place at least, and no derivative without those below it",
+        hint="give the lift at one place at least, and with each derivative all lower ones",
     )
     about_start = solved or []
     about_end = _about(about_start, Fraction(1))
@@ -125,7 +125,7 @@ def spline(
     places = [x for x, _ in points]
     require(
         all(a < b for a, b in itertools.pairwise(places)),
-        "the places of the points do not increase",
+        "the places of the points are not in increasing order",
         code="points",
         hint="put the points in order, each once",
     )

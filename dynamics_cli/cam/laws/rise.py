@@ -34,7 +34,7 @@ UP = 1.0 + 2.0**-40
 MOST_POINTS = 100_000
 # One turn, for spans that rounding makes longer than it.
 TURN = 2.0 * pi * (1.0 + 2.0**-50)
-METHOD = "closed form from the nearer end, its roundings followed at every place"
+METHOD = "closed form from the nearer end, rounding bounded at every point"
 
 
 @record
@@ -77,7 +77,7 @@ def rise(
         tuple[Angle, ...],
         "Angles from the start of the rise; a table of `count` when not given, e.g. 0, 30, 60 deg [rad].",
     ] = (),
-    count: Annotated[Count, "How many points the table has."] = 19,
+    count: Annotated[Count, "Number of points of the table."] = 19,
     falling: Annotated[
         bool, "A return from the lift to zero that follows the law downwards, h (1 − f(θ/β)): that of `cam motion`."
     ] = False,
@@ -91,7 +91,7 @@ def rise(
     constant: Annotated[
         Fraction | None, "Share of the rise at constant velocity, of modified-constant-velocity or scca, e.g. 50 %."
     ] = None,
-    conditions: Annotated[tuple[Condition, ...], "What a polynomial is to meet, in units of the rise."] = (),
+    conditions: Annotated[tuple[Condition, ...], "Conditions that a polynomial is to meet, in units of the rise."] = (),
     points: Annotated[tuple[SplinePoint, ...], "Points a spline goes through, in units of the rise."] = (),
     start_velocity: Annotated[Ratio, "Slope of a spline at its start, in units of the rise."] = 0.0,
     end_velocity: Annotated[Ratio, "Slope of a spline at its end."] = 0.0,
@@ -172,10 +172,10 @@ def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool)
         "the span of {span} is more than one turn of the cam",
         span=(span, Angle),
         code="span",
-        hint="give a span of {turn} at most",
+        hint="give a span of at most {turn}",
         turn=(2.0 * pi, Angle),
     )
-    require(1e-100 < lift < 1e100 and span > 1e-50, "lift or span is beyond the range of any cam", code="range")
+    require(1e-100 < lift < 1e100 and span > 1e-50, "lift or span is outside the range of any cam", code="range")
     require(
         at or 2 <= count <= MOST_POINTS,
         "count: {count} points; a table has 2 to {most}",
@@ -187,7 +187,7 @@ def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool)
         not both,
         "a return is either falling or mirrored",
         code="falling",
-        hint="--falling follows the law downwards, --mirrored runs the rise backwards",
+        hint="--falling follows the law downwards; --mirrored runs the rise backwards",
     )
 
 

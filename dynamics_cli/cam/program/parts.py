@@ -35,12 +35,14 @@ class Span:
     end: Annotated["Exact", "Its ends, exactly, in degrees."]
     low: Annotated[float, "Lift at its start and end."]
     high: Annotated[float, "Lift at its start and end."]
-    law: Annotated["Law | None", "How it goes from one to the other; None where the lift rests."]
-    name: Annotated[str, "What it is called."] = ""
-    scale: Annotated[
-        float | None, "Lift that the law's unit stands for; the difference of the ends when not given."
-    ] = None
-    off: Annotated["tuple[float, float]", "What the lifts at its ends are off, being sums of those given."] = (0.0, 0.0)
+    law: Annotated["Law | None", "The law from one to the other; None in a dwell."]
+    name: Annotated[str, "Its name."] = ""
+    scale: Annotated[float | None, "Lift that the law's unit stands for; the difference of the ends if left out."] = (
+        None
+    )
+    off: Annotated[
+        "tuple[float, float]", "Rounding error of the lifts at its ends, which are sums of the given ones."
+    ] = (0.0, 0.0)
 
 
 @record
@@ -49,8 +51,8 @@ class Zone:
 
     start: Annotated[float, "Its ends [rad]."]
     end: Annotated[float, "Its ends [rad]."]
-    segment: Annotated[int, "Which segment it belongs to, from 0."]
-    dwell: Annotated[bool, "Whether the lift rests."]
+    segment: Annotated[int, "Index of its segment, from 0."]
+    dwell: Annotated[bool, "Whether it is a dwell."]
 
 
 class Part:

@@ -67,9 +67,9 @@ class Ends:
     least: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
     least_at: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
     least_error: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
-    greatest: Annotated[float, "The same of the greatest."]
-    greatest_at: Annotated[float, "The same of the greatest."]
-    greatest_error: Annotated[float, "The same of the greatest."]
+    greatest: Annotated[float, "The same for the maximum."]
+    greatest_at: Annotated[float, "The same for the maximum."]
+    greatest_error: Annotated[float, "The same for the maximum."]
     proved: Annotated[bool, "Whether the bounds are proved."] = True
 
     @property

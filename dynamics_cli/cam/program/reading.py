@@ -278,7 +278,7 @@ def _level(level: float, swing: bool) -> "tuple[float, Any]":
 
 def _require_closed(levels: "list[float]", swing: bool) -> None:
     most = max(abs(level) for level in levels)
-    require(most == 0.0 or SMALLEST < most < LARGEST, "a lift is beyond the range of any cam", code="range")
+    require(most == 0.0 or SMALLEST < most < LARGEST, "a lift is outside the range of any cam", code="range")
     require(
         abs(levels[-1]) <= 1e-12 * most,
         "the program ends {gap:6} from where it began: the cam would have a step",

@@ -48,7 +48,7 @@ def motion(
     /,
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
-    count: Annotated[Count, "Points of the table, both ends of the turn among them."] = 37,
+    count: Annotated[Count, "Points of the table, including both ends of the turn."] = 37,
     shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam shaft, for values in time [rad/s]."] = None,
     singularity: Annotated[
         bool, "Also write the motion in the book's singularity functions, and show that they agree."
@@ -304,7 +304,7 @@ def _numerics(
     if omega is not None:
         made += _in_time_bounds(found.swing, ends, rms, abs(omega), finite=finite)
     return Numerics(
-        "closed form from the nearer end of each segment, its roundings followed; exact table of segments in degrees",
+        "closed form from the nearer end of each segment, rounding bounded; exact table of segments in degrees",
         tuple(made),
     )
 

@@ -88,6 +88,6 @@ class Program:
 class Step:
     """A segment as both ways of writing it come to: spans exact, in degrees."""
 
-    segment: Annotated[Segment, "What was asked."]
+    segment: Annotated[Segment, "The segment as given."]
     span: Annotated["Exact | None", "Its span in degrees, exactly."]
-    level: Annotated[float | None, "Lift to go to, in place of how far."] = None
+    level: Annotated[float | None, "Lift to reach, in place of the distance."] = None

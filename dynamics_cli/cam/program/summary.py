@@ -34,8 +34,8 @@ class Extreme:
     least_at: Annotated[float, "Values, and cam angles [rad]."]
     greatest: Annotated[float, "Values, and cam angles [rad]."]
     greatest_at: Annotated[float, "Values, and cam angles [rad]."]
-    least_error: Annotated[float, "What the values may be off."]
-    greatest_error: Annotated[float, "What the values may be off."]
+    least_error: Annotated[float, "Bound of the values' error."]
+    greatest_error: Annotated[float, "Bound of the values' error."]
 
 
 def extreme(motion: "Motion", order: int) -> Extreme:

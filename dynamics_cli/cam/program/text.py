@@ -107,7 +107,7 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     try:
         fields["law"] = LawName(given)
     except ValueError:
-        apart = "clauses are parted by semicolons; " if "," in words.clause else ""
+        apart = "clauses are separated by semicolons; " if "," in words.clause else ""
         words.fail(f"there is no law {given!r}: {apart}{_near_laws(given)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():

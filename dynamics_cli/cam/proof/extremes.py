@@ -80,7 +80,7 @@ class Survey:
             with np.errstate(all="ignore"):
                 self.cover = Cover(motion, lambda s, s1, s2: np.stack([row(s, s1, s2) + 0.0 * s for row in rows]))
         except ValueError:
-            require(False, "the forces overflow: the speed or the spring is beyond all bounds", code="overflow")
+            require(False, "the forces overflow: the speed or the spring is far too large", code="overflow")
             raise
         self.proxies = self.cover.proxies
 

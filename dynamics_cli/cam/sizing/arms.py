@@ -28,8 +28,8 @@ class Reach:
 
     least: Annotated[float, "The angles [rad]."]
     most: Annotated[float, "The angles [rad]."]
-    binding: Annotated[str, "The limit that decides the least."]
-    error: Annotated[float, "Bound of the error of the least [rad]."]
+    binding: Annotated[str, "The limit that decides the minimum."]
+    error: Annotated[float, "Bound of the error of the minimum [rad]."]
     most_error: Annotated[float, "Bound of the error of the most [rad]."]
 
 

@@ -98,7 +98,7 @@ def _start(
     most, cap = min(
         (highest.smallest()[0], CURVATURE),
         (steep.smallest()[0], "rise limit" if limit == limits[0] else "return limit"),
-        (0.5 * pi - lift.largest()[0], "the face, which would be touched at its pivot"),
+        (0.5 * pi - lift.largest()[0], "the face, which would be touched at the pivot"),
     )
     require(
         start <= most,

@@ -33,7 +33,7 @@ def size(
     /,
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
-    follower: Annotated[Wanted, "The follower; its base circle, and the offset if not given, are what is found."],
+    follower: Annotated[Wanted, "The follower; its base circle is calculated, and its offset too unless given."],
     rise_limit: Annotated[Angle, "Largest positive pressure angle allowed: that of the rise [rad]."] = 30.0 * DEGREE,
     return_limit: Annotated[Angle, "Largest negative pressure angle allowed: that of the return [rad]."] = 30.0
     * DEGREE,

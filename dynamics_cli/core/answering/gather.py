@@ -38,7 +38,7 @@ def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, 
         put(raw, task.options[name].path, value)
     file = settings.input or scene
     if scene and settings.input:
-        raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
+        raise UsageError("give a scene or --input, not both", parameter="input", code="exclusive")
     gathered = over_file(task, raw, file, terminal) if file else Gathered(raw, Reader(terminal.environ))
     gathered.reader.spell = _spelling(task, call, file=bool(file) or rows)
     return gathered

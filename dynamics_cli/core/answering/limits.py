@@ -52,7 +52,7 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
     there = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
     kinds = {name: kind for name, (kind, _) in there.items()}
     if not kinds:
-        raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
+        raise UsageError(f"{task.path} has no result that a limit can be applied to", parameter="limit")
     found = []
     for name, text in settings.limit:
         if name and name not in kinds:

@@ -49,7 +49,7 @@ class _Column:
         if not text:
             return ""
         if is_uncertain(text):
-            raise UsageError("is an uncertain value, wanted one number and its unit")
+            raise UsageError("is an uncertain value; wanted one number and its unit")
         if self.unit and text[-1] in "0123456789.":
             text = f"{text} {self.unit}"
         amount = read_amount(text)
@@ -61,7 +61,7 @@ class _Column:
 
             raise UsageError(explain_mismatch(unit, self.wanted)[0])
         if is_offset(unit) and to_si(numerator, denominator, unit) < 0.0:
-            raise UsageError("is below zero of the absolute scale")
+            raise UsageError("is below absolute zero")
         notes.update(dict.fromkeys(f"{self.name}: {note}" for note in unit.notes))
         return repr(nearest(*convert(numerator, denominator, unit, self.wanted)))
 

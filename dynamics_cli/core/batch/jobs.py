@@ -152,8 +152,8 @@ class _Member:
 
 
 def _ended() -> FaultError:
-    hint = "the system may have been out of memory: fewer --jobs need less"
-    return FaultError("one of the processes of --jobs was ended from outside", code="process", hint=hint)
+    hint = "the system may have run out of memory: use fewer --jobs"
+    return FaultError("one of the --jobs processes was killed from outside", code="process", hint=hint)
 
 
 def _serve(work: "Callable[[Any], Any]", pipe: "Connection", parent: int) -> None:

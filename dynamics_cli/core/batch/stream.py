@@ -139,9 +139,9 @@ def _begin(
     start = first.lstrip()[:1]
     if start == b"[":
         hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
-        raise UsageError("rows begin with '[': a JSON list is no stream", parameter="rows", code="json", hint=hint)
+        raise UsageError("rows begin with '[': a JSON list is not a stream", parameter="rows", code="json", hint=hint)
     if b"\r" in first and b'"' not in first:
-        message = "the rows' lines end in carriage returns alone"
+        message = "the rows' lines end in bare carriage returns"
         hint = "save them with line feeds, or send them through: tr '\\r' '\\n'"
         raise UsageError(message, parameter="rows", code="line-ends", hint=hint)
     head, rest = first_record(lines)

@@ -37,7 +37,7 @@ def _write_template(task: Task, terminal: "Terminal") -> int:
 
     if not takes_scene(task):
         hint = f"its parameters are options: dynamics {task.path} --help"
-        raise UsageError(f"{task.path} reads no scene", parameter="template", hint=hint)
+        raise UsageError(f"{task.path} does not read a scene", parameter="template", hint=hint)
     terminal.write(template(task))
     return ExitStatus.DONE
 
@@ -184,7 +184,7 @@ def _require_checks(document: "dict[str, Any]", task: Task) -> None:
     for check in document["checks"]:
         if not check["passed"] and not task.verdict:
             raise FaultError(
-                f"our own check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
+                f"an internal check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
                 code="check",
                 hint="this is a bug: please report it with the inputs",
             )

@@ -20,7 +20,7 @@ _STATUS = (
     (ExitStatus.DONE, "done"),
     (ExitStatus.FAULT, "an internal error (a bug: please report it)"),
     (ExitStatus.USAGE, "the call is wrong"),
-    (ExitStatus.INADMISSIBLE, "well-formed but physically inadmissible, or not done within --time-limit"),
+    (ExitStatus.INADMISSIBLE, "well-formed but physically inadmissible, or not finished within --time-limit"),
     (ExitStatus.SOME_FAILED, "some or all rows of a stream, or points of a sweep, failed"),
     (ExitStatus.OUTPUT, "the output could not be written"),
     (ExitStatus.INTERRUPTED, "interrupted"),

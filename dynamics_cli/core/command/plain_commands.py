@@ -82,7 +82,7 @@ COMMANDS = (
         "reference",
         "[FAMILY]...",
         "Print the reference of all commands, or of some families.",
-        "It tells every parameter, result, formula, assumption and source.",
+        "It lists every parameter, result, formula, assumption and source.",
         "dynamics reference skid --format markdown",
         (Option("format", "FORMAT", "markdown (the default) or man.", REFERENCE_FORMS),),
         HERE + "print_reference",

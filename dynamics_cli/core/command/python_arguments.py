@@ -11,11 +11,11 @@ if TYPE_CHECKING:
 # Options of a command that a function returning a dictionary cannot honour, and what to do instead.
 REFUSED = {
     **dict.fromkeys(
-        ("json", "format", "output"), "it returns the document as a dictionary: write that, with json.dump"
+        ("json", "format", "output"), "the call returns the document as a dictionary: write it with json.dump"
     ),
-    "template": "write it by the command: dynamics FAMILY TASK --template",
-    "rows": "a stream of cases is dynamics_cli.run_rows, or one call for each case",
-    "digits": "the document has all digits: round what you print",
+    "template": "write it with the command: dynamics FAMILY TASK --template",
+    "rows": "for a stream of cases use dynamics_cli.run_rows, or one call for each case",
+    "digits": "the document has all digits: round when you print",
 }
 # Python writes whole numbers of some thousands of digits at most; no double is near these.
 MOST_BITS = 4000
@@ -34,7 +34,7 @@ def options_of(raw: "dict[str, Any]") -> "dict[str, Any]":
         how = UNIVERSAL_OPTIONS[name][0]
         if name in REFUSED or (name == "plot" and value == "-"):
             hint = REFUSED.get(name, "name a file")
-            raise UsageError(f"{name}={value!r} is an option of the command only", parameter=name, hint=hint)
+            raise UsageError(f"{name}={value!r} is an option of the command line only", parameter=name, hint=hint)
         if how == "flag":
             if not isinstance(value, bool):
                 raise UsageError(f"read {name}={value!r}, wanted True or False", parameter=name)

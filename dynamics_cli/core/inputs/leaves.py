@@ -92,7 +92,7 @@ def _text_of(kind: Kind, raw: "Any") -> str:
                 hint=f'for example {{"value": 60, "unit": "{kind.unit}"}}',
             )
         if raw["value"] is None:
-            raise UsageError("read null: that earlier result does not exist", code="no-value")
+            raise UsageError("read null: the earlier calculation has no such result", code="no-value")
         if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
             units = str(raw["unit"]).split(";")
             if len(units) != len(raw["value"]):
@@ -248,7 +248,7 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
     text = _text_of(kind, raw)
     if is_uncertain(text):
         raise UsageError(
-            f"{_brief(text)} is an uncertain value; a conversion is of one exact number",
+            f"{_brief(text)} is an uncertain value; a conversion needs one exact number",
             code="uncertain",
             hint=f"write one number, for example {kind.example}",
         )

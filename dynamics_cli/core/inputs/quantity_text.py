@@ -120,7 +120,7 @@ def _amount(body: str, text: str) -> Amount:
             raise _not_a_number(body, "it does not begin with a number" if not parts else "")
         token = body[at:end]
         if parts and token[0] in SIGNS and (token[0] == "+" or not (negative or all(not part[0] for part in parts))):
-            hint = "the sign before 5 ft 6 in is the sign of all of it; powers are written m^-1"
+            hint = "a sign before 5 ft 6 in applies to the whole value; powers are written m^-1"
             raise UsageError(f"{_show(body)} has a sign inside", code="syntax", hint=hint)
         if end < len(body) - 1 and body[end] in ",_'’" and body[end + 1] in DIGITS:
             raise _not_a_number(body[at:].split(" ")[0])
@@ -161,7 +161,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
     except UsageError as error:
         if is_uncertain(text):
             raise UsageError(
-                f"{_show(text)} is an uncertain value; a certain one is wanted here",
+                f"{_show(text)} is an uncertain value; a certain value is wanted here",
                 code="uncertain",
                 hint=f"write one number, for example {kind.example}",
             ) from None
@@ -220,7 +220,7 @@ def split_list(text: str) -> list[str]:
         raise UsageError(f"{_show(text)}: a closing {missing} is missing", code="syntax")
     items.append(text[start:].strip())
     if not all(items):
-        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by one comma each")
+        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by single commas")
     return items
 
 

@@ -16,11 +16,11 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
         "Write the document to a file; its ending decides: .json .ndjson .csv .md .txt (- for standard output).",
     ),
     "all": ("flag", "", "Every result with its error bound, every table, what drives each uncertain result."),
-    "only": ("value", "NAME,...", "These results bare, one a line: for $(...)."),
-    "table": ("value", "NAME", "One table of the result, whole."),
-    "quiet": ("flag", "", "The headline results alone."),
+    "only": ("value", "NAME,...", "Only these results, value and unit, one a line: for $(...)."),
+    "table": ("value", "NAME", "One table of the result, complete."),
+    "quiet": ("flag", "", "Only the headline results."),
     "fail": ("flag", "", "Status 6 when a limit is exceeded or a verdict is negative."),
-    "fail-above": ("value", "P", "With uncertain results, the probability beyond which --fail says so (50 %)."),
+    "fail-above": ("value", "P", "With uncertain results, the probability above which --fail applies (50 %)."),
     "units": ("value", "SYSTEM", "Units of all results: si (the trade's metric), us, or base (coherent SI)."),
     "to": ("many", "NAME=UNIT", 'Unit of one result, for example --to speed=ft/s or --to length="ft;in".'),
     "digits": ("value", "N", "Significant digits in tables (6)."),
@@ -30,25 +30,33 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "column": (
         "many",
         "NAME=UNIT",
-        "Of convert --rows: a CSV column whose cells hold units, and the unit it is to have.",
+        "For convert --rows: a CSV column whose cells hold units, and the unit to convert it to.",
     ),
     "references": ("flag", "", "Let rows take results from files: @crash.json:speed."),
-    "bounds": ("flag", "", "Give rows and sweeps a column with the largest relative error bound of their results."),
+    "bounds": ("flag", "", "Add a column to rows and sweeps: the largest relative error bound of their results."),
     "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
-    "samples": ("value", "N", "At most so many evaluations for uncertainty, up to 1e8; the sample of Monte Carlo."),
+    "samples": (
+        "value",
+        "N",
+        "Maximum number of evaluations for uncertainty, up to 1e8; the sample size of Monte Carlo.",
+    ),
     "seed": ("value", "N", "Seed of lattices and samples (1)."),
     "coverage": ("value", "P", "Probability of the intervals of uncertain results (95 %)."),
     "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
-    "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
+    "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless another is named) with a limit."),
     "quantile": ("many", "NAME=P", 'Quantile of an uncertain result: --quantile speed="5 %", --quantile speed=0.9.'),
-    "drawing": ("value", "FILE", "The shape itself as DXF, SVG or CSV, where the task has one."),
-    "plot": ("value", "FILE", "A picture as SVG, PNG or PDF; - draws a small one in the terminal."),
-    "model": ("value", "NAME", "Choose the model, where there are several."),
+    "drawing": ("value", "FILE", "Write the shape as DXF, SVG or CSV, where the task has one."),
+    "plot": ("value", "FILE", "Write a picture as SVG, PNG or PDF; - draws a small one in the terminal."),
+    "model": ("value", "NAME", "Choose the model, where the task has several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
-    "time-limit": ("value", "TIME", 'End after so long ("30 s") with what was reached by then; the exit status is 3.'),
+    "time-limit": (
+        "value",
+        "TIME",
+        'Stop after this time ("30 s") with what is finished by then; the exit status is 3.',
+    ),
 }
 METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 FORMATS = ("table", "json", "ndjson", "csv", "markdown")
@@ -176,7 +184,7 @@ class Settings:
         if not text:
             return 1
         if not (self.rows or "sweep" in given):
-            message = "--jobs spreads a stream or a sweep, and this is one case"
+            message = "--jobs divides a stream or a sweep, and this is a single case"
             raise UsageError(message, parameter="jobs", code="exclusive", hint="give --rows or --sweep with it")
         return read_jobs(text)
 

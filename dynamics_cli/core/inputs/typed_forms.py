@@ -48,7 +48,7 @@ def with_fraction(text: str, at: int, end: int, whole: int) -> tuple[int, int, i
         return whole, 1, end
     up, down = _fraction(text[start:stop])
     if up >= down:
-        raise UsageError(f"{text[start:stop]} is not less than one", code="number", hint="write for example 12 1/2 in")
+        raise UsageError(f"{text[start:stop]} is not less than 1", code="number", hint="write for example 12 1/2 in")
     return whole * down + sign * up, down, stop
 
 

@@ -256,7 +256,7 @@ def _stated_bounds(walk: _Walk) -> None:
     for address, cells in walk.cells.items():
         walk.bounds[address] = cells.stated()
         if walk.bounds[address] is None:
-            message = f"no bound can be stated for the rounding of {address}: it may exceed the result itself"
+            message = f"no bound can be stated for the rounding of {address}: it may exceed the result"
             walk.advice.append(Advice("no-bound", message))
     for bound in walk.numerics.bounds if walk.numerics else ():
         walk.bounds[bound.result] = _stated_bound(walk, bound) if math.isfinite(bound.bound) else None

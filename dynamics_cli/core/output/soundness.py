@@ -51,7 +51,7 @@ def check_numbers(record: "Any", spec: Record, address: str) -> None:
             for check in value:
                 if not check.passed:
                     hint = "this is a bug: please report it with the inputs"
-                    raise FaultError(f"our own check failed: {check.name} ({check.value})", code="check", hint=hint)
+                    raise FaultError(f"an internal check failed: {check.name} ({check.value})", code="check", hint=hint)
         elif isinstance(value, Columns):
             for column_name, column in value.arrays.items():
                 _check_number(column.tolist(), f"{_below(address, key)}.{column_name}")

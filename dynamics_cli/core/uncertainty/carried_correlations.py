@@ -39,7 +39,7 @@ def carried(origins: "Origins", known: "Sequence[str]") -> "dict[tuple[str, str]
             matrix[i, j] = matrix[j, i] = rho * (1.0 - shrunk)
         if positive(matrix):
             return {pair: rho * (1.0 - shrunk) for pair, rho in found.items()}
-    raise _unreadable(next(iter(origins.values()))[0], "its correlations contradict one another")
+    raise _unreadable(next(iter(origins.values()))[0], "its correlations contradict each other")
 
 
 def _stated(document: str, covariance: "Any", one: str, other: str) -> float:

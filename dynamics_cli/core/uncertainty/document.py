@@ -281,7 +281,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
             {
                 "code": "partly-inadmissible",
                 "severity": "caution" if share < 0.05 else "serious",
-                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
+                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are for the rest",
             }
         )
     rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
@@ -308,7 +308,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
             {
                 "code": "nothing-varies",
                 "severity": "caution",
-                "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
+                "message": "only tables depend on the uncertain inputs; they hold the values at the means",
             }
         )
     return out + _no_deviations(made)

@@ -109,7 +109,7 @@ class TaskModel:
                 self.arrays = False
                 return self._one_by_one(inputs, arrays, count, refused)
             return (results, None) if kept is None else self._spread(results, kept, count)
-        raise FaultError("the formula refuses rows without end")
+        raise FaultError("the formula keeps refusing rows")
 
     def _call(self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", kept: "Any") -> "dict[str, Any]":
         values = dict(inputs)

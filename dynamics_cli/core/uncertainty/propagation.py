@@ -247,7 +247,7 @@ def _constant(name: str, value: float, goal: Goal) -> Spread:
 def _sampled(name: str, row: int, sample: Sample, goal: Goal) -> Spread:
     plain, admissible, ordered = sample.plain(row, goal)
     if ordered.size < 2:
-        raise InadmissibleError("hardly any case within the inputs' uncertainty is admissible", hint="check the inputs")
+        raise InadmissibleError("almost no case within the inputs' uncertainty is admissible", hint="check the inputs")
     made = _of_plain(name, plain, goal)
     made.admissible = admissible
     made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]

@@ -114,7 +114,7 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
     for (one, other), rho in correlation.items():
         for name in (one, other):
             if name not in known:
-                hint = f"uncertain are {', '.join(known)}" if known else "no input is uncertain"
+                hint = f"uncertain inputs are {', '.join(known)}" if known else "no input is uncertain"
                 raise UsageError(f"{name!r} is not an uncertain input", parameter="correlate", hint=hint)
         if one == other or not -1.0 <= rho <= 1.0:
             raise UsageError(
@@ -182,9 +182,9 @@ def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
                     best, pair = least, (i, j)
     i, j = pair
     low, high = _admissible(matrix, i, j)
-    hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
+    hint = f"with the others as given it can range from {low:.3g} to {high:.3g}"
     if not low < high:
-        hint = "the others contradict one another too"
+        hint = "the others contradict each other too"
     raise UsageError(
         f"the correlations cannot all hold: {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
         parameter="correlate",

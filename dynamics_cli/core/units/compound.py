@@ -30,7 +30,9 @@ def parse_compound(text: str) -> tuple[Unit, ...]:
         units.append(part_unit(word, units[0]))
         larger, smaller = units[-2], units[-1]
         if is_offset(larger) or is_offset(smaller):
-            raise UsageError(f"a temperature has no parts: {text!r}", code="unit-syntax", hint="name one unit")
+            raise UsageError(
+                f"a temperature cannot have several parts: {text!r}", code="unit-syntax", hint="name one unit"
+            )
         if not is_smaller(smaller, larger):
             raise UsageError(
                 f"{smaller.text} is not smaller than {larger.text} in {text!r}",
@@ -51,7 +53,7 @@ def part_unit(text: str, first: Unit) -> Unit:
         from dynamics_cli.core.units.names import explain_mismatch
 
         message, hint = explain_mismatch(unit, first)
-        together = f"{first.text} and {unit.text} cannot be parts of one value"
+        together = f"{first.text} and {unit.text} cannot both be parts of one value"
         raise UsageError(f"{together}: {message}", code="kind", hint=hint)
     return unit
 
@@ -76,7 +78,7 @@ def joined(
     units = [parse_unit(parts[0][2], wanted)]
     units += [part_unit(text, units[0]) for *_, text in parts[1:]]
     if any(is_offset(unit) for unit in units):
-        raise UsageError("a temperature has no parts", code="syntax", hint="write one number and one unit")
+        raise UsageError("a temperature cannot have several parts", code="syntax", hint="write one number and one unit")
     last = units[-1]
     up, down = 0, 1
     for index, (numerator, denominator, text) in enumerate(parts):
@@ -84,7 +86,7 @@ def joined(
             smaller = f"{text} is not smaller than {parts[index - 1][2]}"
             raise UsageError(smaller, code="syntax", hint="put the larger unit first: 5 ft 6 in")
         if index < len(parts) - 1 and not added and numerator % denominator:
-            hint = "only the last part may be broken"
+            hint = "only the last part may have a fraction"
             raise UsageError(f"the number of {text} is not whole", code="syntax", hint=hint)
         over, under = _size(units[index], last)
         if index and not added:

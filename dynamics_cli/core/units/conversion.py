@@ -82,7 +82,7 @@ def ratio_of(value: float) -> tuple[int, int]:
     try:
         return value.as_integer_ratio()
     except (OverflowError, ValueError):
-        raise FaultError(f"{value} reached the conversion of units; only finite numbers may") from None
+        raise FaultError(f"{value} reached the conversion of units; only finite numbers can be converted") from None
 
 
 INFINITY = float("inf")

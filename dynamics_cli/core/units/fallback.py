@@ -71,7 +71,7 @@ def _translated(name: str, prefix: str, unit: str, factor: "Any", powers: "dict[
     # How pint read a name is reported: `pli` is a picolink to it.
     notes: tuple[str, ...] = () if name == prefix + unit else (f"{name} read as {prefix}{unit}",)
     if not isinstance(factor, Fraction | int):
-        notes += (f"{name} is known approximately only",)
+        notes += (f"{name} is known only approximately",)
     tag = "energy" if dimension == ENERGY and unit != "foot_pound" else ""
     return Unit(
         name,

@@ -64,7 +64,7 @@ def bevel(
         "Mean spiral angle β_m; 35 degrees for spiral teeth and 0 for the others, unless given, e.g. 35 deg [rad].",
     ] = None,
     flank: Annotated[
-        Flank, "Flank of the pinion that drives, concave or convex; decides the thrust of spiral teeth."
+        Flank, "Driving flank of the pinion, concave or convex; it decides the thrust of spiral teeth."
     ] = Flank("concave"),  # noqa: B008
     torque: Annotated[Torque | None, "Torque on the pinion, for the forces, e.g. 12 N*m [N*m]."] = None,
 ) -> BevelData:

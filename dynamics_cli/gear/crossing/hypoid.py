@@ -304,6 +304,8 @@ def _advice(turned: float, spiral: float, wheel: float) -> tuple[Advice, ...]:
         advice.append(Advice("long-sliding", text))
     if wheel == 0.0:
         advice.append(
-            Advice("wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose your own")
+            Advice(
+                "wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose one to suit"
+            )
         )
     return tuple(advice)

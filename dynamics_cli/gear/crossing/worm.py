@@ -133,7 +133,7 @@ def worm(
     root = diameter - 2.0 * ded
     require(
         root > 0.0,
-        "the worm's root would have a diameter of {root:6}",
+        "the worm's root diameter would be {root:6}",
         root=(root, Size),
         code="no-root",
         hint="give the worm a larger diameter, or a smaller lead angle",
@@ -142,7 +142,7 @@ def worm(
     shift = profile_shift * module
     require(
         wheel + 2.0 * (shift - ded) > 0.0,
-        "the wheel's root would have a diameter of {root:6}",
+        "the wheel's root diameter would be {root:6}",
         root=(wheel + 2.0 * (shift - ded), Size),
         code="no-wheel-root",
         hint="give it more teeth, or a larger profile shift",
@@ -151,7 +151,7 @@ def worm(
     rho = atan(drag)
     require(
         gamma + rho < 0.5 * pi,
-        "lead angle and angle of friction sum to {total:6}: the worm cannot drive either",
+        "lead angle and angle of friction sum to {total:6}: the worm cannot drive the wheel either",
         total=(gamma + rho, Angle),
         code="locked",
         hint="a smaller lead angle or less friction",

@@ -73,7 +73,7 @@ def measure(
     profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
     internal: Annotated[bool, "Whether the teeth point inwards."] = False,
     shift_sign: Annotated[
-        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
+        Sign, "Sign convention of an internal gear's profile shift: iso (towards the tips) or outward (KHK, JIS)."
     ] = ISO,
     addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
@@ -86,7 +86,7 @@ def measure(
         Size | None, "Face width, to see whether a helical gear is wide enough for its span, e.g. 20 mm [m]."
     ] = None,
     over: Annotated[
-        Count | None, "Teeth to span (spaces of an internal gear); the best number unless given, e.g. 4."
+        Count | None, "Teeth to span (spaces of an internal gear); the best number if left out, e.g. 4."
     ] = None,
     pin: Annotated[
         Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
@@ -192,7 +192,7 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
             least=(plain(least), Size),
             thickness=(plain(_thickness(gear)), Size),
             code="allowances",
-            hint="an allowance is a part of the tooth thickness, such as -0.05 mm",
+            hint="an allowance reduces the tooth thickness a little, such as -0.05 mm",
         )
     if upper is not None and lower is not None:
         require(
@@ -228,7 +228,9 @@ def _found(gear: "Toothing", shift: float) -> ShiftFound:
 def _from_span(gear: "Toothing", spanned: Span | None, measured: float | None) -> ShiftFound | None:
     if measured is None:
         return None
-    require(spanned is not None, "say over how many teeth the span was measured", code="over", hint="--over 4")
+    require(
+        spanned is not None, "give the number of teeth that the span was measured over", code="over", hint="--over 4"
+    )
     assert spanned is not None
     return _found(gear, shift_from_span(gear, spanned.over, measured))
 
@@ -236,7 +238,7 @@ def _from_span(gear: "Toothing", spanned: Span | None, measured: float | None) -
 def _from_pins(gear: "Toothing", pin: float | None, measured: float | None) -> ShiftFound | None:
     if measured is None:
         return None
-    require(pin is not None, "say which pins the size was measured over", code="pin", hint='--pin "5 mm"')
+    require(pin is not None, "give the pins that the size was measured over", code="pin", hint='--pin "5 mm"')
     assert pin is not None
     return _found(gear, shift_from_pins(gear, pin, measured))
 
@@ -260,7 +262,7 @@ def _require_cut(
             teeth=abs(made.teeth),
             reason=error.message,
             code="measured",
-            hint="look at the reading, the number of teeth spanned, the module and the tip diameter",
+            hint="check the reading, the number of teeth spanned, the module and the tip diameter",
         )
 
 

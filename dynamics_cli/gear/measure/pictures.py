@@ -32,7 +32,7 @@ def measure_picture(
     if made.pins is not None:
         items += _pins(made.pins, teeth)
     if not limits:
-        items.append(Mark(0.0, 0.0, "no size of this gear can be drawn"))
+        items.append(Mark(0.0, 0.0, "none of this gear's sizes can be drawn"))
     title = worded("Measuring a gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(float(profile_shift), Ratio))
     if getattr(given.get("pitch"), "module", None) is not None:
         title = worded("{title}, module {module:6}", title=title, module=(float(given["pitch"].module), Module))
@@ -116,8 +116,8 @@ def candidates(made: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
     names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in made.candidates)
     worst = [float(one.disagreement) for one in made.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)
-    title = f"Which gear of {teeth} teeth it may be" if teeth else "Which gear it may be"
-    axis = Axis("worst disagreement with a reading; below 1 it fits")
+    title = f"Which gear of {teeth} teeth it may be" if teeth else "Candidate gears"
+    axis = Axis("largest deviation from a reading; below 1 the gear fits")
     return Picture(
         (Panel(axis, Axis(""), (bars,)),), title, subtitle="Size of the teeth and pressure angle, best first"
     )

@@ -146,7 +146,7 @@ def pin_fault(gear: Toothing, pin: float) -> "tuple[str, float, float] | None":
     if inwards * (bottom - root) > 0.0:
         return "a pin of {pin:6} meets the root: it reaches {at:6} diameter, the root lies at {limit:6}", bottom, root
     if inwards * (top - tip) > 0.0:
-        text = "a pin of {pin:6} does not stand out of the space: it ends at {at:6} diameter, the tips at {limit:6}"
+        text = "a pin of {pin:6} does not protrude from the space: it ends at {at:6} diameter, the tips at {limit:6}"
         return text, top, tip
     return None
 

@@ -45,10 +45,10 @@ def advice(
     found = []
     if ratio < 1.0:
         text = worded(
-            "the contact ratio is {ratio:6}: between one pair of teeth and the next nothing is in contact",
+            "the contact ratio is {ratio:6}: between one pair of teeth and the next there is no contact",
             ratio=(ratio, Ratio),
         )
-        remedy = "bring the gears closer together, or give them higher teeth"
+        remedy = "bring the gears closer together, or give them longer teeth"
         found.append(Advice("open-mesh", text, "serious", remedy))
     if backlash < -EXACT:
         text = worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size))

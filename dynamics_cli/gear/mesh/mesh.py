@@ -54,16 +54,14 @@ class MeshProof:
 
     centre_distance: Annotated[Size, "Centre distance [m]."]
     working_pressure_angle: Annotated[Angle, "Transverse working pressure angle [rad]."]
-    contact_ratio: Annotated[
-        Ratio, "Transverse contact ratio of the involutes that are really there, between form circles and tips."
-    ]
+    contact_ratio: Annotated[Ratio, "Transverse contact ratio of the actual involutes, between form circles and tips."]
     nominal_contact_ratio: Annotated[Ratio, "The same by the tip circles alone."]
-    begins_at: Annotated[Text, "What begins the contact."]
-    ends_at: Annotated[Text, "What ends it."]
+    begins_at: Annotated[Text, "What limits the contact at its start."]
+    ends_at: Annotated[Text, "What limits it at its end."]
     transmission_error: Annotated[
-        Angle, "Largest angle that gear 2 is off the exact ratio, over the whole path of contact [rad]."
+        Angle, "Largest angular error of gear 2 against the exact ratio, over the whole path of contact [rad]."
     ]
-    contact_points: Annotated[Count, "Points of contact that were looked at."]
+    contact_points: Annotated[Count, "Points of contact that were checked."]
     backlash: Annotated[Coordinate, "Transverse backlash along the line of action; negative when the teeth jam [m]."]
     first_in_second: Annotated[
         Coordinate | None,
@@ -75,7 +73,7 @@ class MeshProof:
     first_tip_clearance: Annotated[Coordinate, "From the tips of gear 1 to the root circle of gear 2 [m]."]
     second_tip_clearance: Annotated[Coordinate, "From the tips of gear 2 to the root circle of gear 1 [m]."]
     runs: Annotated[bool, "Whether the pair runs: contact without a gap, no jam, no overlap."]
-    path: Annotated[Columns[ContactPoint], "Some of the points of contact."]
+    path: Annotated[Columns[ContactPoint], "A selection of the points of contact."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -108,8 +106,8 @@ def mesh(
     second_tip_diameter: Annotated[
         Size | None, "Tip diameter of gear 2, where it is not that of the rack, e.g. 79.4 mm [m]."
     ] = None,
-    points: Annotated[Count, "Points of contact to look at."] = 100000,
-    shown: Annotated[Count, "How many of them to show."] = 11,
+    points: Annotated[Count, "Points of contact to check."] = 100000,
+    shown: Annotated[Count, "Number of them to show."] = 11,
 ) -> MeshProof:
     """Turn two exact profiles through their mesh: transmission error, least clearances, real contact ratio.
 

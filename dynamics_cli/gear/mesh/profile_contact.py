@@ -38,7 +38,7 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
     reach = absolute(sum_of_bases)
     require(
         distance > reach,
-        "a centre distance of {distance:9} is less than the {reach:9} that the base circles need",
+        "a centre distance of {distance:9} is less than the base circles need, {reach:9}",
         distance=(distance, Size),
         reach=(reach, Size),
         code="centre-distance",
@@ -75,7 +75,7 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
 def remedy_of_open_mesh(starts_at_form: bool, ends_at_form: bool) -> str:
     """What brings the flanks together: farther apart where roots leave no involute, nearer where tips fall short."""
     if starts_at_form and ends_at_form:
-        return "raise the centre distance or the profile shifts: the roots leave no involutes that could meet"
+        return "raise the centre distance or the profile shifts: the roots leave no involutes that can meet"
     if starts_at_form or ends_at_form:
         which = "first" if starts_at_form else "second"
         return f"raise the profile shift of the {which} gear, or lengthen its tips: its flank ends below its root's end"

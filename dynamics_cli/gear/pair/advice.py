@@ -20,7 +20,7 @@ def pair_advice(
             "interference",
             worded("{kind}: overlap of {margin}", kind=verdict.kind, margin=(-plain(verdict.margin), Size)),
             "caution" if verdict.kind.startswith(short) else "serious",
-            "put the pinion in along its axis"
+            "assemble the pinion along its axis"
             if verdict.kind.startswith("trimming")
             else "change the profile shifts, shorten the tips, or choose other tooth numbers",
         )
@@ -32,7 +32,8 @@ def pair_advice(
             Advice(
                 "contact-ratio",
                 worded(
-                    "the transverse contact ratio is {transverse:6}, below 1: the teeth do not hand over",
+                    "the transverse contact ratio is {transverse:6}, below 1: contact is lost between one pair of "
+                    "teeth and the next",
                     transverse=(plain(transverse), Ratio),
                 ),
                 "serious" if plain(mesh.first.helix_angle) == 0.0 else "caution",

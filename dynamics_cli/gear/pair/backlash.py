@@ -19,7 +19,7 @@ def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) ->
     )
     require(
         backlash >= mesh.backlash,
-        "the centre distance alone makes a backlash of {least:6}, more than {backlash:6}",
+        "the centre distance alone gives a backlash of {least:6}, more than {backlash:6}",
         least=(plain(mesh.backlash), Size),
         backlash=(plain(backlash), Size),
         code="backlash",

@@ -57,7 +57,7 @@ def require_partners(first: Gear, second: Gear) -> None:
     """Refuse gears that cannot stand side by side or one in the other."""
     require(
         not second.internal or -second.teeth > first.teeth,
-        "a pinion of {pinion} teeth does not go into a ring of {ring}",
+        "a pinion of {pinion} teeth does not fit into a ring of {ring}",
         pinion=first.teeth,
         ring=abs(second.teeth),
         code="ring-too-small",

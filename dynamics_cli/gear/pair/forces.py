@@ -69,7 +69,7 @@ def bearing_loads(name: str, forces: ToothForces, radius: float, bearings: Beari
         name=name,
         span=(span, Size),
         code="bearings",
-        hint="the distances to left and right must add up to more than nothing",
+        hint="the distances to left and right must add up to more than zero",
     )
     tilt = forces.axial * radius
     loads = []

@@ -40,9 +40,9 @@ PROFILES = "profiles"
 class Verdict:
     """One way to interfere."""
 
-    kind: Annotated[Text, "What was looked at."]
-    free: Annotated[bool, "Whether the gears run free of it."]
-    margin: Annotated[Coordinate, "What is left, negative by how much they interfere [m]."]
+    kind: Annotated[Text, "What was checked."]
+    free: Annotated[bool, "Whether the gears are free of it."]
+    margin: Annotated[Coordinate, "Margin left; negative if they interfere [m]."]
 
 
 # Profiles that overlap by less than this share of a module touch.

@@ -45,7 +45,8 @@ def pair(
     hand: Annotated[Hand, "Hand of the first gear's helix."] = Hand("right"),  # noqa: B008
     profile: Annotated[
         Profile,
-        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own.",
+        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace those of the "
+        "rack.",
     ] = Profile("a"),  # noqa: B008
     addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
@@ -59,7 +60,7 @@ def pair(
     ] = None,
     split: Annotated[
         Split,
-        "How the shift that a centre distance asks for is divided: equal, by-teeth, first, second, balanced-sliding.",
+        "How the shift that a centre distance requires is divided: equal, by-teeth, first, second, balanced-sliding.",
     ] = EQUAL,
     tips: Annotated[
         Tips, "Tips shortened so that the rack's tip clearance is kept (clearance), or not (full)."

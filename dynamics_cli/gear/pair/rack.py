@@ -30,12 +30,14 @@ class RackData:
     base_diameter: Annotated[Size, "Base diameter of the gear d_b [m]."]
     reference_diameter: Annotated[Size, "Reference diameter of the gear d, which rolls on the rack's pitch line [m]."]
     transverse_contact_ratio: Annotated[Ratio, "Transverse contact ratio ε_α."]
-    nominal_contact_ratio: Annotated[Ratio | None, "ε_α by the tips alone, were no involute cut away, where it is."]
+    nominal_contact_ratio: Annotated[
+        Ratio | None, "ε_α by the tips alone, as if no involute were cut away; given where some is."
+    ]
     overlap_ratio: Annotated[Ratio | None, "Overlap ratio ε_β."]
     approach_length: Annotated[Coordinate, "Path of contact on the side of the rack's tips [m]."]
     recess_length: Annotated[Coordinate, "Path of contact on the side of the gear's tips [m]."]
     root_margin: Annotated[
-        Coordinate, "What is left along the line of action between the rack's tip and the gear's root form circle [m]."
+        Coordinate, "Margin along the line of action between the rack's tip and the gear's root form circle [m]."
     ]
     travel: Annotated[Size, "Travel of the rack in one turn of the gear, z p_t [m]."]
     rack_speed: Annotated[Speed | None, "Speed of the rack [m/s]."]

@@ -146,7 +146,7 @@ def _require_thickness(gear: Gear, thinning: float) -> None:
     most = gear.module * gear.teeth * (gear.base_half_angle - roll_less_arc(roll))
     require(
         thinning < most,
-        "teeth that could be {most:6} thinner before nothing is left of them cannot be {thinning:6} thinner",
+        "teeth that vanish when thinned by {most:6} cannot be thinned by {thinning:6}",
         most=(plain(most), Size),
         thinning=(plain(thinning), Size),
         code="thinning",

@@ -28,7 +28,7 @@ def spur(
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
     root_radius_factor: Annotated[
         Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
     ] = None,
     tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
     internal: Annotated[bool, "An internal gear (ring)."] = False,
@@ -36,7 +36,7 @@ def spur(
         Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
     ] = Sign("iso"),  # noqa: B008
     avoid_undercut: Annotated[
-        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
     ] = False,
 ) -> GearData:
     """All dimensions of one spur gear from its generating rack.
@@ -106,7 +106,7 @@ def helical(
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
     root_radius_factor: Annotated[
         Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
     ] = None,
     tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
     internal: Annotated[bool, "An internal gear (ring)."] = False,
@@ -114,7 +114,7 @@ def helical(
         Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
     ] = Sign("iso"),  # noqa: B008
     avoid_undercut: Annotated[
-        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
     ] = False,
 ) -> GearData:
     """All dimensions of one helical gear from its generating rack.

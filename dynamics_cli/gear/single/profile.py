@@ -46,8 +46,8 @@ class GearProfile:
     """A profile and what it was made of."""
 
     deviation: Annotated[Size, "Proved bound on the distance of the drawing from the exact profile [m]."]
-    points: Annotated[Count, "How many points its curves have."]
-    pieces: Annotated[Count, "How many pieces it has: arcs, lines and curves."]
+    points: Annotated[Count, "Number of points of its curves."]
+    pieces: Annotated[Count, "Number of its pieces: arcs, lines and curves."]
     tip_diameter: Annotated[Size | None, "Tip diameter [m]."]
     root_diameter: Annotated[Size | None, "Root diameter [m]."]
     base_diameter: Annotated[Size | None, "Base diameter [m]."]
@@ -97,10 +97,10 @@ def profile(
     tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
     rack: Annotated[bool, "Draw the rack that meshes with the gear, in its normal plane."] = False,
     only_teeth: Annotated[
-        Count | None, "Draw only so many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
+        Count | None, "Draw only this many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
     ] = None,
     form: Annotated[
-        Form, "What flanks and root curves are drawn with: arcs that join with one direction, or lines."
+        Form, "How flanks and root curves are drawn: as arcs with a common tangent where they join, or as lines."
     ] = ARCS,
     tolerance: Annotated[Size, "How far the drawing may be from the exact profile [m]."] = ONE_MICROMETRE,
     bore: Annotated[Size | None, "Diameter of the bore, drawn as a circle, e.g. 12 mm [m]."] = None,

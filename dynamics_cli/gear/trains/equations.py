@@ -132,7 +132,7 @@ def _require_mesh(mesh: Mesh) -> None:
     )
     require(
         not mesh.internal or mesh.second_teeth > mesh.first_teeth,
-        "an internal gear of {second_teeth} teeth has no room for a gear of {first_teeth}",
+        "an internal gear of {second_teeth} teeth cannot hold a gear of {first_teeth}",
         second_teeth=mesh.second_teeth,
         first_teeth=mesh.first_teeth,
         code="no-room",
@@ -183,7 +183,7 @@ class Motion:
         held = f" with {', '.join(known.fixed)} fixed" if known.fixed else ""
         require(
             self.freedom > 0,
-            "the train is locked{held}: its meshes leave no motion for {count} shafts",
+            "the train is locked{held}: its meshes allow no motion of its {count} shafts",
             held=held,
             count=len(self._names),
             code="locked",

@@ -18,12 +18,12 @@ class Assembly:
         Text,
         "(z_sun·z_outer + z_ring·z_inner)/(N·gcd) of the planets' teeth, exact; whole when even spacing is possible.",
     ]
-    least_step: Annotated[Angle, "The least angle between two places that can take a planet [rad]."]
+    least_step: Annotated[Angle, "The smallest angle between two places that can take a planet [rad]."]
     places: Annotated[tuple[Text, ...], "The places nearest to even spacing, as exact shares of a turn."]
     largest_shift: Annotated[Angle, "How far the farthest planet is from its even place [rad]."]
     neighbour_clearance: Annotated[Ratio | None, "Gap between the tip circles of the closest neighbours, in modules."]
     neighbour_gap: Annotated[Coordinate | None, "The same as a length [m]."]
-    most_planets: Annotated[int, "How many planets have room."]
+    most_planets: Annotated[int, "Maximum number of planets."]
     centre_mismatch: Annotated[
         Ratio, "Centre distance of the ring's mesh less that of the sun's, both without profile shift, in modules."
     ]
@@ -42,7 +42,7 @@ def planetary_assembly(arrangement: Planetary) -> Assembly:
     require(count > 0, "a planetary set has one planet at least", code="planets")
     require(
         count <= steps,
-        "{count} planets are more than the {steps} places there are",
+        "{count} planets are more than the {steps} possible places",
         count=count,
         steps=steps,
         code="planets-touch",
@@ -64,7 +64,7 @@ def planetary_assembly(arrangement: Planetary) -> Assembly:
         inner=inner,
         sun=arrangement.sun,
         code="planets-touch",
-        hint="at most {most} planets of {inner} teeth have room about a sun of {sun}",
+        hint="at most {most} planets of {inner} teeth fit about a sun of {sun}",
     )
     module = arrangement.module
     return Assembly(
@@ -115,7 +115,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
             Advice(
                 "centre-distances-differ",
                 worded(
-                    "sun and ring meet the planet {mismatch:6} modules apart without profile shift",
+                    "without profile shift the centre distances of sun and ring differ by {mismatch:6} modules",
                     mismatch=(0.5 * mismatch, Ratio),
                 ),
                 "caution" if abs(mismatch) <= 2 else "serious",

@@ -89,11 +89,11 @@ class Planetary:
     sun: Annotated[Count, "Teeth of the sun, e.g. 24."]
     ring: Annotated[Count, "Teeth of the ring (an internal gear, its number written positive), e.g. 72."]
     planet: Annotated[
-        Count | None, "Teeth of the planet that meets the sun; (ring − sun)/2 when left out, e.g. 24."
+        Count | None, "Teeth of the planet that meshes with the sun; (ring − sun)/2 if left out, e.g. 24."
     ] = None
-    stepped: Annotated[Count | None, "Teeth of the second gear of a stepped planet, which meets the ring, e.g. 18."] = (
-        None
-    )
+    stepped: Annotated[
+        Count | None, "Teeth of the second gear of a stepped planet, which meshes with the ring, e.g. 18."
+    ] = None
     planets: Annotated[Count, "Number of planets."] = 3
     addendum: Annotated[Positive, "Height of the planets' teeth above their pitch circle, in modules."] = 1.0
     module: Annotated[Module | None, "Module of the sun's mesh, for lengths."] = None
@@ -105,7 +105,7 @@ class Planetary:
             require(self.stepped is None, "a stepped planet needs the teeth of both its gears", code="planet")
             require(
                 self.ring - self.sun >= 2,
-                "a ring of {ring} teeth has no room for a planet about a sun of {sun}",
+                "a ring of {ring} teeth leaves no space for a planet about a sun of {sun}",
                 ring=self.ring,
                 sun=self.sun,
                 code="no-planet",

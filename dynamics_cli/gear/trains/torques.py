@@ -57,7 +57,7 @@ class Forces:
         solved = Solved(rows, width, [columns[name] for name in self.given])
         require(
             not solved.conflict,
-            "nothing takes up the torque on {names}",
+            "nothing balances the torque on {names}",
             names=", ".join(self.given),
             code="torque",
             hint="name the driven shaft, or give fewer torques",
@@ -128,8 +128,8 @@ class Forces:
             return ()
         where = ", ".join(self.open)
         message = worded(
-            "statics alone does not determine the torque on {where}: the load is shared by parallel ways, or another "
-            "torque is free",
+            "statics alone does not determine the torque on {where}: the load is shared by parallel paths, or "
+            "another torque is free",
             where=where,
         )
         return (Advice("torques-open", message, result="input_power"),)

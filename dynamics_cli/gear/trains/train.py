@@ -34,7 +34,7 @@ class ShaftMotion:
 class MeshMotion:
     """What goes on in one mesh."""
 
-    gears: Annotated[Text, "The shafts and tooth numbers that meet."]
+    gears: Annotated[Text, "The shafts and the tooth numbers in mesh."]
     rolling: Annotated[
         Text | None, "Turns of the first gear against the carrier for each turn of the driver, exact."
     ] = None
@@ -54,7 +54,7 @@ class TrainMotion:
         "Speed of the driver over speed of the driven shaft, exact; negative when they turn against each other.",
     ]
     ratio_value: Annotated[Ratio | None, "The same as a number."]
-    freedom: Annotated[int, "How many speeds may be chosen freely."]
+    freedom: Annotated[int, "Number of speeds that may be chosen freely."]
     basic_ratio: Annotated[
         Text | None, "Planetary: speed of the sun over speed of the ring with the carrier held, exact (Willis)."
     ]
@@ -64,7 +64,7 @@ class TrainMotion:
     ]
     shafts: Annotated[tuple[ShaftMotion, ...], "Every shaft."]
     meshes: Annotated[tuple[MeshMotion, ...], "Every mesh."]
-    assembly: Annotated[Assembly | None, "Planetary: whether the planets can be put in, and where."] = None
+    assembly: Annotated[Assembly | None, "Planetary: whether the planets can be assembled, and where."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None

@@ -41,7 +41,7 @@ class WheelsData:
     first_wrap: Annotated[Angle | None, "Angle of wrap on the first wheel [rad]."]
     second_wrap: Annotated[Angle | None, "Angle of wrap on the second wheel [rad]."]
     tension_ratio: Annotated[
-        Ratio | None, "Tight over slack tension when the belt is about to slip, after what the belt's weight takes."
+        Ratio | None, "Tight over slack tension when the belt is about to slip, both less the centrifugal tension."
     ]
     tight_tension: Annotated[Force | None, "Tension of the tight side that just carries the load [N]."]
     slack_tension: Annotated[Force | None, "Tension of the slack side then [N]."]
@@ -104,7 +104,7 @@ def wheels(
     1.6484
     """
     first, second = 0.5 * first_diameter, 0.5 * second_diameter
-    require((first > 0.0) & (second > 0.0), "a wheel without a diameter does not roll", code="diameter")
+    require((first > 0.0) & (second > 0.0), "a wheel needs a diameter above zero", code="diameter")
     belt = drive in ("open-belt", "crossed-belt")
     opposite = drive in ("external", "crossed-belt")
     ratio = -second / first if opposite else second / first
@@ -122,7 +122,7 @@ def wheels(
     else:
         distance = _rolling(first, second, centre_distance, drive)
     if force is not None and friction is not None:
-        require(friction > 0.0, "without friction nothing is carried", code="friction")
+        require(friction > 0.0, "without friction no load is carried", code="friction")
         if belt:
             lifted = 0.0 if rim is None else belt_mass * rim * rim
             slack = force / (tension - 1.0) + lifted  # type: ignore[operator]
@@ -153,7 +153,7 @@ def wheels(
 def _belt(first: float, second: float, distance: float | None, drive: str) -> tuple[float, float, tuple[float, float]]:
     """Centre distance, free span and both wraps of a belt."""
     require_given(
-        distance is not None, "a belt needs the distance of the axes", ("centre_distance",), code="no-distance"
+        distance is not None, "a belt needs the distance between the axes", ("centre_distance",), code="no-distance"
     )
     apart: float = distance  # type: ignore[assignment]
     require(

@@ -10,7 +10,7 @@ EXITS = "the motion after is that of the mass centres just after the impact"
 
 INVERSE = Task(
     "inverse",
-    "Approach speeds from the motion after the impact, spins among it.",
+    "Approach speeds from the motion after the impact, including spins.",
     Model(
         "momentum alone",
         "dynamics_cli.impact.inverse.task:by_momentum",
@@ -64,8 +64,8 @@ INVERSE = Task(
         "restitution: implied restitution e",
         "impulse_ratio: implied ratio p_t/p_n",
     ),
-    notes="Restitution is small, so the motion after hardly contains the closing speed: give approach headings, or the "
-    "spins before the impact, which are zero where vehicles drove straight.",
+    notes="Restitution is small, so the motion after the impact says little about the closing speed: give approach "
+    "headings, or the spins before the impact, which are zero for vehicles that drove straight.",
 )
 
 RECORD = Task(

@@ -75,7 +75,7 @@ def require_agreement(gaps: "list[Gap]") -> None:
         (entry.normalised or 0.0) <= MOST_DEVIATIONS,
         "{first} and {second} contradict each other on the {quantity}: " + numbers + ", {gap:2} standard deviations",
         code="contradiction",
-        hint="look for the measurement that is wrong, or for a greater uncertainty, in {first} and in {second}",
+        hint="look for a wrong measurement, or for a larger uncertainty, in {first} and in {second}",
         first=entry.one,
         second=entry.other,
         quantity=entry.quantity,
@@ -104,7 +104,7 @@ def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
                     first=entry.one, second=entry.other, quantity=entry.quantity,
                     one=(gap.one, gap.kind), other=(gap.other, gap.kind),
                 ),
-                remedy="give the uncertainty of what was measured: it decides whether they contradict each other",
+                remedy="give the uncertainties of the measurements: they decide whether the two contradict each other",
             )
         )  # fmt: skip
     return tuple(notes)

@@ -42,7 +42,7 @@ def verdicts(
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
         if braked:
             grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
-            links.append(_by_friction(f"way of {name} to the impact", way.start_speed, grip))
+            links.append(_by_friction(f"approach of {name} to the impact", way.start_speed, grip))
     return tuple(links)
 
 

@@ -50,7 +50,7 @@ class CrashDeltaV:
 class CrashCourse:
     """One vehicle through the whole crash."""
 
-    start: Annotated[BeforeImpact | None, "Its start; none when it has no phase before the impact."]
+    start: Annotated[BeforeImpact | None, "Its start; absent when it has no phase before the impact."]
     approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
     approach_heading: Annotated[Angle, "Direction of travel just before the impact [rad]."]
     exit_speed: Annotated[RoadSpeed, "Speed just after the impact, where it separates [m/s]."]
@@ -103,7 +103,7 @@ class LinkVerdict:
 class Agreement:
     """One quantity by two links."""
 
-    quantity: Annotated[Text, "What both give."]
+    quantity: Annotated[Text, "The quantity that both give."]
     one: Annotated[Text, "The first of them."]
     other: Annotated[Text, "The second."]
     speed_gap: Annotated[RoadVelocity | None, "By how much the second is less, for speeds [m/s]."]
@@ -123,7 +123,7 @@ class Crash:
     restitution: Annotated[Ratio, "Separation over closing along the impulse, of the mass centres [-]."]
     angle_condition: Annotated[Ratio | None, "Angle condition of the approach paths, 1 when they are square [-]."]
     energy: Annotated[CrashEnergy, "Energy of the whole crash."]
-    weakest: Annotated[Text, "The link that decides least."]
+    weakest: Annotated[Text, "The weakest link."]
     courses: Annotated[tuple[Course, ...], "Both vehicles through phases, impact and slides."]
     links: Annotated[tuple[LinkVerdict, ...], "The verdict of every link."]
     agreements: Annotated[tuple[Agreement, ...], "Quantities that two links give."]

@@ -30,7 +30,7 @@ LENGTH, WIDTH = 4.5, 1.8
 class NamedSurface:
     """A surface of the scene, one friction for every vehicle and phase that refers to it."""
 
-    name: Annotated[Text, "What it is called where it is referred to, e.g. road."]
+    name: Annotated[Text, "Name by which it is referred to, e.g. road."]
     friction: Annotated[Friction, "Coefficient of friction between tyre and surface [-]."]
 
 
@@ -84,7 +84,7 @@ class CrashVehicle:
     ] = None
     before: Annotated[tuple[PhaseBefore, ...], "Phases and marks before the impact, in order of time."] = ()
     after: Annotated[tuple[SegmentAfter, ...], "Stretches of the slide after the impact, in order."] = ()
-    end_speed: Annotated[RoadSpeed, "Speed where the slide ends; at rest when left out [m/s]."] = 0.0
+    end_speed: Annotated[RoadSpeed, "Speed where the slide ends; zero if left out [m/s]."] = 0.0
     rest: Annotated[PlanarPosition | None, "Where its mass centre came to rest, e.g. 7.2, 8.0 m [m]."] = None
     recorded_speed: Annotated[
         RoadSpeed | None, "Speed into the impact by another source: compared, not used [m/s]."
@@ -174,7 +174,7 @@ def _friction(scene: CrashScene, part: "PhaseBefore | SegmentAfter", place: str)
         return part.friction
     require(
         part.friction is None,
-        "{place}a surface and a friction both say how it slides",
+        "{place}a surface and a friction are both given",
         code="twice",
         hint="give one of them",
         place=place,

@@ -136,7 +136,7 @@ def _met(scene: CrashScene, slide: After) -> Vehicle:
         away = given.rest[0] - scene.impact.point[0], given.rest[1] - scene.impact.point[1]
         require(
             (away[0] != 0.0) | (away[1] != 0.0),
-            "{side}: it came to rest at the point of impact, so its course after it is not known",
+            "{side}: it came to rest at the point of impact, so its exit heading is not known",
             code="no-heading",
             hint="give its exit heading",
             side=slide.side,

@@ -35,7 +35,7 @@ class After:
         if self.grounds:
             require(
                 given.exit_speed is None,
-                "{side}: the exit speed is given, and the slide after the impact gives it too",
+                "{side}: the exit speed is given, and the slide after the impact determines it too",
                 code="twice",
                 hint="leave one of them out",
                 side=side,

@@ -20,7 +20,9 @@ def pendulum(result: "Any", *, swing: "Any", **_: "Any") -> Picture:
     """Where the shot's energy goes; the swing, where its length is known."""
     before, lost = float(result.energy_before), float(result.energy_lost)
     bars = Bars(
-        ("in the shot", "lost in the impact", "in what moves after"), [0.0, 0.0, 0.0], [before, lost, before - lost]
+        ("in the shot", "lost in the impact", "in the moving body after"),
+        [0.0, 0.0, 0.0],
+        [before, lost, before - lost],
     )
     panels = [Panel(Axis("kinetic energy", Energy), Axis(""), (bars,))]
     length = getattr(swing, "length", None) or getattr(swing, "centre_distance", None)

@@ -42,7 +42,7 @@ class SquarePlate:
     plate_mass: Annotated[Mass, "Mass of the plate, e.g. 1 kg [kg]."]
     side: Annotated[Size, "Side of the plate, e.g. 1 m [m]."]
     spin: Annotated[AngularSpeed, "Angular velocity about the diagonal, e.g. 10 rad/s [rad/s]."]
-    seized: Annotated[SeizedPart, "What is held: edge or corner."]
+    seized: Annotated[SeizedPart, "The part that is held: edge or corner."]
 
 
 @record
@@ -57,7 +57,7 @@ class AnyBody:
     point: Annotated[Position, "The point that is held, from the mass centre, e.g. 0.2, -0.1, 0 m [m]."]
     velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     axis: Annotated[
-        Direction | None, "Direction of the axis through the point that is held; when left out, the point alone is."
+        Direction | None, "Direction of the held axis through the point; if left out, only the point is held."
     ] = None
 
 
@@ -77,7 +77,9 @@ class Seized:
     centre_velocity: Annotated[Velocity, "Velocity of the mass centre after [m/s]."]
     impulse: Annotated[ImpulseVector, "Impulse of what holds the body [N·s]."]
     impulse_size: Annotated[Impulse, "Its size [N·s]."]
-    couple: Annotated[MomentVector | None, "Impulsive couple of a held axis, across it; a point gives none [N·m·s]."]
+    couple: Annotated[
+        MomentVector | None, "Impulsive couple on a held axis, perpendicular to it; zero for a point [N·m·s]."
+    ]
     couple_size: Annotated[AngularImpulse | None, "Its size [N·m·s]."]
     energy_before: Annotated[Energy, "Kinetic energy before [J]."]
     energy_after: Annotated[Energy, "Kinetic energy after [J]."]
@@ -159,7 +161,7 @@ def seize(
     checks = _checks(
         couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * (_size(velocity) + _size(centre))
     )
-    checks += balance("energy", before, left + lost, before) + not_above("energy never gained", left, before, before)
+    checks += balance("energy", before, left + lost, before) + not_above("no energy is gained", left, before, before)
     return Seized(
         angular_velocity=after,
         angular_speed=_size(after),
@@ -198,7 +200,7 @@ def _require_inertia(inertia: Tensor) -> None:
     for i, j in ((0, 1), (0, 2), (1, 2)):
         require(
             absolute(inertia[i][j] - inertia[j][i]) <= 1e-6 * total,
-            "an inertia tensor is symmetric, but {above:6} and {below:6} stand across from each other",
+            "an inertia tensor is symmetric, but {above:6} and {below:6} are in mirrored places",
             above=(inertia[i][j], ProductOfInertia),
             below=(inertia[j][i], ProductOfInertia),
             code="no-body",

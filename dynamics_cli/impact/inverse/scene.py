@@ -71,7 +71,7 @@ class Scene:
                 word=word,
                 name=NAMES[index],
                 code="no-sigma",
-                hint="no measurement is without one: give a small number",
+                hint="every measurement has one: give a small number",
             )
         require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
         heading = None

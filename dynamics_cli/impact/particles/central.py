@@ -25,7 +25,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
-CLOSING_HINT = "the first body is behind and must be the faster: exchange the bodies or the signs"
+CLOSING_HINT = "the first body is behind and must be the faster one: exchange the bodies or the signs"
 
 
 @record
@@ -268,7 +268,7 @@ def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Res
     restituted = balance("restitution", two.velocity - one.velocity, restitution * answer.closing_speed, speeds)
     work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
     energy = balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
-    gained = () if plain_above(restitution) else not_above("energy never gained", -answer.energy_lost, 0.0, work)
+    gained = () if plain_above(restitution) else not_above("no energy is gained", -answer.energy_lost, 0.0, work)
     return momentum + restituted + energy + gained
 
 

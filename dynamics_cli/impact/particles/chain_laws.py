@@ -136,7 +136,7 @@ def _simultaneous(chain: Chain, run: int) -> Motion:
     if abs(motion.lost) <= size.scaleb(20 - chain.digits):
         motion.lost = ZERO
     if motion.lost < 0 and not motion.why:
-        motion.why = worded("unlike restitutions would give {energy} to the bodies", energy=(-motion.lost, Energy))
+        motion.why = worded("different restitutions would add {energy} to the bodies", energy=(-motion.lost, Energy))
     ends = zip([ZERO, *motion.impulses], [*motion.impulses, ZERO], weights, strict=True)
     motion.changes = [(behind - ahead) * weight for behind, ahead, weight in ends]
     motion.left = chain.drift(fastest)

@@ -32,7 +32,7 @@ class AfterChain:
     """A body after the impact, by one law."""
 
     law: Annotated[Text, "Name of the law."]
-    body: Annotated[Count, "Which body, from 1."]
+    body: Annotated[Count, "Number of the body, from 1."]
     velocity: Annotated[Speed, "Velocity after [m/s]."]
     delta_v: Annotated[Speed, "Change of velocity, from its impulses over its mass [m/s]."]
     impulse_to_next: Annotated[Impulse | None, "Impulse on the next body; none for the last [N·s]."]
@@ -46,8 +46,8 @@ class LawAnswer:
     energy_lost: Annotated[Energy, "Energy lost [J]."]
     collisions: Annotated[
         Count,
-        "Collisions of single pairs, or rounds of all contacts at one moment; ever slower ones are counted until "
-        "they change no digit of a result.",
+        "Collisions of single pairs, or rounds of all contacts at one moment, counted until they no longer "
+        "change any digit of a result.",
     ]
 
 

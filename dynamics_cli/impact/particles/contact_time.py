@@ -47,7 +47,7 @@ def push(
 
 
 def _lossy(force: HuntCrossley, stiffness: float, reduced: float, closing: float, restitution: float) -> Push:
-    require(force.hunt_crossley, "--hunt-crossley is yes or left out", code="flag")
+    require(force.hunt_crossley, "--hunt-crossley is given or left out", code="flag")
     time, peak, depth = shape(restitution)
     work = reduced * closing * closing
     unit = exp(0.4 * log(work / stiffness))

@@ -159,7 +159,7 @@ def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> tupl
     speed = hypot(relative[0], relative[1])
     require(speed > 0.0, "no impact: the bodies do not move against each other", code="no-impact")
     reach = line.first_radius + line.second_radius
-    require(reach > 0.0, "an offset needs spheres with a radius above zero", code="no-radius")
+    require(reach > 0.0, "an offset needs spheres with radii above zero", code="no-radius")
     across = line.offset
     require(
         absolute(across) < reach,
@@ -259,4 +259,4 @@ def _checks(
     checks += balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
     if plain_above(contact.restitution):
         return checks
-    return checks + not_above("energy never gained", -answer.energy_lost, 0.0, work)
+    return checks + not_above("no energy is gained", -answer.energy_lost, 0.0, work)

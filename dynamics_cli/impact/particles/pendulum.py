@@ -117,7 +117,7 @@ def pendulum(
     block: Annotated[Block, "The block or pendulum that is struck."],
     swing: Annotated[
         Rise | Swing | Sideways | Hinged,
-        "How far it swings: its rise, angle and length, sideways travel and length, or angle of a hinged body.",
+        "Its swing: rise, angle and length, sideways travel and length, or angle of a hinged body.",
     ],
     restitution: Annotated[
         Restitution, "Coefficient of restitution: 0 when the shot stays in the block, above when it bounces off [-]."
@@ -222,7 +222,7 @@ def _shot(shot: float, mass: float, speed: float, restitution: float, rise: floa
     checks = balance("momentum", shot * before, shot * after + mass * speed, size)
     checks += balance("restitution", speed - after, restitution * before, hypot(speed, before))
     checks += balance("energy", kinetic - left, lost, kinetic)
-    checks += not_above("energy never gained", left, kinetic, kinetic)
+    checks += not_above("no energy is gained", left, kinetic, kinetic)
     return Shot(
         speed=before,
         pendulum_speed=speed,

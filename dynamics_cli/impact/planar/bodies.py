@@ -70,7 +70,7 @@ class RigidBody:
     """A rigid body that moves in the plane."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
-    turning: Annotated[ByInertia | ByGyration, "Its inertia about the mass centre."]
+    turning: Annotated[ByInertia | ByGyration, "Its moment of inertia about the mass centre."]
     arm: Annotated[Lever | Placed | OnBody, "Where it is struck."]
     motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
         (0.0, 0.0)
@@ -88,7 +88,7 @@ class RigidTarget:
     """The other rigid body, or a fixed barrier, which needs neither inertia nor lever."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
-    turning: Annotated[ByInertia | ByGyration | None, "Its inertia about the mass centre."] = None
+    turning: Annotated[ByInertia | ByGyration | None, "Its moment of inertia about the mass centre."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it is struck."] = None
     motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
         (0.0, 0.0)

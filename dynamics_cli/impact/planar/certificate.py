@@ -32,7 +32,7 @@ def certificate(
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -solved.lost, work)
     if not plain(m.restitution) > 1.0:
-        checks += not_above("energy never gained", -solved.lost, 0.0, work)
+        checks += not_above("no energy is gained", -solved.lost, 0.0, work)
     checks += not_above("no tension", -solved.normal, 0.0, size)
     return checks + _friction(m, solved, law) + _restitution(m, solved, law)
 

@@ -67,7 +67,7 @@ def planar(
         "Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.",
     ],
     law: Annotated[
-        Law, "What ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side."
+        Law, "Law that ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side."
     ] = LAW,
     contact_point: Annotated[
         PlanarPosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
@@ -131,7 +131,8 @@ def planar(
     inward = -towards[0], -towards[1]
     require(
         absolute(moment_restitution) <= 1.0,
-        "a moment restitution lies from -1 (spins exchanged) by 0 (one spin) to 1 (no moment), not at {value:6}",
+        "a moment restitution lies between -1 (spins exchanged), 0 (common spin) and 1 (no moment); it cannot be "
+        "{value:6}",
         value=(moment_restitution, Ratio),
         code="moment-restitution",
     )
@@ -227,7 +228,7 @@ def refuse(solved: Outcome, law: str, energetic: bool) -> None:
         law=str(law),
         why=solved.why,
         code="no-push",
-        hint="--law stronge always answers",
+        hint="--law stronge always has an answer",
     )
     if energetic:
         return

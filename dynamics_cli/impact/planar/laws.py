@@ -76,9 +76,9 @@ class Outcome:
     ]
     compression_work: Annotated[float | None, "Work of the normal force until then; None where a law knows none [J]."]
     scale: Annotated[float, "The energy that losses are compared with [J]."]
-    history: Annotated[str, "Slip in words, empty for arrays."]
-    feasible: Annotated[bool, "Whether the law gives a push."]
-    why: Annotated[str, "Why not."] = "the law gives no push between the bodies"
+    history: Annotated[str, "Slip in words; empty for arrays."]
+    feasible: Annotated[bool, "Whether the law gives a compressive impulse."]
+    why: Annotated[str, "Why not."] = "the law does not push the bodies apart"
 
     @property
     def lost(self) -> float:
@@ -209,7 +209,7 @@ def _brach(m: Meeting) -> Outcome:
         scale=half + absolute(along * m.slip),
         history=_ratio_words(holds),
         feasible=pushes & (across > 0.0),
-        why="the impulse ratio leaves no push between the bodies",
+        why="the impulse ratio leaves no compressive impulse between the bodies",
     )
 
 

@@ -45,7 +45,7 @@ def crush(
     *,
     first: Annotated[Damaged, "The first vehicle."],
     second: Annotated[
-        Opponent | None, "What it met: another vehicle, or something fixed; without it there is no ΔV."
+        Opponent | None, "The body that it met: another vehicle, or something fixed; without it there is no ΔV."
     ] = None,
     restitution: Annotated[
         Restitution, "Coefficient of restitution, for ΔV and closing speed; not used without a second body [-]."
@@ -176,7 +176,7 @@ def _crushed(vehicle: Damaged | Opponent, name: str) -> tuple[float, float, Stat
         name=name,
         angle=(vehicle.force_angle, Angle),
         code="force-angle",
-        hint="take the face that was pushed in more squarely",
+        hint="use the face that the force met more squarely",
         results=("energy",),
     )
     return a, b, vehicle.profile
@@ -186,7 +186,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
     angle = vehicle.force_angle
     require(
         absolute(angle) < RIGHT_ANGLE,
-        "the {name} vehicle: a force {angle} off the normal of the face does not push it in",
+        "the {name} vehicle: a force {angle} off the normal of the face would not push it in",
         name=name,
         angle=(angle, Angle),
         code="force-angle",

@@ -84,7 +84,7 @@ class Damaged:
         Inertia | None,
         "Yaw moment of inertia about the mass centre, needed with a lever arm or an offset, e.g. 2500 kg*m^2 [kg·m²].",
     ] = None
-    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage by energy or EES, without stiffness and crush."] = (
+    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage as energy or EES, without stiffness and crush."] = (
         None
     )
     name: BodyName = None
@@ -116,7 +116,7 @@ class Opponent:
         Inertia | None,
         "Yaw moment of inertia about the mass centre, needed with a lever arm or an offset, e.g. 2500 kg*m^2 [kg·m²].",
     ] = None
-    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage by energy or EES, without stiffness and crush."] = (
+    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage as energy or EES, without stiffness and crush."] = (
         None
     )
     name: BodyName = None
@@ -146,9 +146,9 @@ class VehicleDamage:
         RoadSpeed | None,
         "Size of the change of velocity of the mass centre; needs the second vehicle or that it is fixed [m/s].",
     ]
-    determined: Annotated[DamageVerdict | None, "How far the measured damage decides it; none of a given energy."] = (
-        None
-    )
+    determined: Annotated[
+        DamageVerdict | None, "How well the measured damage determines it; absent for a given energy."
+    ] = None
 
 
 @record

@@ -101,7 +101,7 @@ def certified(answer: MomentumResult, terms: list[Term], *, check: bool, along: 
         checks += balance(
             "energy", changes, -answer.energy_lost, work + kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3]
         )
-    checks += not_above("energy never gained", -answer.energy_lost, 0.0, work) if check else ()
+    checks += not_above("no energy is gained", -answer.energy_lost, 0.0, work) if check else ()
     return MomentumResult(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
 
 

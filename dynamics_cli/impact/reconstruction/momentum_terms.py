@@ -181,7 +181,7 @@ def _one_heading(term: Term, rest: "Sequence[Term]") -> Solution:
 def _require_direction(x: float, y: float, term: Term) -> None:
     require(
         hypot(x, y) > 0.0,
-        "{name} would have no momentum, so no heading",
+        "{name} would have no momentum, hence no heading",
         name=term.name,
         code="no-heading",
         hint="give its heading",
@@ -232,11 +232,11 @@ def _two_headings(one: Term, other: Term, rest: "Sequence[Term]", branch: Branch
     """Two headings: a triangle of three known sides, which may lie on either side of the known one."""
     x, y = _sum(rest)
     known, a, b = hypot(x, y), absolute(one.amount), absolute(other.amount)
-    require((known > 0.0) & (a > 0.0), "no triangle of momenta: one of its sides is zero", code="no-solution")
+    require((known > 0.0) & (a > 0.0), "the momenta form no triangle: one of its sides is zero", code="no-solution")
     cosine = (known * known + (a - b) * (a + b)) / (2.0 * known * a)
     require(
         absolute(cosine) <= 1.0,
-        "no triangle of momenta: sides of {known:6}, {one:6} and {other:6} do not close",
+        "the momenta form no triangle: sides of {known:6}, {one:6} and {other:6} do not close",
         known=(known, Impulse),
         one=(a, Impulse),
         other=(b, Impulse),

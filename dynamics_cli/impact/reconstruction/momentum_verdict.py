@@ -33,7 +33,7 @@ LEVELS = ("undetermined", "caution", "good")
 # Energies of deformation are known to some tens of per cent.
 GOOD_SHARE, CAUTION_SHARE = 0.15, 0.05
 ENERGY = "energy of deformation"
-MEASURE = "find the energies of deformation and the speeds after by a second way, or an event data recorder"
+MEASURE = "determine the energies of deformation and the speeds after in a second way, or use an event data recorder"
 
 
 @record
@@ -46,13 +46,13 @@ class SpeedVerdict:
     heading_tolerance: Annotated[
         Angle | None, "Error of one heading that changes the speed by a tenth of itself, at most half a turn [rad]."
     ]
-    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    worst_heading: Annotated[Text | None, "Parameter name of the heading."]
     tolerance: Annotated[
         Fraction | None,
         "By energy: error of one quantity, as a share of it, that changes the speed by a tenth of itself (of a quarter "
         "of the closing speed, where that is more), at most all.",
     ] = None
-    worst_quantity: Annotated[Text | None, "The quantity that this is of."] = None
+    worst_quantity: Annotated[Text | None, "The quantity."] = None
 
 
 class Unknowns:

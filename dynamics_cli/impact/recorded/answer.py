@@ -59,7 +59,7 @@ class Contact:
         self.lost = lost
         require(
             lost >= -1e-12 * (absolute(dot(p, relative)) + absolute(dot(p, leaving))),
-            "no crash gives this record: the impact would have given {energy:3} to the vehicles",
+            "no crash can give this record: the impact would have given {energy:3} to the vehicles",
             energy=(0.0 - lost, Energy),
             code="energy-gained",
             hint="check signs of ΔV, the normal, the nose and the headings",
@@ -75,7 +75,7 @@ def answer(
     stated: "tuple[float, float] | None" = None,
 ) -> RecordResult:
     """Everything that the record and the model say."""
-    require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves nothing", code="tolerance")
+    require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves no information", code="tolerance")
     contact = Contact(crash, found)
     first = _first(crash, tolerance, zero)
     verdict = None
@@ -190,7 +190,7 @@ def _advice(
             "1 km/h",
             change=(final_change, RoadSpeed),
         )
-        remedy = "take the speeds as the least; a longer record or the other vehicle's closes the gap"
+        remedy = "take the speeds as minimum values; a longer record, or the other vehicle's, closes the gap"
         cautions.append(Advice(code="lower-bound", message=text, severity="serious", remedy=remedy))
     recorded, implied = crash.given.spin_change, first.spin_change
     if recorded is not None and implied is not None:
@@ -205,7 +205,7 @@ def _advice(
     cautions += _contact_advice(found, contact, stated)
     if crash.one.inertia is None or crash.two.inertia is None:
         text = worded("levers and inertias of both are not given: turning is neglected")
-        remedy = "give them where the force passes beside a mass centre: the closing speed grows"
+        remedy = "give them if the force does not pass through a mass centre: the closing speed becomes larger"
         cautions.append(Advice(code="no-turning", message=text, severity="note", remedy=remedy))
     return tuple(cautions)
 

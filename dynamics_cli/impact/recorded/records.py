@@ -37,7 +37,7 @@ class Recorder:
     approach_speed: Annotated[
         RoadSpeed | None, "Its speed just before the impact, from the pre-crash record, e.g. 13.2 m/s."
     ] = None
-    approach_heading: Annotated[Angle | None, "Its direction of travel before; that of its nose when left out."] = None
+    approach_heading: Annotated[Angle | None, "Its direction of travel before; that of its nose if left out."] = None
     approach_spin: Annotated[AngularSpeed, "Its angular velocity just before."] = 0.0
     turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia; without it, its turning is neglected."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck; goes with the inertia."] = None

@@ -149,8 +149,8 @@ def by_restitution(
     facing = dot(course, inward)
     judge(
         absolute(facing) >= ALONG_THE_SURFACE,
-        "the second vehicle came along the surface of contact, only {sine:2} of its speed against it: restitution says "
-        "nothing of its speed",
+        "the second vehicle came along the surface of contact, with only {sine:2} of its speed across it: restitution "
+        "says nothing about its speed",
         sine=(absolute(facing), Ratio),
         hint="give its exit heading instead",
         results=("second.approach_speed",),
@@ -279,7 +279,7 @@ def _planar(crash: Crash) -> "tuple[Pair, Pair]":
         crash.before is not None and heading is not None,
         "the speed of the second vehicle needs the approach speed of the first and the second's approach heading",
         code="not-enough",
-        hint="give the first approach speed from the pre-crash record; without a heading the closing speed is answered",
+        hint="give the first approach speed from the pre-crash record; a missing heading leaves the closing speed",
     )
     return crash.before, direction_of(heading, crash.axes)  # type: ignore[return-value,arg-type]
 
@@ -293,7 +293,7 @@ def _require_push(crash: Crash, inward: Pair) -> None:
     push = dot(crash.impulse, inward) / crash.size
     require(
         push > 0.0,
-        "the recorded ΔV would pull along this normal: its part from the second to the first is {push:3}",
+        "the recorded ΔV would pull along this normal: its component from the second to the first is {push:3}",
         push=(push, Ratio),
         code="pull",
         hint="the normal points from the first vehicle to the second; ΔV ahead and to the left is positive",
@@ -303,7 +303,7 @@ def _require_push(crash: Crash, inward: Pair) -> None:
 def _require_forward(speed: float, verb: str = "come") -> None:
     require(
         speed >= 0.0,
-        "no crash gives this record: the second vehicle would {verb} backwards at {speed:3}",
+        "no crash can give this record: the second vehicle would {verb} backwards at {speed:3}",
         verb=verb,
         speed=(0.0 - speed, RoadSpeed),
         code="backwards",
@@ -319,7 +319,7 @@ def _range(low: float | None, high: float | None) -> "tuple[float, float, float]
         code="no-restitution",
         hint="give --least-restitution 0 --greatest-restitution 0.2, or what tests of such vehicles show",
     )
-    require(low <= high, "the least restitution is above the greatest", code="order")  # type: ignore[operator]
+    require(low <= high, "the lowest restitution is above the highest", code="order")  # type: ignore[operator]
     return 0.5 * (low + high), low, high  # type: ignore[operator,return-value]
 
 

@@ -183,7 +183,7 @@ def require_inertia(inertia: Matrix, name: str) -> None:
     (a, b, _), (_, d, _), _ = inertia
     require(
         a > 0 and fused(a, d, -(b * b)) > 0 and determinant(inertia) > 0,
-        "the inertia of {name} is not that of a body: its principal moments are not all above zero",
+        "the inertia of {name} is not that of a real body: its principal moments are not all above zero",
         name=name,
         code="no-inertia",
     )

@@ -105,7 +105,7 @@ def spatial(
         Restituted | Energetic,
         "Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.",
     ],
-    law: Annotated[SpatialLaw, "What ends the impact: stronge, newton or poisson."] = SPATIAL_LAW,
+    law: Annotated[SpatialLaw, "Law that ends the impact: stronge, newton or poisson."] = SPATIAL_LAW,
     contact_point: Annotated[
         Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."
     ] = None,

@@ -213,7 +213,7 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
     if restitution <= 1.0:
-        checks += not_above("energy never gained", -answer.energy_lost, 0.0, work)
+        checks += not_above("no energy is gained", -answer.energy_lost, 0.0, work)
     checks += not_above("no tension", -answer.normal_impulse, 0.0, size)
     limit = friction * answer.normal_impulse
     checks += not_above("friction at most μ times the normal impulse", answer.tangential_impulse, limit, size)

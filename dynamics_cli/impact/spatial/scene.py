@@ -50,7 +50,7 @@ def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> st
         return "without friction the direction of slip does not matter"
     if seen.turns:
         return None
-    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip keeps its line"
+    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip stays on one line"
 
 
 def solve_central(
@@ -246,5 +246,5 @@ def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:
     names = [name for name, present in what if present]
     if not names:
         return ()
-    text = "this scene has more than the model: it leaves out " + ", ".join(names)
+    text = "this scene goes beyond the model, which leaves out " + ", ".join(names)
     return (Advice("model-too-small", text, "serious", remedy="leave out --model"),)

@@ -70,10 +70,10 @@ class SceneBody:
     """A body of a scene."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
-    turning: Annotated[ByTensor | ByMoment | ByRadius | None, "Its inertia; a particle has none."] = None
-    arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck; a particle at itself."] = None
+    turning: Annotated[ByTensor | ByMoment | ByRadius | None, "Its inertia; left out for a particle."] = None
+    arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck; left out for a particle."] = None
     motion: Annotated[ByComponents | BySpeed, "Its velocity before; at rest when left out."] = ByComponents(ZERO)
-    rotation: Annotated[SpinVector | YawRate, "Its angular velocity before; none when left out."] = YawRate(0.0)
+    rotation: Annotated[SpinVector | YawRate, "Its angular velocity before; zero if left out."] = YawRate(0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
     ] = None
@@ -86,7 +86,7 @@ class SceneContact:
 
     normal: Annotated[Direction, "Contact normal from the first body to the second, of any length."]
     restitution: Annotated[Restitution, "Coefficient of restitution [-]."]
-    friction: Annotated[Friction, "Coefficient of friction; none when left out [-]."] = 0.0
+    friction: Annotated[Friction, "Coefficient of friction; zero if left out [-]."] = 0.0
     law: Annotated[SpatialLaw, "What ends the impact: stronge, newton or poisson."] = SPATIAL_LAW
     point: Annotated[Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."] = None
 

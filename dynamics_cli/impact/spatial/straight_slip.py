@@ -82,7 +82,8 @@ def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
 def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "Pair | None":
     """The direction that the slip has come to keep in as many digits, to which all near it turn.
 
-    With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt n̂.
+    With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt
+    n̂.
     """
     (k11, k12, k13), (_, k22, k23), _ = k
     x, y = slip.state[X], slip.state[Y]
@@ -240,7 +241,8 @@ def from_rest(
     slope = k33 + k13 * ratio[0] + k23 * ratio[1]
     require(
         slope > 0,
-        "at the contact the bodies give way in one direction alone, as far as doubles tell: no impulse follows",
+        "to the accuracy of doubles the bodies give way at the contact in one direction only: the impulse is not "
+        "determined",
         code="singular",
         hint="check levers and inertias: the lever is very long beside the radius of gyration",
     )

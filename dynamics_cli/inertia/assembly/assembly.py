@@ -45,7 +45,7 @@ def body(
     product_sign: Annotated[
         ProductSign, "Sign of products: negative (Ixy = −∫ x y dm, the tensor's element) or positive (+∫ x y dm)."
     ] = ProductSign("negative"),  # noqa: B008
-    shaft: Annotated[Shaft | None, "A line to give the moment about, with WR², GD² and lbf·in·s²."] = None,
+    shaft: Annotated[Shaft | None, "A shaft to give the moment about, also as WR², GD² and lbf·in·s²."] = None,
 ) -> MassProperties:
     """Mass, centroid, inertia tensor and principal axes of an assembly of parts and holes.
 

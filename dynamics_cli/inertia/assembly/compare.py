@@ -42,7 +42,7 @@ class Pair:
     """Two bodies."""
 
     first: Annotated[Assembly, "One body."]
-    second: Annotated[Assembly, "The other, in the same frame."]
+    second: Annotated[Assembly, "The other body, in the same frame."]
 
 
 @record
@@ -50,7 +50,7 @@ class MomentRow:
     """One moment or product of both bodies."""
 
     moment: Annotated[
-        Text, "Which: xx to zx about each one's own mass centre in the common axes, or a principal moment."
+        Text, "Which one: xx to zx about each body's mass centre in the common axes, or a principal moment."
     ]
     first: Annotated[ProductOfInertia, "Of the first body [kg*m^2]."]
     second: Annotated[ProductOfInertia, "Of the second body [kg*m^2]."]
@@ -74,7 +74,7 @@ class Compared:
     tensor_distance: Annotated[
         Ratio, "Size of the difference of the two inertia tensors over that of the first: 0 when they are equal [-]."
     ]
-    product_sign: Annotated[Text, "What the products mean."]
+    product_sign: Annotated[Text, "Sign convention of the products."]
     moments: Annotated[tuple[MomentRow, ...], "Moments and products of both."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None

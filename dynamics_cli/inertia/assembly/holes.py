@@ -31,13 +31,13 @@ def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
     advice = []
     for hole in holes:
         if boxes and hole.part.shape is not None and _leaves(hole, boxes):
-            message = f"{hole.name} reaches out of every body: what it takes away there has no mass"
+            message = f"{hole.name} reaches outside every body: there is no mass to remove there"
             advice.append(Advice("hole-outside", message, "serious", "end the hole where its body ends"))
         own = _density(hole)
         known = [density for density in map(_density, bodies) if density is not None]
         alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
         if own and len(known) == len(bodies) and not alike:
-            text = f"{hole.name} takes away material of a density that no body has"
+            text = f"{hole.name} removes material of a density that no body has"
             remedy = "give the hole the density of the body that it is cut out of"
             advice.append(Advice("hole-density", text, "serious", remedy))
     return tuple(advice)

@@ -55,7 +55,7 @@ class Part:
         0.0,
     )
     turn: Annotated[Turn | None, "How the part's own axes are turned in that frame."] = None
-    subtract: Annotated[bool, "Subtract it: a hole."] = False
+    subtract: Annotated[bool, "Subtract the part, as a hole."] = False
     parts: Annotated["tuple[Part, ...]", "Parts in its own frame."] = ()
 
 

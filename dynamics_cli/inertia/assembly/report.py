@@ -118,7 +118,7 @@ def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advic
                 difference=(moments[j] - moments[i], Inertia),
                 uncertainty=((own[i] * own[i] + own[j] * own[j]) ** 0.5, Inertia),
             ),
-            remedy="measure the moments better, or take any two axes in the plane",
+            remedy="measure the moments better, or use any two axes in the plane",
         )
         for i, j in ((0, 1), (1, 2))
         if moments[j] - moments[i] < (own[i] * own[i] + own[j] * own[j]) ** 0.5
@@ -154,5 +154,5 @@ def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ..
         remedy = "use a hollow shape with its wall thickness instead of a solid less a solid"
         advice.append(Advice("cancellation", message, severity="caution", remedy=remedy))
     if whole.unbounded:
-        advice.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
+        advice.append(Advice("no-bound", "with this many parts no rounding bound is calculated", severity="note"))
     return tuple(advice)

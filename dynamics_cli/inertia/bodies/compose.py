@@ -184,7 +184,7 @@ def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
 def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
     """A point within rounding of the mass centre."""
     masses = [plain(piece.mass) for piece in pieces]
-    require(max(masses) > 0.0, "nothing is there that something could be cut out of", code="no-mass")
+    require(max(masses) > 0.0, "there is no body to cut a hole out of", code="no-mass")
     total = sum(masses)
     if not total > 0.0:
         return (0.0, 0.0, 0.0)

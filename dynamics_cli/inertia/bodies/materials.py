@@ -92,16 +92,16 @@ class Material:
 
     name: Annotated[Text, "Its name in `--material`."]
     density: Annotated[Density, "The density used [kg/m^3]."]
-    least: Annotated[Density, "The least of common grades [kg/m^3]."]
-    greatest: Annotated[Density, "The greatest of common grades [kg/m^3]."]
-    source: Annotated[Text, "Where it is from."]
+    least: Annotated[Density, "The lowest of common grades [kg/m^3]."]
+    greatest: Annotated[Density, "The highest of common grades [kg/m^3]."]
+    source: Annotated[Text, "Its source."]
 
 
 @record
 class Materials:
     """The table of materials."""
 
-    materials: Annotated[tuple[Material, ...], "One row each."]
+    materials: Annotated[tuple[Material, ...], "One row for each material."]
 
 
 def density_of(name: str) -> float:
@@ -127,7 +127,7 @@ def _key(name: str) -> str:
     return key
 
 
-def materials(*, name: Annotated[Text, "One material; all when not given."] = "") -> Materials:
+def materials(*, name: Annotated[Text, "One material; all if left out."] = "") -> Materials:
     """Densities of common materials, each with its source and how far common grades differ.
 
     Returns

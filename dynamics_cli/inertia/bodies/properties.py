@@ -59,7 +59,7 @@ class MassProperties:
     area: Annotated[Area | None, "Area of a lamina or a thin shell [m^2]."]
     length: Annotated[Distance | None, "Length of a thin rod [m]."]
     centroid: Annotated[PartPosition, "Mass centre, in the given axes from the given origin [m]."]
-    about: Annotated[Text, "What the moments and products are about."]
+    about: Annotated[Text, "Reference point of the moments and products."]
     reference_point: Annotated[PartPosition, "That point, in the given axes from the given origin [m]."]
     axes: Annotated[Text, "The axes of moments, products, tensor and second moments."]
     product_sign: Annotated[Text, "What the products mean."]

@@ -62,7 +62,7 @@ class PrincipalMoments:
 class PartShare:
     """Contribution of one part."""
 
-    part: Annotated[Text, "Its name, after those of the assemblies it is in."]
+    part: Annotated[Text, "Its name, preceded by those of its assemblies."]
     mass: Annotated[SignedMass, "Its mass, negative for a hole [kg]."]
     centroid: Annotated[PartPosition, "Its mass centre, in the given axes [m]."]
     moments: Annotated[InertiaTriple, "Its contribution to the moments xx, yy, zz about the reference point [kg*m^2]."]

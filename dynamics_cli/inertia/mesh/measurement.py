@@ -132,7 +132,7 @@ def require_closed(found: Measured, *, allowed: bool, flip: bool = False, part: 
         if part
         else "repair the surface, or give --allow-open"
         if found.faults is not None
-        else "--diagnose names the faulty edges; --allow-open answers nevertheless",
+        else "--diagnose names the faulty edges; --allow-open calculates nevertheless",
         triangles=found.sums.count,
         places=places,
         of_part=f"of {part}, " if part else "",
@@ -148,7 +148,7 @@ def require_closed(found: Measured, *, allowed: bool, flip: bool = False, part: 
     )
     require(
         inverted or not flip,
-        "the surface is not inside out: --flip has nothing to turn round",
+        "the surface is not inside out: --flip is not needed",
         code="inverted",
         hint="leave out --flip",
     )

@@ -109,7 +109,7 @@ def _packed_unit(name: str) -> str:
         ) from None
     require(
         len(said) == 1 and said <= UNITS.keys(),
-        "the models of the file are in {read}, where one of {known} was wanted",
+        "the models of the file are in {read}, wanted one of {known}",
         code="unit",
         read=" and ".join(sorted(said)) or "no unit",
         known=", ".join(UNITS),

@@ -26,7 +26,7 @@ def checks_of(found: "Measured", shell: bool) -> tuple[Check, ...]:
     """The proof that a solid is closed; an open one that was allowed is warned of instead."""
     if shell or not found.closed:
         return ()
-    return (Check("every directed edge is met by one the other way", found.closed),)
+    return (Check("every directed edge has one in the opposite direction", found.closed),)
 
 
 def _closure(sums: "Sums") -> float:
@@ -93,7 +93,7 @@ def _coarse_advice(found: "Measured") -> "list[Advice]":
     coarse = float(max(quanta(found.sums))) / edge if found.single and edge > 0.0 else 0.0
     if coarse <= COARSE:
         return []
-    message = f"so far from the origin single precision is {coarse:.2g} of the mean edge: shape is lost"
+    message = f"so far from the origin single precision steps by {coarse:.2g} of the mean edge: the shape is lost"
     remedy = "export the part nearer its origin"
     return [Advice("coarse-coordinates", message, "serious" if coarse > 0.1 else "caution", remedy)]
 
@@ -102,13 +102,13 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
     """Serious warnings of what a diagnosis found that closure does not see."""
     faults = found.faults
     if faults is None:
-        few = f"crossings and overlaps of {found.sums.count} triangles were not looked for"
-        return [] if shell else [Advice("not-examined", few, "note", "--diagnose looks for them")]
+        few = f"{found.sums.count} triangles were not checked for crossings and overlaps"
+        return [] if shell else [Advice("not-examined", few, "note", "--diagnose checks them")]
     counts = [
         (
             "duplicated",
             faults.repeated,
-            "triangles are given twice the same way round: what they bound counts twice",
+            "triangles are given twice in the same orientation: their volume counts twice",
             "remove the copies",
         )
     ]
@@ -124,13 +124,13 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
             (
                 "overlap",
                 faults.within,
-                "triangles lie within what others bound, which counts twice",
+                "triangles lie inside the volume of others, which counts twice",
                 "unite overlapping solids; turn an inner shell so that it faces inwards",
             ),
             (
                 "against",
                 faults.against,
-                "triangles bound the solid from the wrong side: what they enclose counts negative",
+                "triangles bound the solid from the wrong side: the volume they enclose counts negative",
                 "turn the shell so that it faces outwards",
             ),
         ]
@@ -150,9 +150,9 @@ def surface_of(found: "Measured", lift: "Lift") -> Surface:
         closure=_closure(sums),
         low=lift.point(sums.low, zero),
         high=lift.point(sums.high, zero),
-        examined="crossings and overlaps were looked for among all triangles"
+        examined="all triangles were checked for crossings and overlaps"
         if found.faults is not None
-        else f"closure alone: crossings and overlaps of {sums.count} triangles are looked for by --diagnose only",
+        else f"only closure is checked: crossings and overlaps of {sums.count} triangles need --diagnose",
         quantisation=None if quantisation is None else lift.number(quantisation, quantisation, 3).value,  # type: ignore[attr-defined]
         faults=found.faults,
     )

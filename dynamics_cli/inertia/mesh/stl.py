@@ -196,7 +196,7 @@ def open_stl(name: str) -> Source:
     held = (size - HEADER) // RECORD
     require(
         False,
-        "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, room for {held}",
+        "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, enough for {held}",
         code="truncated" if held < claimed else "count",
         hint="copy or export the file again" if held < claimed else "its count is wrong or something else follows it",
         claimed=claimed,

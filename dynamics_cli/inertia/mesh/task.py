@@ -43,7 +43,7 @@ def mesh(
     ] = None,
     allow_open: Annotated[
         bool,
-        "Answer for an open surface too, as if closed towards a point near its first triangles.",
+        "Accept an open surface, treated as if closed towards a point near its first triangles.",
     ] = False,
     flip: Annotated[bool, "Reverse all triangles: for a closed surface that is inside out."] = False,
     diagnose: Annotated[

@@ -31,7 +31,7 @@ def require_sound(found: "list[Contour]") -> None:
             depth == (contour.sign < 0),
             "{contour} lies within {others}: its material would count twice",
             code="pieces-overlap",
-            hint="draw what overlaps as one polygon",
+            hint="draw the overlapping contours as one polygon",
             contour=contour.name,
             others=" and ".join(other.name for other in around),
         )

@@ -108,7 +108,7 @@ class TensorProperties:
         InertiaTensor,
         "The matrix ∫ r rᵀ dm = ½ tr(I)·1 − I in the same axes, as simulators' pseudo-inertia holds it [kg*m^2].",
     ]
-    product_sign: Annotated[Text, "What products mean."]
+    product_sign: Annotated[Text, "Sign convention of the products."]
     direction_moment: Annotated[
         Inertia | None, "Moment about the axis along `direction`, when it is given [kg*m^2]."
     ] = None
@@ -127,7 +127,7 @@ def tensor(
     *,
     inertia: Annotated[Whole | Parts, "The tensor as its matrix, or its moments and products."],
     mass: Annotated[Mass | None, "Mass of the body, for radii of gyration and the equivalent box, e.g. 40 kg."] = None,
-    turn: Annotated[Turn | None, "Rotation of further axes to give the tensor in."] = None,
+    turn: Annotated[Turn | None, "Rotation of further axes, in which the tensor is given too."] = None,
     direction: Annotated[
         Direction | None, "An axis through the same point to give the moment about, of any length [-]."
     ] = None,
@@ -248,7 +248,7 @@ def require_tensor(
     )
     require(
         least + middle - most >= -room,
-        "impossible moments: {most:6} exceeds the sum of {least:6} and {middle:6} by a share of {excess:3}",
+        "impossible moments: {most:6} exceeds the sum of {least:6} and {middle:6} by {excess:3} of it",
         code="triangle-inequality",
         hint=other or "{remedy}",
         remedy=hint,

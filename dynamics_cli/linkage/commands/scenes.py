@@ -81,7 +81,7 @@ CENTRES = Task(
 
 MOBILITY = Task(
     "mobility",
-    "Degrees of freedom of a linkage: counted, and true at its pose; conditions that repeat others.",
+    "Degrees of freedom of a linkage: counted, and true at its pose; redundant conditions.",
     Model(
         "Grübler's count and the rank of the Jacobian",
         "dynamics_cli.linkage.scenes.mobility:mobility",
@@ -96,8 +96,8 @@ MOBILITY = Task(
         "links: links n",
         "pins: pins j₁",
         "slides: slides j₂",
-        "repeated: repeated conditions",
-        "named: in them take part",
+        "repeated: redundant conditions",
+        "named: conditions involved",
     ),
     scene=SHOWN,
     examples=(f"dynamics linkage mobility {SIX_BAR}",),

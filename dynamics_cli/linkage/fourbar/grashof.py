@@ -35,7 +35,7 @@ class Class:
         Angle | None, "The crank reaches ± this angle, where coupler and rocker are stretched; none if it passes [rad]."
     ]
     inner_limit: Annotated[
-        Angle | None, "The crank comes no nearer to zero than ± this angle, coupler and rocker folded [rad]."
+        Angle | None, "The crank comes no nearer to zero than ± this angle, where coupler and rocker are folded [rad]."
     ]
     swing: Annotated[Angle | None, "Angle through which the rocker swings; none if it turns fully [rad]."]
     rocker_least: Annotated[Angle | None, "Smallest rocker angle, of the half above the ground link [rad]."]
@@ -46,7 +46,8 @@ class Class:
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle μ [rad]."]
     greatest_transmission_angle: Annotated[Angle, "Largest transmission angle μ [rad]."]
     change_points: Annotated[
-        tuple[ChangePoint, ...] | None, "Poses with all links in line, with both continuations; none of most linkages."
+        tuple[ChangePoint, ...] | None,
+        "Poses with all links in line, with both continuations; most linkages have none.",
     ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()

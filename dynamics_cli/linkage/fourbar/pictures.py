@@ -138,7 +138,7 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
         Panel(
             way, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
             (Curve(angles, mu, role=0), Band(2.0 * pi / 9.0, 7.0 * pi / 9.0, "good", vertical=False), *here),
-            "transmission angle; between 40 and 140 deg force is passed on well",
+            "transmission angle; force is transmitted well between 40 and 140 deg",
         ),
     )  # fmt: skip
 

@@ -41,7 +41,7 @@ class Pose:
     """Where a body should be."""
 
     x: Annotated[Coordinate, "Its reference point, e.g. 100 mm."]
-    y: Annotated[Coordinate, "The same, upwards, e.g. 40 mm."]
+    y: Annotated[Coordinate, "Its height y, e.g. 40 mm."]
     angle: Annotated[Angle, "Its angle, e.g. 30 deg."]
 
 
@@ -69,7 +69,7 @@ class Met:
 
     crank_angle: Annotated[Angle, "Crank angle from the line of the pivots [rad]."]
     rocker_angle: Annotated[Angle, "Rocker angle from it [rad]."]
-    branch: Annotated[Text, "The branch on which it is met."]
+    branch: Annotated[Text, "The branch on which it is reached."]
 
 
 @record
@@ -81,11 +81,11 @@ class Synthesis:
     rocker: Annotated[Size, "Length c [m]."]
     ground: Annotated[Size, "Length d [m]."]
     kind: Annotated[Text, "Class by Grashof's rule."]
-    defects: Annotated[Text, "What is wrong with it for this task."]
+    defects: Annotated[Text, "Its defects for this task."]
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle over the whole motion [rad]."]
     crank_pivot: Annotated[PartPoint | None, "Pivot O₂, where poses were given [m]."] = None
     rocker_pivot: Annotated[PartPoint | None, "Pivot O₄ [m]."] = None
-    met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it meets them."] = None
+    met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it reaches them."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -125,7 +125,7 @@ def synthesize(
     if isinstance(task, QuickSwing):
         return _by_swing(task)
     count = len(task.pairs if isinstance(task, AnglePairs) else task.poses)
-    require(count == 3, "{count} given; three are wanted", count=count, code="count")
+    require(count == 3, "{count} given; three are needed", count=count, code="count")
     return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
 
 
@@ -140,7 +140,7 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     determinant = one[0] * two[1] - one[1] * two[0]
     require(
         absolute(determinant) > 1e-12,
-        "these pairs have no linkage: two of them say the same",
+        "these pairs have no linkage: two of them are the same",
         code="no-linkage",
         hint="take pairs farther apart",
     )
@@ -149,13 +149,13 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     third = c - a * first - b * second
     require(
         (first != 0.0) & (second != 0.0),
-        "these pairs want a link of infinite length",
+        "these pairs need a link of infinite length",
         code="no-linkage",
         hint="change a pair a little",
     )
     crank, rocker, ground = task.ground / first, task.ground / second, task.ground
     square = crank * crank + rocker * rocker + ground * ground - 2.0 * crank * rocker * third
-    require(square > 0.0, "these pairs want a coupler without length", code="no-linkage", hint="change a pair a little")
+    require(square > 0.0, "these pairs need a coupler of zero length", code="no-linkage", hint="change a pair a little")
     # a negative length is one turned by half a turn
     met = [(pair.crank_angle, pair.rocker_angle) for pair in task.pairs]
     met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
@@ -169,7 +169,7 @@ def _centre(places: "list[complex]") -> complex:
     across = 2.0 * (one.conjugate() * two).imag
     require(
         abs(across) > 1e-9 * abs(one) * abs(two),
-        "three places of a pin lie on a line: its pivot would be at infinity",
+        "three positions of a pin lie on a line: its pivot would be at infinity",
         code="no-pivot",
         hint="move the pin on the body, or use a slide",
     )
@@ -219,7 +219,7 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
     least = _least(lengths)
     return Synthesis(
         a, b, c, d, kind, "; ".join(faults) or "none", least, met=tuple(rows),
-        checks=(Check("every pair is met", worst <= CLOSES, worst, CLOSES),),
+        checks=(Check("every pair is reached", worst <= CLOSES, worst, CLOSES),),
         advice=_poor(least),
     )  # fmt: skip
 
@@ -244,7 +244,9 @@ def _poor(least: float) -> "tuple[Advice, ...]":
 
 def _by_swing(task: QuickSwing) -> Synthesis:
     require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle))
-    require(task.time_ratio >= 1.0, "a time ratio is of the slow stroke over the quick one: at least 1", code="ratio")
+    require(
+        task.time_ratio >= 1.0, "a time ratio is the slow stroke's time over the quick one's: at least 1", code="ratio"
+    )
     lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
     count = range(1, PLACES)
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))

@@ -22,16 +22,18 @@ class Centre:
     second: Annotated[Text, "The other."]
     position: Annotated[PartPoint | None, "The point that moves alike on both; none at infinity [m]."]
     direction: Annotated[Angle | None, "Direction in which it lies at infinity [rad]."]
-    ratio: Annotated[Ratio | None, "Angular velocity of the second over that of the first; of ground none."]
+    ratio: Annotated[Ratio | None, "Angular velocity of the second over that of the first; absent for ground."]
 
 
 @record
 class Centres:
     """All instant centres."""
 
-    count: Annotated[Count, "How many, n(n − 1)/2."]
+    count: Annotated[Count, "Their number, n(n − 1)/2."]
     centres: Annotated[tuple[Centre, ...], "The centres."]
-    kennedy: Annotated[Ratio | None, "How far any three centres of three links are from one line, of their distances."]
+    kennedy: Annotated[
+        Ratio | None, "How far the three centres of any three links are from one line, relative to their distances."
+    ]
     checks: tuple[Check, ...] = ()
 
 

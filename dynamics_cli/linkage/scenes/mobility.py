@@ -18,13 +18,13 @@ PART = 1e-3
 class Mobility:
     """How a linkage can move."""
 
-    freedom: Annotated[Count, "Ways in which it moves at this pose, from the rank of its conditions."]
+    freedom: Annotated[Count, "Degrees of freedom at this pose, from the rank of its conditions."]
     counted: Annotated[int, "3(n − 1) − 2 j₁ − j₂."]
     links: Annotated[Count, "Links n, ground among them."]
     pins: Annotated[Count, "Pins j₁: a pin of three links counts twice."]
     slides: Annotated[Count, "Pins in slots j₂."]
-    repeated: Annotated[Count, "Conditions that repeat others: the linkage is over-constrained by so many."]
-    named: Annotated[Text | None, "The conditions that take part in that."] = None
+    repeated: Annotated[Count, "Redundant conditions: the linkage is over-constrained by this number."]
+    named: Annotated[Text | None, "The conditions involved."] = None
     gap: Annotated[float | None, "Ratio of the smallest singular value counted to the largest left out."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -88,7 +88,7 @@ def mobility(
         advice=(
             Advice(
                 "over-constrained",
-                "the linkage moves only because its lengths fit exactly: play or errors make it bind",
+                "the linkage moves only because its lengths fit exactly: manufacturing errors make it bind",
                 remedy="give a pin play, or leave a link out",
             ),
         )

@@ -56,7 +56,7 @@ class AssemblyPin:
     """Where one pin is in one assembly."""
 
     number: Annotated[Count, "The assembly."]
-    sides: Annotated[Text, "Its decisions, as a scene's sides take them."]
+    sides: Annotated[Text, "Its sides, as a scene states them."]
     pin: Annotated[Text, "The pin."]
     position: Annotated[PartPoint, "Where it is [m]."]
 
@@ -65,18 +65,18 @@ class AssemblyPin:
 class Solution:
     """The linkage in one pose."""
 
-    links: Annotated[tuple[LinkMotion, ...], "The links that move."]
+    links: Annotated[tuple[LinkMotion, ...], "The moving links."]
     pins: Annotated[tuple[PinMotion, ...], "The pins."]
-    assembly: Annotated[Text, "The assembly that was taken."]
-    assemblies: Annotated[Count, "How many there are at this position of the drivers."]
-    solved_by: Annotated[Text, "What it was solved by."]
+    assembly: Annotated[Text, "The assembly solved."]
+    assemblies: Annotated[Count, "Number of assemblies at this position of the drivers."]
+    solved_by: Annotated[Text, "Method of the solution."]
     pin_error: Annotated[Size | None, "All pins together are within this of the true ones, as proved [m]."] = None
     nearest_other: Annotated[
         Size | None, "No other assembly is nearer than this, all pins together, as proved [m]."
     ] = None
     kantorovich: Annotated[Ratio | None, "Kantorovich's h: at most one half proves the pose."] = None
-    motion: Annotated[tuple[Followed, ...] | None, "What was followed over a turn of the first driver."] = None
-    every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, where they are asked for."] = None
+    motion: Annotated[tuple[Followed, ...] | None, "The link or pin followed over a turn of the first driver."] = None
+    every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, if requested."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -133,7 +133,7 @@ def require_driven(system: "System") -> None:
     missing = system.size - len(system.rows)
     require(
         missing <= 0,
-        "the linkage still moves in {count} ways with its drivers held: give {count} more drivers",
+        "the linkage still has {count} degrees of freedom with its drivers held: give {count} more drivers",
         count=missing,
         code="under-driven",
         hint="add [[drivers]], or links and pins that are missing",
@@ -150,7 +150,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
     gap, what = walk.gap
     require(
         bool(possible) or gap != float("inf"),
-        "the linkage cannot be placed: the links hang on each other in a way that leaves no solution",
+        "the linkage cannot be placed: its links depend on each other in a way that leaves no solution",
         code="no-assembly",
     )
     require(

@@ -52,7 +52,7 @@ def checked(scene: Scene) -> None:
         ends = [complex(*pin.at) for pin in link.points]
         require(
             link.name == GROUND or (len(ends) >= 2 and max(abs(end - ends[0]) for end in ends) > 0.0),
-            "link {link} needs two points apart: a length of zero is no link",
+            "link {link} needs two points apart: a link needs a length above zero",
             link=repr(link.name),
             code="no-length",
         )

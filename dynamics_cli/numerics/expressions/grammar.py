@@ -55,7 +55,7 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
     if made.end < len(text.rstrip()):
         rest = text[made.end :]
         at = made.end + len(rest) - len(rest.lstrip())
-        _refuse(text, at, f"{rest.strip()[:20]!r} does not continue the formula")
+        _refuse(text, at, f"{rest.strip()[:20]!r} cannot follow here in the formula")
     if variables is not None:
         check_names(made, variables)
     return made
@@ -99,7 +99,7 @@ class _Reader:
 
     def sum(self, depth: int) -> "Tree":
         if depth > MOST_DEPTH:
-            _refuse(self.text, self.at, "too many brackets within each other")
+            _refuse(self.text, self.at, "brackets are nested too deeply")
         tree = self.product(depth)
         while self.peek() in SUMS:
             sign = self.take()
@@ -136,7 +136,7 @@ class _Reader:
     def operand(self, depth: int) -> "Tree":
         letter = self.peek()
         if not letter:
-            _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is wanted")
+            _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is expected")
         if letter == "(":
             self.take()
             return self.closed(depth)
@@ -145,7 +145,7 @@ class _Reader:
         if letter.isalpha() or letter == "_":
             return self.name(depth)
         self.take()
-        _refuse(self.text, self.at - 1, f"{letter!r} is not wanted here")
+        _refuse(self.text, self.at - 1, f"{letter!r} is not expected here")
         raise AssertionError
 
     def closed(self, depth: int) -> "Tree":
@@ -190,7 +190,7 @@ class _Reader:
             self.take()
             return (word, self.closed(depth))
         if word in FUNCTIONS:
-            _refuse(self.text, start, f"{word} wants its argument in brackets", hint=f"for example {word}(2*t)")
+            _refuse(self.text, start, f"{word} needs its argument in brackets", hint=f"for example {word}(2*t)")
         return ("pi",) if word == "pi" else ("name", word)
 
 

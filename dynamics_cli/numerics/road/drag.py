@@ -64,8 +64,8 @@ def drag_advice(friction: float, grade: float, braking: float, name: str = "") -
         Advice(
             code="drag-by-difference",
             message=worded(
-                "{name}friction of {grip} hardly exceeds the falling grade of {grade}: an error of 1 % in friction is "
-                "one of {percent} in the drag factor",
+                "{name}friction of {grip} hardly exceeds the downhill grade of {grade}: an error of 1 % in friction "
+                "becomes {percent} in the drag factor",
                 name=name,
                 grip=(grip, Friction),
                 grade=(-plain(grade), Slope),
@@ -82,7 +82,7 @@ def friction_advice(friction: float, name: str = "friction", remedy: str = "writ
     if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
         return ()
     message = worded(
-        "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
+        "{name} of {friction} is more than tyres reach on any road", name=name, friction=(friction, Friction)
     )
     return (Advice(code="high-friction", message=message, remedy=remedy),)
 

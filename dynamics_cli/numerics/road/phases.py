@@ -37,7 +37,7 @@ class Phase:
     """One phase of a motion; of its duration, distance, speed and acceleration it needs two, or one when even."""
 
     kind: Annotated[
-        Kind, "What it does: waiting, constant, reaction, build-up, braking, coasting or accelerating; e.g. braking."
+        Kind, "Kind of phase: waiting, constant, reaction, build-up, braking, coasting or accelerating; e.g. braking."
     ]
     duration: Annotated[Time | None, "How long it takes, e.g. 1.2 s [s]."] = None
     distance: Annotated[Distance | None, "How far it goes, e.g. 14 m [m]."] = None
@@ -111,7 +111,7 @@ def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, 
         (other <= speed) if slowing == forward else (other >= speed),
         "{name}a phase of {kind} cannot lead from {before} to {after}",
         code="wrong-direction",
-        hint="look at the phase's speed, distance and duration, or at its kind",
+        hint="check the phase's speed, distance and duration, or its kind",
         name=name, kind=str(phase.kind),
         before=(speed if forward else other, RoadSpeed), after=(other if forward else speed, RoadSpeed),
     )  # fmt: skip
@@ -124,7 +124,7 @@ def rate_of(phase: Phase, gravity: float, name: str = "") -> "float | None":
     """The amount of a phase's acceleration: as given, or by its friction and grade."""
     require(
         phase.friction is None or phase.acceleration is None,
-        "{name}friction and acceleration both say how the speed changes",
+        "{name}friction and acceleration are both given; one of them determines how the speed changes",
         code="twice",
         hint="give one of them",
         name=name,
@@ -155,8 +155,8 @@ def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
     if phase.speed is not None:
         require(
             speed == phase.speed or speed == 0.0,
-            "{name}the speed of {own} is not the {chain} of the phases beside it",
-            code="speeds-differ", hint="leave the speed out: the chain gives it",
+            "{name}the speed of {own} is not the {chain} of the adjacent phase",
+            code="speeds-differ", hint="leave the speed out: it follows from the adjacent phase",
             name=name, own=(phase.speed, RoadSpeed), chain=(speed, RoadSpeed),
         )  # fmt: skip
         speed = phase.speed
@@ -274,13 +274,13 @@ def _by_two(
         assert other is not None
         time = _crossing(way, speed, other, name)
     else:
-        require(time > 0.0, "{name}a distance takes time", code="no-time", name=name)
+        require(time > 0.0, "{name}a distance needs a time above zero", code="no-time", name=name)
         other = 2.0 * way / time - speed
         require(
             other >= 0.0, "{name}{way} in {time} is too short: the party would have to turn back",
             code="stops-early", name=name, way=(way, Distance), time=(time, Time),
         )  # fmt: skip
-    require(time > 0.0, "{name}a change of speed takes time", code="no-time", name=name)
+    require(time > 0.0, "{name}a change of speed needs a time above zero", code="no-time", name=name)
     return other, time, way, (other - speed) / time
 
 

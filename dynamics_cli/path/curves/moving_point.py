@@ -158,7 +158,7 @@ class MovingPoint:
                 fault is None,
                 "{name} = {text} has a pole, a corner or no value at {time:6}",
                 code="pole",
-                hint="choose a range of times without it: it is from {start} to {end} now",
+                hint="choose a range of times without it; now it runs from {start} to {end}",
                 name=name,
                 text=formula.text,
                 time=(fault or 0.0, Time),

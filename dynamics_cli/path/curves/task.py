@@ -83,16 +83,18 @@ class CurveMotion:
 
 def curve(
     *,
-    x: Annotated[LengthFormula | None, "x over the time t [s], e.g. 20*t m."] = None,
-    y: Annotated[LengthFormula | None, "y over t, e.g. 5*t - 4.9*t^2 m."] = None,
-    z: Annotated[LengthFormula | None, "z over t, e.g. exp(-t) m."] = None,
+    x: Annotated[LengthFormula | None, "x as a function of the time t [s], e.g. 20*t m."] = None,
+    y: Annotated[LengthFormula | None, "y as a function of t, e.g. 5*t - 4.9*t^2 m."] = None,
+    z: Annotated[LengthFormula | None, "z as a function of t, e.g. exp(-t) m."] = None,
     shape: Annotated[Shape | None, "A curve by its name, in place of formulas."] = None,
-    angle_law: Annotated[AngleFormula | None, "Angle along a named curve, e.g. 90*t deg."] = None,
-    length_law: Annotated[LengthFormula | None, "Length or x along a named curve, e.g. 3*t m."] = None,
+    angle_law: Annotated[AngleFormula | None, "Angle along a named curve as a function of t, e.g. 90*t deg."] = None,
+    length_law: Annotated[
+        LengthFormula | None, "Length or x along a named curve as a function of t, e.g. 3*t m."
+    ] = None,
     let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. a=3 m, w=2 rad/s."] = (),
     start: Annotated[Time, "Start of the range of times, e.g. 0 s."] = 0.0,
-    end: Annotated[Time | None, "End of the range; the state shown is there, e.g. 5 s."] = None,
-    at: Annotated[Time | None, "Another time of the state shown, e.g. 2 s."] = None,
+    end: Annotated[Time | None, "End of the range, where the state is shown, e.g. 5 s."] = None,
+    at: Annotated[Time | None, "Another time at which to show the state, e.g. 2 s."] = None,
     steps: Annotated[Count, "Intervals of the table [-]."] = 10,
 ) -> CurveMotion:
     """Velocity, acceleration, curvature and torsion along a curve over time, with exact derivatives.
@@ -172,7 +174,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
     if not given:
         return None
     require(
-        shape is not None, "a law of the {law} is for named curves", code="law", hint="--curve circle", law=given[0]
+        shape is not None, "a law of the {law} needs a named curve", code="law", hint="--curve circle", law=given[0]
     )
     require(
         shape.parameter in (given[0], "time"),
@@ -187,7 +189,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
     require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps)
-    require(end is not None or at is not None, "a time is wanted", code="missing", hint="--end '5 s', or --at '2 s'")
+    require(end is not None or at is not None, "a time is missing", code="missing", hint="--end '5 s', or --at '2 s'")
     now = at if at is not None else end
     last = plain(end if end is not None else at)
     first = plain(start)

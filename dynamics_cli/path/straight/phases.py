@@ -67,7 +67,7 @@ def solutions(phase: Phase) -> list[Solution]:
     missing = ", ".join(WORDS[name] for name in NAMES if name not in given)
     require(
         len(given) >= 3,
-        "three of the five numbers are wanted, and {count} given",
+        "three of the five numbers are needed, {count} given",
         code="three-of-five",
         hint="give {more} more of: {missing}",
         count=len(given),
@@ -99,7 +99,7 @@ def _agreeing(found: list[Solution], given: "dict[str, Any]", used: tuple[str, .
         near = [one for one in found if _near(one, name, wanted)]
         require(
             bool(near),
-            "the numbers contradict one another: from {names} the {name} is {value:6}, not {wanted:6}",
+            "the numbers contradict each other: from {names} the {name} is {value:6}, not {wanted:6}",
             code="inconsistent",
             hint="leave out one of them",
             names=", ".join(WORDS[one] for one in used),
@@ -144,7 +144,7 @@ def _speeds_distance(u: float, v: float, s: float) -> list[Solution]:
             s=(plain(s), Length),
         )
     if plain(s) == 0.0:
-        require(plain(u) == plain(v), "a change of speed takes some distance", code="inconsistent")
+        require(plain(u) == plain(v), "a change of speed needs a distance above zero", code="inconsistent")
         _open("the acceleration")
     t = 2.0 * s / (u + v)
     return [Solution(u, v, (v - u) * (v + u) / (2.0 * s), s, t)]
@@ -200,7 +200,7 @@ def _passage(u: float, v: float, a: float, s: float) -> Solution:
 
 
 def _at_once(speed: float, a: float, s: float) -> list[Solution]:
-    require(plain(s) == 0.0 and plain(a) != 0.0, "at rest without acceleration it goes nowhere", code="not-reached")
+    require(plain(s) == 0.0 and plain(a) != 0.0, "at rest without acceleration it does not move", code="not-reached")
     return [Solution(speed, speed, a, s, 0.0 * speed)]
 
 

@@ -30,7 +30,7 @@ TOLERANCE = 1e-9
 class Moment:
     """One row of the motion."""
 
-    phase: Annotated[int, "Which phase it is of."]
+    phase: Annotated[int, "Number of its phase."]
     time: Annotated[Time, "Time since the start [s]."]
     distance: Annotated[Length, "Displacement since the start [m]."]
     speed: Annotated[Speed, "Velocity [m/s]."]
@@ -50,7 +50,7 @@ class Straight:
     stop_time: Annotated[Time | None, "When it first comes to rest, of one phase that goes on or a law [s]."]
     stop_distance: Annotated[Length | None, "Where it first comes to rest [m]."]
     end_acceleration: Annotated[Acceleration | None, "Acceleration at the end; under a law [m/s^2]."]
-    alternatives: Annotated[tuple[Solution, ...] | None, "Other motions with the same numbers, of one phase."]
+    alternatives: Annotated[tuple[Solution, ...] | None, "Other motions with the same numbers, for a single phase."]
     motion: Annotated[tuple[Moment, ...], "Time, displacement, velocity and acceleration along the way."]
     numerics: Numerics | None = None
     checks: tuple[Check, ...] = ()
@@ -102,7 +102,7 @@ def rectilinear(
     -4.0
     """
     _check_steps(steps)
-    require(law is None, "a law is for the model of laws", code="model")
+    require(law is None, "a law needs the model for laws", code="model")
     several = phases if isinstance(phases, tuple) else (phases,)
     ways = []
     speed: float | None = None
@@ -178,16 +178,16 @@ def rectilinear_law(
     """
     _check_steps(steps)
     one = phases[0] if isinstance(phases, tuple) else phases
-    require(not isinstance(phases, tuple) or len(phases) == 1, "a law is for one phase", code="one-phase")
+    require(not isinstance(phases, tuple) or len(phases) == 1, "a law takes one phase only", code="one-phase")
     require(law is not None, "no law is given", code="no-law", hint="--law '-0.004*v^2 m/s^2'")
-    require(one.start_speed is not None, "the start speed is wanted with a law", code="missing", hint="--start-speed")
+    require(one.start_speed is not None, "a law needs the start speed", code="missing", hint="--start-speed")
     require(one.acceleration is None, "the law gives the acceleration: leave out the number", code="exclusive")
     ends = [name for name in ("time", "distance", "end_speed") if getattr(one, name) is not None]
     require(
         len(ends) <= 1,
         "a law with a start speed needs one end, not {ends}",
         code="exclusive",
-        hint="give time, distance or end speed; without one it goes on to rest",
+        hint="give time, distance or end speed; without one the motion runs until rest",
         ends=" and ".join(name.replace("_", " ") for name in ends),
     )
     numbers = (one.start_speed, one.time, one.distance, one.end_speed, *(each.value for each in let))
@@ -270,10 +270,10 @@ def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
     if all(len(way) == 1 for way in ways):
         return ()
     if len(ways) > 1:
-        return (Advice("two-motions", "a phase has two motions with its numbers: the earlier is taken", "note"),)
+        return (Advice("two-motions", "a phase has two motions with these numbers: the earlier one is taken", "note"),)
     other = ways[0][1]
     message = worded(
-        "another motion has these numbers too: in {time:6}, from {start:6} to {end:6}",
+        "another motion has the same numbers: in {time:6}, from {start:6} to {end:6}",
         time=(plain(other.time), Time),
         start=(plain(other.start_speed), Speed),
         end=(plain(other.end_speed), Speed),
@@ -301,4 +301,4 @@ def _work(made: Run, law: "Any") -> tuple[Check, ...]:
         return ()
     size = max(abs(wanted), abs(made.at(0.0)[2]), abs(speed / made.end))
     apart = abs(rate - wanted) / size if size else 0.0
-    return (Check("acceleration at the end is the law's", apart <= TOLERANCE, apart, TOLERANCE),)
+    return (Check("acceleration at the end is that of the law", apart <= TOLERANCE, apart, TOLERANCE),)

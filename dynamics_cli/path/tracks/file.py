@@ -74,7 +74,7 @@ def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
             continue
         require(
             not unit or unit in UNITS,
-            "the column {cell} has a unit that tracks are not read in",
+            "the column {cell} has a unit that tracks cannot have",
             code="unit",
             hint="use one of {known}",
             cell=repr(cell),

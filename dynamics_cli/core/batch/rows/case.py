@@ -159,9 +159,9 @@ class Case:
             return values
         if not self.layout.spread:
             raise UsageError(
-                "the row holds an uncertain value, and the rows before it did not",
+                "this row has an uncertain value, and the rows before it had none",
                 code="uncertain",
-                hint="say --coverage '95 %', so that every row has room for its distribution",
+                hint="give --coverage '95 %', so that every row has columns for the distribution",
             )
         from dynamics_cli.core.uncertainty.document import spread_of
 

@@ -113,7 +113,7 @@ def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
 def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | int, ...]") -> None:
     """Make a list long enough for an index; refuses a place within what is given as a whole."""
     if not isinstance(node, list if isinstance(step, int) else dict):
-        raise UsageError(f"{path[0]} is given as a whole and in parts", parameter=str(path[0]), code="exclusive")
+        raise UsageError(f"{path[0]} is given both whole and in parts", parameter=str(path[0]), code="exclusive")
     if isinstance(step, int):
         if step >= LONGEST_LIST:
             raise UsageError(f"{path[0]} has an index of {step}, at most {LONGEST_LIST - 1} is possible", code="index")
@@ -288,7 +288,7 @@ class JsonInput(Input):
         """The line as an object."""
         raw = parse_json(decode_line(line), "the row")
         if not isinstance(raw, dict):
-            raise UsageError("the row is no JSON object", code="json", hint='for example {"distance": "60 ft"}')
+            raise UsageError("the row is not a JSON object", code="json", hint='for example {"distance": "60 ft"}')
         return raw
 
     def read(self, line: bytes) -> "Raw":

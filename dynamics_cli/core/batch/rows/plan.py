@@ -99,7 +99,7 @@ class Plan:
         wanted = parse_unit(kind.unit)
         read = parse_unit(leaf.unit, wanted)
         if read.dimension != wanted.dimension:
-            raise Unsuited(f"{address} is read in a way of its own")
+            raise Unsuited(f"{address} needs a reader of its own")
         return Slot(address, kind, read)
 
     def _model(self, values: "dict[str, Any]") -> Model:
@@ -156,7 +156,7 @@ class Plan:
         for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
             value = layout.of(record)
             if layout.how in OWN_UNITS and value is not None:
-                raise Unsuited("results with units of their own are written one by one")
+                raise Unsuited("results that carry their own units are written one by one")
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
                 continue
@@ -193,7 +193,7 @@ class Plan:
             self.case.layout.parts, self._scales, missing, zip(*lists, strict=True), strict=True
         ):
             if part.how in OWN_UNITS and not absent:
-                raise Unsuited("results with units of their own are written one by one")
+                raise Unsuited("results that carry their own units are written one by one")
             if absent:
                 columns.append((part, "all", None))
             elif part.how == "number":
@@ -228,7 +228,7 @@ def _finite(node: "Any", count: int) -> "Mask":
             good &= np.asarray(item.passed, dtype=bool)
         elif isinstance(item, np.ndarray):
             if item.ndim and item.shape != good.shape:
-                raise Unsuited("a number of the record is no column")
+                raise Unsuited("a number of the record has no column")
             if item.dtype.kind == "f":
                 good &= np.isfinite(np.asarray(item))
         elif isinstance(item, float) and not -np.inf < item < np.inf:
@@ -238,7 +238,7 @@ def _finite(node: "Any", count: int) -> "Mask":
 
 def _below(node: "Any") -> "Iterator[Any]":
     if isinstance(node, Columns):
-        raise Unsuited("the task answers with a table of its own")
+        raise Unsuited("the task's answer is a table")
     if isinstance(node, tuple | list):
         for item in node:
             yield from _below(item)

@@ -118,7 +118,7 @@ class ExactPlan:
         self.addresses = list(addresses)
         given = case.raw(raw)
         if set(given) != {name, targets} or self.addresses != [name]:
-            raise Unsuited("more than a value and its units is given", {name})
+            raise Unsuited("more than a value and its unit is given", {name})
         bound = case.bind(raw)
         value, wanted = bound.fields[name], bound.fields[targets]
         assert isinstance(value, Constant)
@@ -126,7 +126,7 @@ class ExactPlan:
         assert isinstance(wanted, Several)
         self.targets = [str(item.assemble()) for item in wanted.items]
         if not value.value.unit or not self.targets or any(";" in target for target in self.targets):
-            raise Unsuited("only plain units are converted together", {name})
+            raise Unsuited("only plain units can be converted as a column", {name})
         self.conversions = [Conversion(*parse_pair(value.value.unit, target)) for target in self.targets]
 
     def run(self, columns: "list[Column]") -> "list[Answered]":

@@ -47,13 +47,15 @@ def _near_results(raw: "Any", address: str) -> "str | None":
 def resolve(text: str, context: "Context", own: str) -> "Any":
     """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
     if context.references is not None and not any(text in known for known in context.references):
-        message = f"read {text!r}: rows take nothing from files"
-        raise UsageError(message, code="reference", hint="--references allows it, for rows that you trust")
+        message = f"read {text!r}: rows may not read from files"
+        raise UsageError(message, code="reference", hint="add --references to allow it, for rows that you trust")
     name, colon, address = text[1:].rpartition(":")
     if not colon or not name or not address:
         raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
     if name == "-":
-        raise UsageError("a reference names a file: standard input is for --input", hint="--input - reads a document")
+        raise UsageError(
+            "a reference names a file: standard input is for --input", hint="to read a document use --input -"
+        )
     path = name if os.path.isabs(name) else os.path.join(context.folder, name)
     data = read_bytes(path, Terminal())
     raw = parse_json(decode(data, name), name)

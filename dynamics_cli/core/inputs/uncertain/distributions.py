@@ -267,7 +267,7 @@ class Result(Distribution):
     smooth = True
 
     def __init__(self, median: float, low: float, high: float, coverage: float) -> None:
-        _check(low <= median <= high and 0.0 < coverage < 1.0, "an interval that does not hold its median")
+        _check(low <= median <= high and 0.0 < coverage < 1.0, "an interval that does not contain its median")
         self.median, self.ends, self.coverage = median, (low, high), coverage
         score = -normal.quantile(0.5 * (1.0 - coverage))
         below, above = median - low, high - median

@@ -209,7 +209,7 @@ def _arguments(name: str, inside: str, scale: Scale) -> "list[Any]":
             read = _pure(item) if key in PURE else None
             parts.append(read or (scale.width(item, *parts[0]) if key in WIDTHS else scale.location(item)))
     if len(items) + bool(sign) != len(wanted):
-        raise UsageError(f"{name}({inside}) does not consist of {', '.join(wanted)}", code="syntax")
+        raise UsageError(f"{name}({inside}) does not have the form {', '.join(wanted)}", code="syntax")
     return parts
 
 
@@ -237,7 +237,7 @@ def _mixed(text: str) -> UsageError:
 
 def _ambiguous(text: str) -> UsageError:
     return UsageError(
-        f"{text.strip()} of a pure number may be a share of it or a difference",
+        f"{text.strip()} of a pure number may be a share of the value or a difference",
         code="ambiguous",
         hint="write both in the same way, for example 0.72 ± 0.04 or 72 % ± 4 %",
     )

@@ -91,7 +91,7 @@ def _gathered(task: "Task", record: "Any") -> Drawing:
     if not outlines:
         names = {field.key for field in fields}
         advice = [item.message for item in getattr(record, "advice", ()) if item.result in names]
-        raise InadmissibleError("there is no drawing of this case", code="no-drawing", hint="; ".join(advice) or None)
+        raise InadmissibleError("this case has no drawing", code="no-drawing", hint="; ".join(advice) or None)
     return Drawing(tuple(outlines), title or f"dynamics {task.path}", tuple(construction))
 
 

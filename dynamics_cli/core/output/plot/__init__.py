@@ -61,7 +61,7 @@ def refuse_none(task: "Task") -> UsageError:
         f"{task.path} has no picture of one certain case",
         parameter="plot",
         code="no-picture",
-        hint="sweep a parameter, or make an input uncertain, to have one",
+        hint="sweep a parameter, or make an input uncertain, to get one",
     )
 
 

@@ -74,7 +74,9 @@ def need() -> "Any":
         ) from None
     except Exception as error:
         raise UsageError(
-            f"matplotlib does not start: {error}", parameter="plot", hint="its own settings file may be at fault"
+            f"matplotlib does not start: {error}",
+            parameter="plot",
+            hint="its settings file (matplotlibrc) may be the cause",
         ) from None
     finally:
         if named is not None:

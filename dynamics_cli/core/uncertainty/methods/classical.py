@@ -102,7 +102,7 @@ class Sample:
         count = samples or DEFAULT_SAMPLES
         most = MOST_VALUES // len(space.results)
         if count > most:
-            message = f"a sample of {count} cases with {len(space.results)} results each is too large to be kept"
+            message = f"a sample of {count} cases with {len(space.results)} results each is too large for memory"
             raise UsageError(message, parameter="samples", code="too-many", hint=f"at most {most} are possible here")
         generator = np.random.default_rng(seed)
         block = 1 << 14

@@ -61,7 +61,7 @@ class Pool:
         good = ~np.isnan(values)
         counts = good.sum(axis=1)
         if counts.min() < 2:
-            message = "hardly any case within the inputs' uncertainty is admissible"
+            message = "almost no case within the inputs' uncertainty is admissible"
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(good.all())
         ordered = np.sort(values.ravel() if whole else values[good])

@@ -304,7 +304,7 @@ def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int
 def _outcome(lines: SharedLines, space: Space, result: int, across: "Array", goal: Goal) -> Outcome:
     cells = lines.cells(result)
     if not cells.admissible > 1e-6:
-        message = "hardly any case within the inputs' uncertainty is admissible"
+        message = "almost no case within the inputs' uncertainty is admissible"
         raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
     found = Found(cells, goal.p)
     centre = Lines(space, result, lines.direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
