@@ -145,7 +145,7 @@ FRAME = Task(
     "frame",
     "Right-handed triad from two or three directions, or three points.",
     Model(
-        "one axis kept, the others perpendicular to it",
+        "one kept, the others perpendicular to it",
         "dynamics_cli.vec.frame:frame",
         source=BOOK + "section 2.11",
         formula="e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁",

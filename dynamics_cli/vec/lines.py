@@ -256,7 +256,7 @@ def _nearly_parallel(pose: "dict[str, Any]") -> "tuple[Advice, ...]":
     if sine is None or sine > NEARLY:
         return ()
     message = worded("the two are nearly parallel (sine {sine:2}): the point where they meet or come "
-                     "nearest multiplies errors by {times:2}", sine=(sine, Ratio), times=(1.0 / sine, Ratio))  # fmt: skip
+                     "nearest magnifies errors {times:2}", sine=(sine, Ratio), times=(1.0 / sine, Ratio))  # fmt: skip
     return (Advice("near-parallel", message, remedy="rely on the distance and the angle rather than on the points"),)
 
 

@@ -163,7 +163,7 @@ FILES = {
     "nul.json": (b"\x00\x01\x02", "is not JSON"),
     "unknown.json": (b'{"distance": "60 ft", "fricton": 0.7}', "did you mean friction?"),
     "types.json": (b'{"distance": true, "friction": [1]}', "read true"),
-    "null.json": (b'{"distance": {"value": null, "unit": "ft"}, "friction": 1}', "does not exist"),
+    "null.json": (b'{"distance": {"value": null, "unit": "ft"}, "friction": 1}', "has no such result"),
     "pair.json": (b'{"distance": {"size": 60}, "friction": 1}', "wanted value and unit"),
     "units.json": (b'{"units": 3, "distance": 60, "friction": 1}', "default units"),
     "huge.json": (b'{"distance": "60 ft", "friction": 1e999}', "range of a double"),

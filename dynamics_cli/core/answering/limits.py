@@ -39,7 +39,7 @@ def add_limits(
 
 
 def _error(numerics: "dict[str, Any]", key: str, size: float) -> float:
-    """What a result of this size may be off by, as the document states it: calculation and rounding of the inputs."""
+    """Error bound of a result of this size, as the document states it: calculation and rounding of the inputs."""
     total = 0.0
     for part in ("error_bound", "input_rounding"):
         stated = numerics.get(part, {}).get(key) or {}
@@ -78,7 +78,7 @@ def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
 
 
 def limit_entry(key: str, value: float, reading: "Reading", shown: "Any") -> "dict[str, Any]":
-    """What the document says of one limit."""
+    """The document's entry of one limit."""
     limit = reading.si
     by = abs(shown.width(value - limit))
     unit = {"unit": shown.bound_unit} if shown.bound_unit else {}

@@ -1,7 +1,7 @@
-"""Rounding bounds that came out loose, replaced by what rounding did as a second pass in many digits tells.
+"""Loose rounding bounds, replaced by the error that a second pass in more digits measures.
 
-A running bound is the sum of the worst of every operation. Of a result near zero, or of one whose roundings happened to
-cancel, that is far more than the error; the formula is then run once more in 60 decimal digits, from the same doubles.
+A running bound adds up the worst case of every operation. For a result near zero, or one whose roundings happened to
+cancel, it is far above the error; the formula is then run once more in 60 decimal digits, from the same doubles.
 """
 
 from dynamics_cli.errors import DynamicsError
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
     from dynamics_cli.numerics.exact.many_digits import ManyDigits
 
-# How many half last bits a bound may be of before it is worth a second pass.
+# Bounds above this many half units in the last place are worth a second pass.
 ROOM = 100.0
-# Bounds below this are of underflow, which a measured error would fall under itself.
+# Bounds below this come from underflow, which would affect a measured error too.
 _UNDERFLOW = 1e-290
 
 
 def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]], Any]") -> None:
     """Make the bounds in `record` tight where any is loose; `again` gives the record of other numbers for `numbers`.
 
-    Where many digits go another way (to a refusal, to a gap, to a table of another length) the bounds stay.
+    Where the pass in more digits takes another branch (a refusal, a gap, a table of another length) the bounds stay.
     """
     if not any(_is_loose(number) for number, _ in _beside(record, record)):
         return
@@ -43,7 +43,7 @@ def _is_loose(number: Tracked) -> bool:
 
 
 def _beside(first: "Any", second: "Any") -> "Iterator[tuple[Tracked, Tracked | ManyDigits]]":
-    """Every tracked number of an answer with what stands in its place in another; nothing where the shapes differ."""
+    """Every tracked number of an answer with its counterpart in another; nothing where the shapes differ."""
     kind = type(first)
     if kind is Tracked:
         yield first, second

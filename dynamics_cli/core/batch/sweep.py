@@ -1,4 +1,4 @@
-"""`--sweep`: a task over a range of one parameter or of two; each point is what a single call with it gives."""
+"""`--sweep`: a task over a range of one parameter or of two; each point equals a single call."""
 
 from dynamics_cli.core.answering.gather import Gathered
 from dynamics_cli.core.answering.models import choose
@@ -31,7 +31,7 @@ ARRAY_POINTS = 1000
 MOST_POINTS = 1_000_000
 # Points that another process answers at once.
 POINTS_A_PIECE = 64
-# What may be wrong with some points of a range and right with others.
+# Errors that some points of a range may have and others not.
 OF_THE_POINT = ("bounds", "range", "whole")
 
 
@@ -63,7 +63,7 @@ class _Points(Case):
             raise UsageError(f"{self.count} points are too many", parameter="sweep", hint=f"at most {MOST_POINTS}")
 
     def places(self, index: int) -> "list[int]":
-        """Which point of each axis this is; the first axis varies slowest."""
+        """Index of a point on each axis; the first axis varies slowest."""
         made = []
         for axis in reversed(self.axes):
             index, place = divmod(index, axis.count)
@@ -176,9 +176,9 @@ def _clock() -> float:
 
 
 def _template(points: _Points) -> "tuple[Fields | None, int]":
-    """The inputs of a point that can be read, and which one; raises what is wrong with every point."""
+    """The inputs of a point that can be read, and its index; raises the error that every point has."""
     names = {axis.name for axis in points.axes}
-    # The corners of the range tell what is wrong with one end of it only.
+    # The corners of the range show errors that occur at one end of it only.
     tried = sorted({0, points.count - 1, points.count // 2, *range(0, points.count, points.count // 50 + 1)})
     for index in tried:
         try:
@@ -209,7 +209,7 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
         places = one.rows.tolist()
         columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in one.results]
         made = list(map(list, zip(*columns_out, strict=True)))
-        # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
+        # The array route must equal single calls to the bit; should it ever not, single calls are used.
         if all(points.single(places[nth])[1] == made[nth] for nth in {0, len(made) - 1}):
             for place, row in zip(places, made, strict=True):
                 rows[place] = row
@@ -264,7 +264,7 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
         table[axis.name] = {"value": values, "unit": axis.unit} if axis.unit else {"value": values}
     for index, part in enumerate(points.layout.parts):
         column = [None if row is None else row[index] for row in rows]
-        # A vector has no place in a column, and a result that no point has needs none.
+        # A vector does not fit into a column, and a result that no point has needs none.
         if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):
             continue
         name = part.address if part.address not in table else f"results.{part.address}"

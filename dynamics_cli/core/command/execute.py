@@ -1,4 +1,4 @@
-"""A call carried out: gathered, read, answered, shown. The one path behind the direct route, typer and `run`."""
+"""Execution of a call: gather, read, answer, show. The one path behind the direct route, typer and `run`."""
 
 from dynamics_cli.core.answering.gather import Gathered, gather
 from dynamics_cli.core.answering.models import answer, arguments, call_model
@@ -113,7 +113,7 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
 def answered_case(
     task: Task, gathered: Gathered, settings: Settings
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
-    """The result document of one case, the files it lists that are still to be written, and the picture asked for."""
+    """The result document of one case, the files it lists that are still to be written, and the requested picture."""
     reader = gathered.reader
     reader.uncertain = {}
     bound = reader.read(task.specification.fields, gathered.raw)
@@ -164,7 +164,7 @@ def _with_files(
     spread: "Picture | None",
     settings: Settings,
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
-    """The document with the drawing and the picture asked for, which are still to be written."""
+    """The document with the requested drawing and picture, which are still to be written."""
     if not settings.drawing and not settings.plot:
         return document, [], None
     # writers and pictures take plain numbers
@@ -180,7 +180,7 @@ def _with_files(
 
 
 def _require_checks(document: "dict[str, Any]", task: Task) -> None:
-    """A check of the calculation that failed is an internal error, unless checks are what was asked for."""
+    """A failed check of the calculation is an internal error, unless the checks are the answer."""
     for check in document["checks"]:
         if not check["passed"] and not task.verdict:
             raise FaultError(
@@ -191,13 +191,13 @@ def _require_checks(document: "dict[str, Any]", task: Task) -> None:
 
 
 def _refuse_spreads(settings: Settings) -> None:
-    """Refuse what only uncertain results have."""
+    """Refuse options that only apply to uncertain results."""
     if settings.quantile:
         raise UsageError("no input is uncertain: results have no quantiles", parameter="quantile", code="exclusive")
     if settings.method:
         from dynamics_cli.core.uncertainty.document import read_method
 
-        # Nothing is propagated, but a name that is none is still a wrong call.
+        # Nothing is propagated, but an unknown name is still a wrong call.
         read_method(settings.method)
 
 
@@ -240,7 +240,7 @@ def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task
 def _with_picture(
     document: "dict[str, Any]", files: "list[File]", picture: "Picture | None", settings: Settings, task: Task
 ) -> "tuple[list[File], Picture | None]":
-    """The files with the picture's among them, which the document then lists."""
+    """The files including the picture's, which the document then lists."""
     if not settings.plot:
         return files, None
     from dynamics_cli.core.output.plot import drawn, refuse_none
@@ -283,7 +283,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:
-    """The status that --fail asks for: 6 when a limit is exceeded or a verdict is negative."""
+    """The exit status with --fail: 6 when a limit is exceeded or a verdict is negative."""
     if not settings.fail:
         return ExitStatus.DONE
     exceeded = any(

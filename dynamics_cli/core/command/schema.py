@@ -64,7 +64,7 @@ class _Inputs:
                 if field.required:
                     plain = {"required": sorted(node.item.required)}
                     several = {"required": [field.key]}
-                    # without a required field of its own, one is told by the list's absence
+                    # a lone item without required fields is recognised by the absence of the list
                     choices.append({"oneOf": [several, plain if node.item.required else {"not": several}]})
             elif field.required and not (isinstance(node, Leaf) and node.kind.default):
                 required.append(field.key)
@@ -90,7 +90,7 @@ class _Inputs:
     def _record(self, record: Record, path: "tuple[str, ...]") -> "dict[str, Any]":
         name = record.cls.__name__
         if name not in self.definitions:
-            self.definitions[name] = {}  # a placeholder, so that recursion ends
+            self.definitions[name] = {}  # a placeholder that ends the recursion
             self.definitions[name] = self.fields(record.fields, path)
         return {"$ref": f"#/$defs/{name}"}
 

@@ -14,9 +14,10 @@ if TYPE_CHECKING:
 
 
 def default_units(given: "Mapping[str, Any]") -> "dict[str, str]":
-    """The default unit by kind name; a kind that is not named takes that of the only named one it shares units with.
+    """The default unit by kind name.
 
-    Refuses unknown kinds, units that do not fit them, and a kind left between two.
+    A kind that is not named takes the unit of the only named kind with the same dimension. Refuses unknown kinds, units
+    that do not fit, and a kind with two candidates.
     """
     kinds: dict[str, list[Kind]] = {}
     for kind in vars(quantities).values():

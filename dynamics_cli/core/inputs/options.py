@@ -54,7 +54,7 @@ def options(fields: "tuple[Field, ...]") -> "dict[str, Option]":
         if not field.place:
             _spread_options(field, (), found, (), field.required)
         elif isinstance(field.node, Record):
-            # A scene: what options say stands over what its file says.
+            # A scene: options override its file.
             _record_options(field.node, (), found, (), False)
         elif isinstance(field.node, Tagged):
             for member in field.node.members.values():
@@ -96,7 +96,7 @@ def _spread_options(
 
 
 def _tag_leaf(node: Tagged) -> Leaf:
-    """The leaf of the option that chooses among tagged records: their names are its values."""
+    """The leaf of the option that chooses among tagged records; its values are their names."""
     return Leaf(PLAIN_TEXT, type(node.key, (Choice,), {"names": tuple(node.members)}))
 
 

@@ -1,6 +1,6 @@
-"""Inputs, from whatever a user wrote, to a tree of bound values; every bad parameter is reported, not just the first.
+"""Inputs, from the user's text to a tree of parsed values; every bad parameter is reported, not just the first.
 
-The raw input is a nest of dictionaries and lists whose ends are text (`"60 ft"`), `Token` (a bare JSON number, kept as
+The raw input is nested dictionaries and lists whose leaves are text (`"60 ft"`), `Token` (a bare JSON number, kept as
 its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth values or None.
 """
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     Raw = Mapping[str, Any]
 
 
-# What only few tasks take, and has a reader of its own.
+# Kinds that only few tasks take, read by a module of their own.
 FREE = ("free vector", "matrix")
 
 
@@ -102,7 +102,7 @@ class Reader(Context):
         return self._item(node, value, own)
 
     def _default_of(self, node: "Node", raw: "Raw") -> str | None:
-        """The text that stands in for a kind that is never missing: gravity, by the environment or by default."""
+        """The default text of a kind that is never missing: gravity, from the environment or the standard value."""
         kind = node.kind if isinstance(node, Leaf) else None
         if kind is None or not kind.default or (kind.needs and not raw.get(kind.needs)):
             return None
@@ -200,7 +200,7 @@ class Reader(Context):
         return Fields(member.cls, fields, spread=not alone)
 
     def _member(self, address: str, name: str) -> str:
-        """A field as the caller writes it; one of an item of a list by its own name."""
+        """A field as the caller writes it; a field of a list's item by its own name."""
         return kebab(name) if "[" in address else self.spell(_join(address, name))
 
     def _of_item(self, address: str, message: str) -> str:

@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-# name: (how it is given, what its value is called, help). The one list the direct route, typer and the reference share.
+# name: (how it is given, placeholder, help). The one list that the direct route, typer and the reference share.
 UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "json": ("flag", "", "Write the result document as JSON (same as --format json)."),
     "format": ("value", "FORMAT", "table, json, ndjson, csv or markdown; DYNAMICS_FORMAT sets the default."),
@@ -60,7 +60,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
 }
 METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 FORMATS = ("table", "json", "ndjson", "csv", "markdown")
-# What the ending of --output asks for.
+# The format that the ending of --output selects.
 ENDINGS = {"json": "json", "ndjson": "ndjson", "jsonl": "ndjson", "csv": "csv", "md": "markdown", "txt": "table"}
 # Endings that other options write.
 OTHER_WRITERS = {"dxf": "drawing", "svg": "drawing or --plot", "png": "plot", "pdf": "plot", "html": "report"}
@@ -68,12 +68,12 @@ SYSTEMS = ("si", "us", "base")
 MOST_SAMPLES = 100_000_000
 
 
-# The names of standard output: a file of the second name would replace what the output goes to.
+# The names of standard output: a file with the second name would replace the device.
 STANDARD_OUTPUT = ("-", "/dev/stdout")
 
 
 class Call:
-    """Words and options as typed; what they mean is decided later, in one place, whichever route they came by."""
+    """Words and options as typed; they are interpreted later, in one place, whichever route they came by."""
 
     __slots__ = ("options", "settings", "words")
 
@@ -116,7 +116,7 @@ class Settings:
         self.seed = self._whole(given, "seed", 2**63)
         self.coverage = self._text(given, "coverage")
         if self.coverage:
-            read_coverage(self.coverage)  # refused whether or not it is needed, as a method is
+            read_coverage(self.coverage)  # refused even if it is not needed, as a method is
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.drawing = self._text(given, "drawing")
         self.plot = self._text(given, "plot")
@@ -137,7 +137,7 @@ class Settings:
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 
     def _require_many(self, given: "Mapping[str, str | bool | list[str]]") -> None:
-        """Refuse what is for many cases where there is one."""
+        """Refuse options for many cases when there is one."""
         if self.references and not self.rows:
             raise UsageError("--references is for --rows", parameter="references", code="exclusive")
         if self.bounds and not (self.rows or given.get("sweep")):
@@ -275,7 +275,7 @@ def read_jobs(text: str) -> int:
 
 
 def read_probability(text: str, option: str, least: float) -> float:
-    """`95 %` or `0.95`, more than the least and by as much less than one."""
+    """`95 %` or `0.95`, above the minimum and below one by as much."""
     from dynamics_cli.core.inputs.quantity_text import read_scalar
     from dynamics_cli.quantities import Kind
 

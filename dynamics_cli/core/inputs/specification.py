@@ -1,8 +1,8 @@
 """A function's signature, read as the specification of a calculation.
 
 `specification(function)` gives the parameters as a small tree of nodes. Reading `__annotations__`, `__defaults__` and
-`__code__` directly takes microseconds; inspect and typing
-would cost a shell user more than the calculation.
+`__code__` directly takes microseconds; importing inspect
+and typing would cost a shell user more than the calculation.
 """
 
 import sys
@@ -134,7 +134,7 @@ class Tagged:
 
 
 class Many:
-    """Several of one item; `single` when a lone one may be given by its plain fields."""
+    """Several of one item; `single` if one item may be given by its plain fields."""
 
     __slots__ = ("columns", "item", "single")
 

@@ -17,12 +17,12 @@ NOTHING: "Values" = {}
 
 
 class Bound:
-    """One node of the inputs as read; `spread` when its fields stand beside its siblings in the document."""
+    """One node of the inputs as read; `spread`: its fields appear beside its siblings in the document."""
 
     spread = False
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """What the function takes, with `values` in place of the numbers at their addresses."""
+        """The function's argument, with `values` in place of the numbers at their addresses."""
         raise TypeError
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
@@ -45,7 +45,7 @@ class Value(Bound):
         self.unit = unit
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """The SI value, or what stands in its place."""
+        """The SI value, or its substitute."""
         return values.get(self.address, self.si)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from dynamics_cli.records import ErrorBound
 
 UNIT_ROUNDOFF = 2.0**-53
-# Below these a bound is said as a share of the number, else in the number's own unit.
+# Below this a bound is stated relative to the number, else in the number's unit.
 SMALLEST_RELATIVE = 1e-290
 LARGEST_RELATIVE = 1e-3
 
@@ -36,7 +36,7 @@ class _Walk:
         self.shown: dict[str, Shown] = {}
         self.conditions: dict[str, dict[str, float]] = {}
         self.input_rounding: dict[str, dict[str, Any]] = {}
-        # Results with units of their own that are shown in others.
+        # Results with their own unit that are shown in another one.
         self.converted: set[str] = set()
         self.checks: list[Check] = []
         self.advice: list[Advice] = []
@@ -61,7 +61,7 @@ class _Walk:
         return out
 
     def _has_no_answer(self, record: "Any", name: str, address: str) -> bool:
-        """Whether its record, or the whole answer, says why this result does not exist; others are left out."""
+        """Whether the record, or the whole answer, gives a reason for a missing result; others are left out."""
         told = getattr(record, "advice", ()), getattr(self.answer.record, "advice", ())
         return any(advice.result == own for own, part in zip((name, address), told, strict=True) for advice in part)
 
@@ -94,7 +94,7 @@ class _Walk:
         return self._scalar(value, kind, address, table=table)
 
     def _drawing(self, value: "Any", address: str) -> "dict[str, Any]":
-        """What there is of a shape; the shape itself goes to `--drawing`."""
+        """A summary of a shape; the shape itself goes to `--drawing`."""
         from dynamics_cli.core.output.drawing.scaled import round_bound
 
         outlines = getattr(value, "outlines", (value,))
@@ -174,7 +174,7 @@ class _Walk:
 
 
 class _Cells:
-    """The bounds of one result, or of every cell of a column: the size of each number and how far off it may be."""
+    """The bounds of one result, or of every cell of a column: magnitude and error of each number."""
 
     __slots__ = ("cells", "unit", "vector")
 
@@ -192,7 +192,7 @@ class _Cells:
             for size, spread in self.cells
         )
         if relative:
-            # relative to the true number, which may be that much smaller than the one shown
+            # relative to the true number, which may be smaller than the one shown by the bound
             return {
                 "relative": round_up(max(spread / (size - spread) if spread else 0.0 for size, spread in self.cells))
             }
@@ -231,7 +231,7 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
     ):
         if entries:
             numerics[key] = entries
-    # what leaves two results out is said once
+    # a reason that applies to two results is given once
     said = [_advice(item, bound) for item in walk.advice]
     warnings = [one for index, one in enumerate(said) if one not in said[:index]]
     warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]

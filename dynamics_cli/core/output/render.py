@@ -65,7 +65,7 @@ def to_full_table(
 ) -> str:
     """The whole document for people: inputs, results with their error bounds, tables, checks, warnings, source.
 
-    `layout` writes the results, where a task has a way of its own; what stands beneath is then as wide as `width`.
+    `layout` writes the results of a task with its own layout; the text beneath is then as wide as `width`.
     """
     lines = [document["command"]]
     inputs = flatten(document["inputs"])
@@ -96,7 +96,7 @@ def to_full_table(
 
 
 def _notes(document: "Document") -> "list[str]":
-    """What stands under the results: limits, checks, warnings, the model and its source, files."""
+    """The notes under the results: limits, checks, warnings, the model and its source, files."""
     model = document["model"]
     notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
     notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
@@ -150,7 +150,7 @@ def _csv_value(value: "Any") -> str:
 
 
 def to_csv(document: "Document", table: str) -> str:
-    """One row, as `--rows` writes it: inputs, results with their spread, an error that is none; or the table named."""
+    """One row, as `--rows` writes it: inputs, results with their spread, an empty error; or the named table."""
     from dynamics_cli.core.output.csv_cells import header
 
     results = document["results"]
@@ -186,7 +186,7 @@ def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
 
 
 def _free(name: str, taken: "set[str]") -> str:
-    """A result's column beside an input of the same name."""
+    """A column name for a result beside an input of the same name."""
     while name in taken:
         name = f"results.{name}"
     return name
@@ -256,9 +256,9 @@ def render(document: "Document", form: str, digits: int, table: str = "") -> str
 
 
 def only(document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False) -> str:
-    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON.
+    """Some results, one on each line: number and unit in a table, the document's own nodes in JSON.
 
-    An uncertain result has the digits that its deviation leaves, unless digits were `asked` for.
+    An uncertain result is rounded to its deviation, unless digits are requested (`asked`).
     """
     from dynamics_cli.core.output.answer_words import deviation
 
@@ -282,7 +282,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
 
 
 def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
-    """Some columns of a sweep with their spread, beside what was swept and its errors."""
+    """Some columns of a sweep with their spread, beside the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
     known = [name for name in columns_of if name not in (*swept, "error")]

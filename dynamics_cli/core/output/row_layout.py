@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def compact(value: "Any") -> str:
-    """JSON without a space too many; what is no JSON value stands as its `repr`."""
+    """JSON without superfluous spaces; a value that JSON does not have is written as its `repr`."""
     if isinstance(value, dict):
         return "{" + ",".join([f"{quote(str(key))}:{compact(item)}" for key, item in value.items()]) + "}"
     if isinstance(value, list | tuple):
@@ -27,7 +27,7 @@ def compact(value: "Any") -> str:
 
 
 class Part:
-    """One result: where it stands in the record, how it is shown, and the columns it takes.
+    """One result: its place in the record, how it is shown, and its columns.
 
     `how` is "number", "whole", "flag", "word", "measured" (a number or several, each with a unit of its own) or
     "components" (of a vector with a unit of its own).
@@ -44,7 +44,7 @@ class Part:
         self.shown = shown
         self.unit = shown.text if shown is not None else ""
         self.several = False
-        # What shows a result whose own unit may give way to another.
+        # Display of a result whose own unit may be replaced by another.
         self.display: Display | None = None
         self.address = ""
         for step in steps:
@@ -142,7 +142,7 @@ class SpreadPart(Part):
         self.address = f"{part.address}.{which}"
 
     def value(self, record: "Any") -> "Any":
-        """Nothing: what is certain has no distribution; the case fills it in."""
+        """Nothing: a certain result has no distribution; the case fills it in."""
         return None
 
     def shown_value(self, si: float) -> "Any":
@@ -153,7 +153,7 @@ class SpreadPart(Part):
         return self.shown.width(si) if self.which == "std" else self.shown.value(si)
 
     def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Put it beside the result's value, as a document has it: of a vector, in lists like its value."""
+        """Put it beside the result's value, as in a document: for a vector, in lists like its value."""
         indices = [step for step in self.steps if isinstance(step, int)]
         if not indices and self.which in ("low", "high"):
             entry.setdefault("interval", []).append(value)
@@ -240,7 +240,7 @@ class Layout:
         if isinstance(item, Leaf) and item.kind.form == "measured":
             yield from self._measured(keys, steps, several=True)
         elif isinstance(item, Record) and item.cls not in (Check, Advice):
-            # A table has no place in a row, but `--to` may name its columns all the same.
+            # A table does not fit into a row, but `--to` may still name its columns.
             _use(self._record(item, keys, steps))
         elif isinstance(item, Leaf) and item.kind.form in ("scalar", "slope"):
             self._known.append(".".join(keys))
@@ -269,7 +269,7 @@ class Layout:
         return [part.value(record) for part in self.parts]
 
     def check(self, record: "Any") -> None:
-        """Refuse numbers that are not finite, and a check of ours that failed."""
+        """Refuse numbers that are not finite, and a failed internal check."""
         check_numbers(record, self.result, "")
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
@@ -308,7 +308,7 @@ def _place(inner: "dict[str, Any]", part: Part, value: "Any") -> None:
 
 
 def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
-    """The list that a component's place is in, made where it is not there; components come in order."""
+    """The list for a component's place, created if missing; components come in order."""
     for step in index[:-1]:
         if len(nest) == step:
             nest.append([])

@@ -1,4 +1,4 @@
-"""No result goes out with a number that is not finite, or after a check of our own that failed."""
+"""No result is written with a number that is not finite, or after a failed internal check."""
 
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.errors import FaultError, InadmissibleError
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 
-# What is to be checked below a record, by its specification: of each field its name, its key and how.
+# What to check below a record, by its specification: each field's name, key and kind of check.
 _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 
 
@@ -31,7 +31,7 @@ def _fields_to_check(spec: Record) -> "list[tuple[str, str, str, Any]]":
                     made.append((field.name, field.key, "records", item))
             elif not (isinstance(node, Leaf) and (node.choice is not None or node.kind.form in ("text", "flag"))):
                 made.append((field.name, field.key, "number", None))
-        # The specification is kept with its entry, so that no other one takes its identity.
+        # The specification is kept with its entry, so that its id is not reused.
         _CHECKED[id(spec)] = known = (spec, made)
     return known[1]
 

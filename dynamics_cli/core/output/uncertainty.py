@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-# A mean further than this share of the deviation from the middle of the interval makes it lopsided.
+# A mean farther than this share of the deviation from the middle of the interval makes it skewed.
 LOPSIDED = 0.02
 MOST_DRIVERS = 6
 
@@ -23,7 +23,7 @@ def _spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, A
 
 
 def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
-    """What stands beside an uncertain result: the interval and its probability, and the deviation."""
+    """The text beside an uncertain result: the interval and its probability, and the deviation."""
     made = {}
     for address, node in _spreads(results):
         low, high = (number(end, digits) for end in node["interval"])
@@ -35,7 +35,7 @@ def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
 
 
 def _lean(node: "dict[str, Any]") -> str:
-    """The median where the distribution leans to one side enough to matter."""
+    """The median, where the distribution is skewed enough to matter."""
     low, high = node["interval"]
     median = node["median"]
     if isinstance(low, list) or not high > low:
@@ -45,12 +45,12 @@ def _lean(node: "dict[str, Any]") -> str:
 
 
 def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
-    """For every result: the inputs ranked by their share of the variance, and what each makes of the result alone."""
+    """For every result: the inputs ranked by their share of the variance, and the range that each alone gives."""
     lines: list[str] = []
     shown: list[Any] = []
     for name, entry in document.get("sensitivity", {}).items():
         rows = entry["inputs"]
-        # What drives the components of a vector is in the document.
+        # The drivers of a vector's components are in the document.
         if entry in shown or name.endswith("]"):
             continue
         shown.append(entry)

@@ -1,4 +1,4 @@
-"""Correlations that come with the results of earlier documents: two of one document are seldom independent."""
+"""Correlations carried over from earlier documents: two results of one document are seldom independent."""
 
 from itertools import combinations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     # By input address: the document, the result's address in it, and the document's covariance entry.
     Origins = Mapping[str, tuple[str, str, Any]]
 
-# Documents carry six digits of a correlation, which may leave a matrix a little short of positive definite.
+# Documents state correlations to six digits, which may leave a matrix slightly short of positive definite.
 SHRINKAGE = (0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2)
 
 

@@ -1,4 +1,4 @@
-"""What uncertain inputs add to a document: spreads beside the results, what drives them, chances beyond limits."""
+"""What uncertain inputs add to a document: spreads of the results, their drivers, probabilities beyond limits."""
 
 import math
 
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 # A formula called case by case is some hundred times slower than one on arrays.
 SLOW_POINTS = 20_000
 SLOW_ACCURACY = 1e-3
-# A warning of results that are known less well than fairly names so many.
+# Number of results named in a warning about poorly known ones.
 MOST_NAMED = 3
 
 
@@ -53,7 +53,7 @@ def add_uncertainty(
     settings: "Settings",
     display: "Display",
 ) -> "Picture | None":
-    """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
+    """Propagate the inputs' distributions through the task's model and add the outcome; a picture if requested."""
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
@@ -87,7 +87,7 @@ def add_uncertainty(
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
-    """The results that a short answer shows, and those named by limits and quantiles; none for all of them."""
+    """The results that a short answer shows, and those named by limits and quantiles; empty means all."""
     if settings.format != "table" or settings.all or settings.plot or not task.headline:
         return ()
     shown = {address for address, _ in task.headline} | named | set(settings.only)
@@ -141,7 +141,7 @@ def read_method(text: str) -> str:
 
 
 def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | None":
-    """Derivatives by the inputs, as the formula carried them at the means."""
+    """Derivatives with respect to the inputs, as carried through the formula at the means."""
     if not answered.leaves:
         return None
     made = {}
@@ -153,7 +153,7 @@ def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | 
 
 
 def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
-    """Put beside every result that varies its distribution; of a vector, lists like its value."""
+    """Put its distribution beside every result that varies; for a vector, in lists like its value."""
     vary = made.varying()
     for name, spread in made.spreads.items():
         stem, *steps = name.replace("]", "").split("[")
@@ -185,7 +185,7 @@ def _finite(value: "Any") -> "Any":
 
 
 def _method_entry(made: Propagation) -> "dict[str, Any]":
-    """How it was done: method and error estimate of every result, in its standard deviations; the shares' method."""
+    """Method and error estimate (in standard deviations) of every result; the method of the shares."""
     results = {}
     for name, spread in made.spreads.items():
         if spread.varies:
@@ -212,7 +212,7 @@ def _share(value: float) -> float:
 
 
 def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
-    """For every result the inputs ranked by share of the variance, the range each makes alone, and the corners."""
+    """For every result the inputs ranked by share of the variance, the range each gives alone, and the corners."""
     out = {}
     for name, spread in made.spreads.items():
         if not spread.first or not spread.varies:

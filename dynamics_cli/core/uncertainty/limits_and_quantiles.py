@@ -1,4 +1,4 @@
-"""What is asked of single results: probabilities beyond limits, and quantiles."""
+"""Requests for single results: probabilities beyond limits, and quantiles."""
 
 from dynamics_cli.core.answering.limits import limit_entry
 from dynamics_cli.core.documents import number
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.units.display import Shown
     from dynamics_cli.quantities import Kind
 
-# Quantiles farther out are no matter of inputs known by mean and deviation.
+# Quantiles farther out cannot be had from inputs known by mean and deviation.
 LEAST_LEVEL = 1e-6
 _PERCENT = 100.0
 
@@ -33,7 +33,7 @@ def read_levels(kinds: "Mapping[str, Kind]", settings: "Settings") -> "list[tupl
 
 
 def limit_entries(limits: "list[Any]", made: "Propagation", shown: "Mapping[str, Shown]") -> "list[dict[str, Any]]":
-    """What the document says of each limit: within it or not, and how probable it is to be beyond."""
+    """The document's entry for each limit: within it or not, and the probability of exceeding it."""
     entries = []
     for key, _, value, reading in limits:
         if key not in made.spreads:
@@ -50,7 +50,7 @@ def limit_entries(limits: "list[Any]", made: "Propagation", shown: "Mapping[str,
 def level_entries(
     levels: "list[tuple[str, float]]", made: "Propagation", shown: "Mapping[str, Shown]"
 ) -> "list[dict[str, Any]]":
-    """What the document says of each quantile asked."""
+    """The document's entry for each requested quantile."""
     entries = []
     for name, level in levels:
         if name not in made.spreads:

@@ -1,4 +1,4 @@
-"""A task as a model on arrays: physics functions called with whole samples, refused cases marked and left out."""
+"""A task as a model on arrays: physics functions called with whole samples; refused cases are masked and left out."""
 
 import numpy as np
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Rounds in which a formula may refuse some rows for one reason after another.
+# How often a formula may refuse further rows, for one reason after another.
 MOST_REFUSALS = 20
-# What rounding leaves of other numbers: some dozens of last bits. And a steadiness that no measured input has.
+# Rounding of other numbers: some dozens of last bits. And a relative deviation smaller than any measured input has.
 ROUNDING, STEADY = 1e-14, 1e-12
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
@@ -36,7 +36,7 @@ class Sampled(np.ndarray):
     """An array that goes through `numerics.elementary` in numpy's own loops.
 
     Rows must equal single answers to the bit, so ordinary arrays are mapped through the C library value by value. A
-    sample needs no such thing: a last bit is nothing beside its spread, and the loops are many times faster.
+    sample does not need that: a last bit is negligible beside its spread, and the loops are many times faster.
     """
 
     def apply(self, name: str, *arguments: "Any") -> "Any":
@@ -45,10 +45,10 @@ class Sampled(np.ndarray):
 
 
 def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
-    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none.
+    """Error of the results, as their arithmetic or a solver states it: a variation within it is not real.
 
-    What may be zero at the means, by its own error or as a component of a vector, is beside them what rounding leaves
-    of the numbers it came from: those with its unit, or the other components.
+    A result that may be zero at the means, within its error or as a component of a vector, has elsewhere the rounding
+    of the numbers it came from: results with its unit, or the other components.
     """
     bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
     numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
@@ -87,7 +87,7 @@ class TaskModel:
         """Results by address, and which rows are inadmissible."""
         arrays = {name: value for name, value in inputs.items() if isinstance(value, np.ndarray)}
         count = len(next(iter(arrays.values()))) if arrays else 1
-        if not count:  # where no point is admissible there is none to refine
+        if not count:  # without an admissible point there is nothing to evaluate
             return {name: np.empty(0) for name in self.names}, None
         refused = self._outside(arrays, count)
         if not self.arrays or not arrays:
@@ -105,7 +105,7 @@ class TaskModel:
                 kept = np.nonzero(~bad)[0] if kept is None else kept[~bad]
                 continue
             except (TypeError, ValueError):
-                # A formula that asks a sample for its truth value takes one case at a time.
+                # A formula that branches on a sample's truth value is called one case at a time.
                 self.arrays = False
                 return self._one_by_one(inputs, arrays, count, refused)
             return (results, None) if kept is None else self._spread(results, kept, count)
@@ -131,7 +131,7 @@ class TaskModel:
         return made, refused
 
     def _outside(self, arrays: "dict[str, Array]", count: int) -> "Any":
-        """Rows whose inputs leave their kind's bounds (a negative friction) or do not exist, or None."""
+        """Rows with inputs outside their kind's bounds (a negative friction) or undefined, or None."""
         refused = None
         for name, array in arrays.items():
             kind = self.kinds[name]

@@ -1,8 +1,8 @@
-"""Uncertain inputs through any model: distributions in, distributions out, and what drives them.
+"""Uncertain inputs through any model: distributions in, distributions and their drivers out.
 
 `propagate` takes a model on arrays and the inputs' distributions and gives, for every result, mean, median, standard
 deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits;
-and, labelled apart, the range over the corners of all the inputs' intervals.
+and, separately labelled, the range over the corners of all the inputs' intervals.
 """
 
 import numpy as np
@@ -36,9 +36,9 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 DEFAULT_ACCURACY = 1e-4
-# Points of a distribution function that is to be looked at.
+# Points of a distribution function for a picture.
 CURVE_POINTS = 121
-# Polynomials that leave out more of some result's variance do not say what drives it.
+# Polynomials that miss more than this share of a result's variance are not used for its drivers.
 MOST_MISSED = 0.1
 
 
@@ -78,7 +78,7 @@ class Spread:
 class Propagation:
     """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results.
 
-    `correlated` says which inputs were taken to be.
+    `correlated` lists the inputs treated as correlated.
     """
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
@@ -123,7 +123,7 @@ def propagate(
 ) -> Propagation:
     """Propagate uncertainty through `model`.
 
-    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
+    `accuracy` is that of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
     model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
     exceedance is asked, `levels` probabilities whose quantiles are; `slopes` the derivatives of each result at the
     inputs' means, where they are known; `curve` asks for the distribution function, at points across its range, of
@@ -193,7 +193,7 @@ def _distribute(
     limits, levels = wanted
     straight = Straight(space, probe, goal.seed)
     for row, name in enumerate(space.results):
-        # A curve is looked at of the limited results, or of the first that varies.
+        # A curve is drawn for the limited results, or for the first that varies.
         curve = goal.curve and (name in limits if limits else not made.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
         twin, scale, shift = straight.of(row)
@@ -206,7 +206,7 @@ def _distribute(
             made.spreads[name] = _sampled(name, row, sample, own)
         else:
             best = _stood_in(stand_in, name, row, own, probe) if stand_in is not None and name not in more else None
-            # Where the polynomials are near enough, other points of the model itself would tell no more.
+            # Where the polynomials are accurate enough, further points of the model would add nothing.
             near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
             if best is None or not (near or best.estimate <= FAIR):
                 other = _integrated(space, name, row, own, method, probe, slopes.get(name))
@@ -215,7 +215,7 @@ def _distribute(
 
 
 def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
-    """A result of the polynomials that stand in for a slow model; None where these are not near enough."""
+    """A result from the polynomials that replace a slow model; None where they are not accurate enough."""
     if not stand_in.errors[row] < float(np.nanstd(probe[row])):
         return None
     quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
@@ -291,7 +291,7 @@ def _integrated(
 
 
 def across_range(interval: "tuple[float, float]") -> "Array":
-    """Points across a result's range: the interval, and as far again beyond it as half its width to each side."""
+    """Points across a result's range: the interval, extended by half its width to each side."""
     low, high = interval
     return np.linspace(low - 0.5 * (high - low), high + 0.5 * (high - low), CURVE_POINTS)
 

@@ -1,7 +1,7 @@
 """The space an uncertain calculation is integrated in: independent standard normals z, and the model on them.
 
-Everything that propagates uncertainty sees only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
-NaN where the model is inadmissible. NaN stays inside the engine; what leaves it is a fraction of inadmissible cases.
+All methods see only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
+NaN where the model is inadmissible. NaN stays inside; callers see a fraction of inadmissible cases.
 """
 
 from decimal import Decimal, localcontext
@@ -43,13 +43,14 @@ class Space:
         self.factor = factor(self.names, correlation, set(distributions))
         self.smooth = all(made.smooth for made in self.distributions)
         self.stepped = any(made.name == "empirical" for made in self.distributions)
-        # Without a finite variance (Student's t of two or three readings) neither has, as a rule, the result.
+        # Without a finite variance of an input (Student's t of two or three readings) the result has usually none
+        # either.
         self.heavy = any(made.std == np.inf for made in self.distributions)
         self.results: list[str] = []
-        # by result, what its values may be off by
+        # error of the values, by result
         self.noise: Mapping[str, float] = getattr(model, "noise", {})
         self.points = 0
-        # A model that is asked case by case is dear, and its results are often asked for at the same points.
+        # A model called case by case is expensive, and its results are often needed at the same points.
         self.slow = not getattr(model, "arrays", True)
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
@@ -59,7 +60,7 @@ class Space:
 
     @property
     def size(self) -> int:
-        """How many inputs are really uncertain."""
+        """Number of uncertain inputs."""
         return len(self.names)
 
     def inputs(self, z: "Array") -> "dict[str, Any]":
@@ -67,7 +68,7 @@ class Space:
         return self.inputs_of(z if self.factor is None else self.factor @ z)
 
     def inputs_of(self, scores: "Array") -> "dict[str, Any]":
-        """The inputs whose own normal scores (correlated, if they are) are given."""
+        """The inputs from their own (possibly correlated) normal scores."""
         made: dict[str, Any] = dict(self.fixed)
         for name, distribution, score in zip(self.names, self.distributions, scores, strict=True):
             made[name] = distribution.at(score)
@@ -90,7 +91,7 @@ class Space:
         return made
 
     def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
-        """Every result at so many cases of the inputs."""
+        """Every result at given cases of the inputs."""
         self.points += count
         if not count and self.results:
             return np.empty((len(self.results), 0))
@@ -134,7 +135,7 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
 
 
 def positive(matrix: "Array") -> bool:
-    """Whether a matrix of correlations can be one."""
+    """Whether a matrix is a possible correlation matrix."""
     return _cholesky(matrix) is not None
 
 

@@ -1,4 +1,4 @@
-"""A judgement that refused the inputs' nominal values, with the intervals that their uncertainty leaves."""
+"""A judgement that refused the nominal inputs, extended by the intervals that their uncertainty leaves."""
 
 from dynamics_cli.core.answering.models import answer, result_numbers
 from dynamics_cli.core.documents import number

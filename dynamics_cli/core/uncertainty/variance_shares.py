@@ -27,11 +27,11 @@ SHIFTS = 8
 # A projection that misses more than this share of the variance is not used.
 _MISSED = 2e-3
 _MOST_TERMS = 500
-# Points an axis, of the grid used and of the one it is compared with, by the number of inputs.
+# Points per axis of the grid used and of the one it is compared with, by the number of inputs.
 GRIDS = {1: (30, 20), 2: (12, 9), 3: (8, 6)}
 FINE_GRIDS = {1: (60, 40), 2: (40, 27), 3: (15, 11)}
 _LARGEST_ERROR = 5e-3
-# Fewer admissible cases say nothing of how results hang together.
+# With fewer admissible cases than this correlations of results are not stated.
 FEWEST_CASES = 8
 
 
@@ -83,7 +83,7 @@ def variance_shares(space: Space, variances: "Array", seed: int, admissible: flo
 def _tensors(space: Space, vary: "Array") -> Shares | None:
     """Two grids, whose difference is the error; None when kinks keep them apart.
 
-    A result that does not `vary` has no shares: what rounding makes of it is noise. An only input has all of them.
+    A result that does not `vary` has no shares: its rounding is noise. A sole input has all of them.
     """
     fine, coarse = (GRIDS if space.smooth else FINE_GRIDS)[space.size]
     made, other = _tensor(space, fine), _tensor(space, coarse)
@@ -170,7 +170,7 @@ def _jansen(space: Space, vary: "Array", seed: int, admissible: float) -> Shares
     n = space.size
     count = 64 if space.slow else 1024 if n <= 8 else 256
     if not space.slow:
-        # Where few cases are admissible, more are looked at.
+        # Where few cases are admissible, more are evaluated.
         while count < MOST_POINTS and count * admissible < 512:
             count *= 2
     if 2 * n <= MOST_DIMENSIONS:
@@ -183,7 +183,7 @@ def _jansen(space: Space, vary: "Array", seed: int, admissible: float) -> Shares
     weights = np.full(fa.shape[1], 1.0 / fa.shape[1])
     results = len(fa)
     if n == 1:
-        # An only input has all of the variance, however little of its range is admissible.
+        # A sole input has all of the variance, however little of its range is admissible.
         whole = np.ones((results, 1))
         return Shares("the only input", whole, whole, 0.0, fa, weights)
     mean = _mean(np.concatenate([fa, fb], axis=1))[:, None]

@@ -11,7 +11,7 @@ from dynamics_cli.errors import FaultError, UsageError
 
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 TIME = (0, 0, 1, 0, 0, 0, 0, 0)
-# After degrees, these are parts of a degree and not of an hour.
+# After degrees these are parts of a degree, not of an hour.
 ARC = {
     **dict.fromkeys(("min", "mins", "minute", "minutes"), "arcmin"),
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "arcsec"),
@@ -61,7 +61,7 @@ def part_unit(text: str, first: Unit) -> Unit:
 def is_smaller(a: Unit, b: Unit) -> bool:
     """Whether unit `a` is smaller than its conformable unit `b`."""
     numerator, denominator, pi = convert(1, 1, a, b)
-    # With π in the ratio the two cannot be equal, and no pair of units is so close that a double could not tell.
+    # With π in the ratio the two cannot be equal, and no pair of units is too close for a double.
     return numerator < denominator if not pi else nearest(numerator, denominator, pi) < 1.0
 
 
@@ -71,7 +71,7 @@ def joined(
     """Add up the parts of `5 ft 6 in`: the exact number of the last part's unit, which it returns too.
 
     Every part carries its sign. Refused are parts that do not fit together and, unless `added` by a plus, parts that
-    are not whole (but for the last), that do not get smaller, or that make more than one of the part before.
+    are not whole (except the last), that do not decrease, or that exceed one of the part before.
     """
     if not all(text for *_, text in parts):
         raise UsageError("a number has no unit", code="missing-unit", hint="write 5 ft 6 in")
@@ -161,7 +161,7 @@ def _split(total: int, down: int, units: tuple[Unit, ...]) -> tuple[float, ...]:
         parts.append(whole)
         rest_up, rest_down = left, rest_down * over
     rest = nearest(rest_up, rest_down)
-    # The rest may round up to a whole of the unit before it, and that one in turn.
+    # The rest may round up to one of the unit before it, and that in turn.
     for index in range(len(parts) - 1, -1, -1):
         up, over = sizes[index]
         low_up, low_over = sizes[index + 1]

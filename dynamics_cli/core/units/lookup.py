@@ -7,14 +7,14 @@ from dynamics_cli.errors import UsageError
 
 FORCE = (1, 1, -2, 0, 0, 0, 0, 0)
 LENGTH = (1, 0, 0, 0, 0, 0, 0, 0)
-# No unit of use comes near 10^±2400; a power of a prefixed unit could, and would cost time and memory.
+# No useful unit comes near 10^±2400; a power of a prefixed unit could, and would cost time and memory.
 MOST_BITS = 8000
 # Texts of units come from files of millions of rows; the caches must not grow with them.
 CACHE_SIZE = 2048
 LONGEST_IN_CAPITALS = 24
 
 
-# Units of two readings whose usual one needs no note.
+# Units with two readings whose usual one needs no note.
 SELDOM_OTHERWISE = ("g", "C", "F")
 
 _candidates: "dict[str, list[Unit]]" = {"": [NUMBER], "1": [NUMBER]}
@@ -25,8 +25,8 @@ def parse_unit(text: str, wanted: "Unit | None" = None, tag: str = "") -> Unit:
     """Read a unit; where it has several readings, take the one that `wanted` (or the tag alone) allows.
 
     `lb` and `oz` are masses unless a force fits and a mass does not, `g` is the gram unless an acceleration fits.
-    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity: nobody takes a
-    gram for anything else. A unit that does not fit is returned all the same, for the caller to explain.
+    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity: a gram is
+    never mistaken for anything else. A unit that does not fit is returned all the same, for the caller to explain.
     """
     found = candidates(text)
     if len(found) > 1 or wanted is not None or tag:
@@ -189,7 +189,7 @@ def _prefixed(name: str, exponent: int, symbol: str) -> Unit:
 
 
 def _in_other_case(name: str) -> tuple[Unit, ...]:
-    """A name in other letters: Pounds, KG, kpa. Lower case is preferred; what may mean several things is refused."""
+    """A name in other capitals: Pounds, KG, kpa. Lower case is preferred; an ambiguous name is refused."""
     if not (name.isascii() and name.replace("_", "").isalpha() and 2 <= len(name) <= LONGEST_IN_CAPITALS):
         return ()
     from dynamics_cli.core.units.near_names import names_in_other_case
@@ -221,7 +221,7 @@ def _with_note(unit: Unit, name: str, known: str) -> Unit:
 
 
 def _from_pint(name: str) -> tuple[Unit, ...]:
-    # c, e, k, u and the year `a` of pint would turn a slip of the finger into an answer.
+    # c, e, k, u and the year `a` of pint would turn a typing error into an answer.
     if len(name) < 2:
         return ()
     from dynamics_cli.core.units.fallback import lookup_in_pint

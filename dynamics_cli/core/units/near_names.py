@@ -1,4 +1,4 @@
-"""Near words, for errors that suggest what was meant: of options and fields, and of units."""
+"""Similar words, for suggestions in errors: options, fields and units."""
 
 from dynamics_cli.core.units.table import NAMES
 

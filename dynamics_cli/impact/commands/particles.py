@@ -235,7 +235,7 @@ SEIZE = Task(
     "seize",
     "A moving body when a point or an axis of it is suddenly fixed.",
     Model(
-        "angular momentum about the fixed point or axis",
+        "angular momentum about what is held",
         "dynamics_cli.impact.held.seize:seize",
         source=BOOK + "9.12 and 10.12",
         formula=(

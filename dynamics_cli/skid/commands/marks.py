@@ -149,7 +149,7 @@ VAULT = Task(
     "vault",
     "Take-off speed of an airborne vehicle, for a known angle or the minimum over all angles.",
     Model(
-        "minimum speed over all angles",
+        "least speed over all angles",
         "dynamics_cli.skid.vault:vault_least_speed",
         source="projectile motion; Josephs & Huston, chapter 8",
         formula="{speed|v} = √({gravity|g}·({rise|y} + √({distance|x}² + {rise|y}²)))",

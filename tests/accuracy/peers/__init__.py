@@ -38,7 +38,7 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "skid drag-factor": (_single("drag_factor"),),
     "skid pedestrian": (_single("pedestrian"),),
     "skid vault, known take-off angle": (_single("vault"),),
-    "skid vault, minimum speed over all angles": (
+    "skid vault, least speed over all angles": (
         _single("least_vault"),
         Method("golden sections over the angle", "peers.skid.flights:least_vault_by_search"),
     ),

@@ -1,4 +1,4 @@
-"""Rows as they go out: the row that came in, its results, and an error if there was one."""
+"""Output rows: the input row, its results, and an error if there was one."""
 
 from dynamics_cli.core.batch.rows.inputs import Input
 from dynamics_cli.core.output.csv_cells import csv_cell, header
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    # For weaving: the same bytes in every row, or one piece a row.
+    # For weaving: the same bytes in every row, or one piece for each row.
     Piece = bytes | list[bytes]
 
 
@@ -36,14 +36,14 @@ def error_object(error: DynamicsError) -> "dict[str, Any]":
 
 
 class Slot:
-    """Stands in a template for the number that differs from row to row."""
+    """A placeholder in a template for a number that differs from row to row."""
 
     def __repr__(self) -> str:
         return "\0"
 
 
 class Output:
-    """What every format of rows out can do."""
+    """Interface of every format of output rows."""
 
     format = ""
 
@@ -52,11 +52,11 @@ class Output:
         self.layout = layout
 
     def head(self) -> bytes:
-        """What stands before all rows."""
+        """The text before all rows."""
         return b""
 
     def echo(self, line: bytes) -> bytes:
-        """The row as it came in."""
+        """The input row."""
         raise NotImplementedError
 
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:

@@ -1,4 +1,4 @@
-"""Lines from a file or a pipe, in blocks: as many as have come, never more than fit in a little memory."""
+"""Lines from a file or a pipe, in blocks: as many as have arrived, never more than fit into a little memory."""
 
 from dynamics_cli.errors import UsageError
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 # Enough rows to amortise array calls, few enough to stay in the processor's cache.
 BLOCK_ROWS = 6000
 LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 22
-# A longer line is nobody's case, and must not eat the memory.
+# A longer line cannot be a case, and must not fill the memory.
 LONGEST_LINE = 1 << 24
 BOM = b"\xef\xbb\xbf"
 
@@ -28,7 +28,7 @@ class Source:
         self.bytes_read = 0
         self.size: int | None = None
         self._file = terminal.stdin if name == "-" else self._open(name)
-        # `read1` gives what has come; a buffered `read` would wait for a whole block.
+        # `read1` returns what has arrived; a buffered `read` would wait for a whole block.
         self._read = getattr(self._file, "read1", self._file.read)
         self._first = True
         self._block = LEAST_BYTES
@@ -80,7 +80,7 @@ class Source:
             yield self._lines(last)
 
     def _next(self) -> bytes:
-        """Some bytes: one read, and what more has already come, up to a block."""
+        """Some bytes: one read, and whatever else has already arrived, up to a block."""
         data: bytes = self._read(self._block)
         if data and len(data) < self._block and self._more():
             parts = [data]
@@ -96,7 +96,7 @@ class Source:
         return data
 
     def _beginning(self) -> bytes:
-        """The first bytes: of long rows as many as later blocks have, if they have come."""
+        """The first bytes; for long rows as many as in later blocks, if they have arrived."""
         data = self._next()
         if len(data) < LEAST_BYTES or (self.size is None and not self._more()):
             return data
@@ -105,7 +105,7 @@ class Source:
         return data + self._next() if self._block >= LEAST_BYTES else data
 
     def _more(self) -> bool:
-        """Whether more bytes wait in a pipe; "no" where it cannot be asked."""
+        """Whether more bytes wait in a pipe; false where this cannot be determined."""
         if self.size is not None:
             return False
         from select import select

@@ -1,4 +1,4 @@
-"""Exact conversions by the million: the same rational factor for all rows of a pair of units, each row rounded once."""
+"""Exact conversions in bulk: the same rational factor for all rows of a pair of units, each row rounded once."""
 
 from math import gcd
 
@@ -78,7 +78,7 @@ class Conversion:
     def _exactness(
         self, column: Column, values: "Array", whole: "Array", power: int, singly: "list[int]"
     ) -> "list[bool]":
-        """Whether each number is the exact result: whether what is left of the denominator divides N."""
+        """Whether each number is the exact result: whether the remaining denominator divides N."""
         factor = self.factor
         ten = 10**power
         if factor.shift[0]:
@@ -92,7 +92,7 @@ class Conversion:
             odd //= odd & -odd
             divides = np.fmod(whole, float(odd)) == 0.0 if odd < WHOLE_LIMIT else whole == 0.0
             exact = divides.tolist()
-            # A quotient of more than 53 bits is no double, however exact.
+            # A quotient of more than 53 bits is not a double, even if exact.
             if float(np.abs(whole).max(initial=0.0)) * abs(factor.numerator) >= WHOLE_LIMIT:
                 singly = sorted({*singly, *np.flatnonzero(divides).tolist()})
         for row in singly:

@@ -1,4 +1,4 @@
-"""Lines of JSON objects, sorted by their shapes."""
+"""Lines of JSON objects, grouped by shape."""
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.group import (
@@ -82,7 +82,7 @@ class JsonGroups(Groups):
         return -1, None
 
     def _learn(self, line: bytes, numeric: "set[str] | None" = None) -> bool:
-        """Make a shape of this line; "no" when the line is wrong or has no shape."""
+        """Learn the shape of this line; false when the line is invalid or has no shape."""
         try:
             raw = self.source.read(line)
         except DynamicsError:
@@ -95,7 +95,8 @@ class JsonGroups(Groups):
         except DynamicsError:
             return False
         except Unsuited as error:
-            # Numbers that no array can stand for are part of the shape; if that is not it, its lines go one by one.
+            # Numbers that an array cannot replace become part of the shape; if that does not help, its lines go one by
+            # one.
             if error.numeric is not None and numeric is None:
                 return self._learn(line, error.numeric)
         self.shapes.append(shape)

@@ -8,12 +8,12 @@ if TYPE_CHECKING:
 
     Lines = list[bytes | None]
 
-# A quote that nobody closes must not swallow the rest of the stream.
+# A quote that is never closed must not swallow the rest of the stream.
 MOST_LINES = 1000
 
 
 def cleared(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
-    """Blocks without empty lines; blocks of nothing else are left out."""
+    """Blocks without empty lines; blocks of only empty lines are left out."""
     for lines in blocks:
         kept = [line for line in lines if line is None or line] if b"" in lines else lines
         if kept:
@@ -73,7 +73,7 @@ class _Joiner:
         return made
 
     def rest(self) -> "Lines":
-        """What still waits when no more lines come: its first line as it is, the others as records."""
+        """Lines still waiting at the end: the first one as it is, the others as records."""
         made: Lines = []
         while self.held:
             first, *others = self.held
@@ -84,7 +84,7 @@ class _Joiner:
 
 def _whole(lines: "list[bytes]") -> bool | None:
     """Whether lines are one record; None where its last cell is still open."""
-    # a return within a line is a character like others, but the csv module takes it for an end
+    # a carriage return within a line is an ordinary character, but the csv module takes it for an end
     text = b"\n".join(lines).replace(b"\r", b" ")
     if b'"' not in text:
         return True

@@ -1,6 +1,6 @@
 """Objects of one shape: found by one pattern, which also proves that each line is strict JSON of just that shape.
 
-A shape is an object with its numbers taken out, and without the strings that are no parameters. The pattern matches
+A shape is an object with its numbers removed, and without the strings that are not parameters. The pattern matches
 only numbers and strings as JSON writes them, so a line that matches means the same to a JSON parser.
 """
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 # Short enough that every match is a double.
 NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
-# Numbers of whatever length that only pass through; strings without escapes.
+# Numbers of any length that only pass through; strings without escapes.
 _OTHER_NUMBER = rb"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
 _OTHER_STRING = rb'"[^"\\\x00-\x1f]*"'
 _TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
@@ -90,7 +90,7 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
 
 
 def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
-    """The object without some members and without its closing brace; what stands before the first of them as it is."""
+    """The object without some members and without its closing brace; the text before the first of them unchanged."""
     found = members(line)
     kept = list(found)
     while kept and kept[-1] in names:
@@ -130,14 +130,14 @@ class Shape:
         if self.cut:
             pattern = b"(" + pattern
         self.whole = re.compile(pattern)
-        # The numbers found are read by a JSON parser afterwards, so a looser, faster pattern does for whole blocks.
+        # A JSON parser reads the numbers afterwards, so a looser, faster pattern is enough for whole blocks.
         self._search = re.compile(pattern.replace(b"(" + NUMBER + b")", b"([-+.0-9eE]+)"))
 
     def find(self, data: bytes, count: int) -> "list[list[bytes]] | None":
-        """What each group finds in each of so many lines, or None when some line is of another shape."""
+        """The matches of each group in all lines, or None when some line has another shape."""
         stride = self._search.groups + 1
         parts = self._search.split(data)
-        # Between matches, and only there, stands the end of a line.
+        # Line ends occur between matches, and only there.
         ends = parts[stride:-1:stride]
         if len(parts) != count * stride + 1 or parts[0] or parts[-1] or ends.count(b"\n") != count - 1:
             return None
@@ -182,7 +182,7 @@ def _piece(
     if not string:
         return (b"(" + NUMBER + b")", address) if _is_number(token.text) else (fixed, "")
     quantity = _QUANTITY.fullmatch(token.text)
-    # Of a value and its unit only the value is a number, and `1/s` is no number with a unit `/s`.
+    # In a value with its unit only the value is a number, and `1/s` is not a number with a unit `/s`.
     if quantity is None or token.path[-1] == "unit" or quantity[2][:1].isdigit():
         return fixed, ""
     return b'"(' + NUMBER + b")" + re.escape(quantity[2]) + b'"', address

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.inputs.context import Context
 
-# A variable of formulas may not have the name of what they have already.
+# A variable may not have a name that formulas already use.
 TAKEN = (*FUNCTIONS, "pi", "t")
 
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.terminal import Terminal
 
-# More than any scene or document; an endless device must not eat the memory.
+# More than any scene or document; an endless device must not fill the memory.
 MOST_BYTES = 1 << 28
 DOCUMENT_SCHEMA = "dynamics/2"
 # Earlier documents are read too.

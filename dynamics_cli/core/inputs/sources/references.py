@@ -32,7 +32,7 @@ def split_address(address: str) -> "list[str | int]":
 
 
 def _near_results(raw: "Any", address: str) -> "str | None":
-    """The results of a document that may be meant, else all of them."""
+    """The results of a document with similar names, else all of them."""
     found = raw.get("results") if isinstance(raw, dict) else None
     if not isinstance(found, dict) or not found:
         return "a result document is wanted, as --json writes it"
@@ -45,7 +45,7 @@ def _near_results(raw: "Any", address: str) -> "str | None":
 
 
 def resolve(text: str, context: "Context", own: str) -> "Any":
-    """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
+    """The raw value of a reference at the address `own`; the file is recorded for the document."""
     if context.references is not None and not any(text in known for known in context.references):
         message = f"read {text!r}: rows may not read from files"
         raise UsageError(message, code="reference", hint="add --references to allow it, for rows that you trust")

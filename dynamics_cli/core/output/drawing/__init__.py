@@ -114,7 +114,7 @@ def _drawn(drawing: Drawing, form: str, name: str, units: str) -> "tuple[bytes, 
 
 
 def _pieces(drawing: Drawing) -> str:
-    """What a drawing is made of: "43 arcs, closed"."""
+    """The pieces of a drawing: "43 arcs, closed"."""
     counts: dict[str, int] = {}
     for outline in drawing.outlines:
         for piece in outline.pieces:

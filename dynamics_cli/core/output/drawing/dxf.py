@@ -25,7 +25,7 @@ APPLICATION = "DYNAMICS"
 CLOSED, PLANAR = 1, 8
 # Dash, gap, dot and gap of construction lines, as shares of the size of the drawing.
 CENTRE = (0.04, -0.008, 0.008, -0.008)
-# What a layer's name may not hold.
+# Characters not allowed in a layer's name.
 FORBIDDEN = '<>/\\":;?*|=`,'
 
 
@@ -49,7 +49,7 @@ def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
 
     ezdxf = need()
     before = ezdxf.options.write_fixed_meta_data_for_testing
-    # else the file holds the time of day and a random identifier
+    # else the file would contain the time of day and a random identifier
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
         document = ezdxf.new("R2000")

@@ -1,4 +1,4 @@
-"""What stands on a panel: curves, marks, arrows, bands, bars, words, dimensions and tables, drawn by matplotlib."""
+"""Items of a panel: curves, marks, arrows, bands, bars, words, dimensions and tables, drawn by matplotlib."""
 
 import re
 
@@ -42,12 +42,12 @@ class Pens:
 
     def __init__(self, panel: "Panel") -> None:
         solid = [item for item in panel.items if isinstance(item, Curve) and item.style in ("solid", "steps")]
-        # One curve alone is a plain line, and so are shapes, whose places tell them apart.
+        # A single curve is a plain line, and so are shapes, which are distinguished by their positions.
         self.dashed = not panel.equal and sum(bool(item.label) for item in solid) > 1
         self.last = -1
 
     def style(self, item: Curve) -> "dict[str, Any]":
-        """What matplotlib takes for a curve."""
+        """Matplotlib's style arguments for a curve."""
         if item.role < 0:
             self.last += 1
         nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
@@ -82,11 +82,11 @@ def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, pens: Pens) -> None:
 def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: Pens) -> None:
     colour = COLOURS[item.role % len(COLOURS)]
     (x0, x1), (y0, y1) = x((item.x, item.x + item.dx)), y((item.y, item.y + item.dy))
-    # The arrow itself does not widen the axes; an unseen line along it does.
+    # The arrow does not widen the axes; an invisible line along it does.
     axes.plot([x0, x1], [y0, y1], alpha=0.0)
     shaft = {**_SHAFT, "linestyle": "--"} if item.dashed else _SHAFT
     axes.annotate("", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": colour, **shaft})
-    # Away from the shaft, and the odd ones below, so that arrows side by side keep their words apart.
+    # Away from the shaft, alternately above and below, so that labels of adjacent arrows stay apart.
     place = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
     shift = (4 if x1 >= x0 else -4, -3 if item.role % 2 else 3)
     axes.annotate(item.label, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
@@ -112,7 +112,7 @@ def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, pens: Pens) -> None:
 
 
 def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
-    """Each interval as a bar with its value as a point, the name over it."""
+    """Each interval as a bar with its value as a point, the name above it."""
     places = list(range(len(item.names)))
     low, high = x(item.low), x(item.high)
     axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.16, color="#9ecae1")

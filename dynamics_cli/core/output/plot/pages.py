@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.pictures import Axis, Panel, Picture
 
-# Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
+# Width in inches by the number of columns: fits a page of paper with hardly any reduction.
 WIDTHS = (6.6, 7.6, 8.4)
 HEIGHT = 3.0
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
@@ -44,12 +44,12 @@ _SETTINGS = {
     "legend.handlelength": 3.2,
     "axes.spines.top": False,
     "axes.spines.right": False,
-    # A scale that begins somewhere else, told in small print at its end, is misread.
+    # A scale with an offset in small print at its end is easily misread.
     "axes.formatter.useoffset": False,
 }
-# More names than this find no place among the curves.
+# More names than this do not fit among the curves.
 MOST_INSIDE = 4
-# Letters that the line of a curve and the room around it take in a legend.
+# Letters' worth of width that the line of a curve and its margin take in a legend.
 LETTERS_OF_A_LINE = 8
 # No dates and no version of a library, so that a file depends on its numbers alone.
 _ABOUT: "dict[str, dict[str, Any]]" = {
@@ -61,7 +61,7 @@ _ABOUT: "dict[str, dict[str, Any]]" = {
 
 def need() -> "Any":
     """The library, or how to get it."""
-    # No window is opened: a backend that the environment names is not used, and need not exist.
+    # No window is opened: a backend named by the environment is not used and need not exist.
     named = os.environ.pop("MPLBACKEND", None)
     try:
         import matplotlib
@@ -99,7 +99,7 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
                     pages.savefig(_figure(picture, picture.panels[start : start + picture.page], system))
         else:
             figure = _figure(picture, picture.panels, system)
-            # the words of a scene stand where its arrows end, which may be beyond the page
+            # labels of a scene stand at the ends of arrows, which may be outside the page
             bare = any(panel.bare for panel in picture.panels)
             more = {"bbox_inches": "tight", "pad_inches": 0.05} if bare else {}
             figure.savefig(file, format=form, dpi=RESOLUTION, metadata=_ABOUT[form], **more)
@@ -117,7 +117,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
     tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
     head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
-    # panels one below another over the same stretch of one axis name it once
+    # stacked panels over the same range of one axis label it once
     shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
     for index in [index for index, share in enumerate(shared) if share]:
         tall[index : index + 2] = [SHARED_HEIGHT, SHARED_HEIGHT + ROOM_FOR_TICKS]
@@ -125,7 +125,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     grid = figure.add_gridspec(len(lines), columns, height_ratios=tall)
     for row, line in enumerate(lines):
         for column, panel in enumerate(line):
-            # a panel that would be alone in the last line takes all of it
+            # a panel alone in the last line takes the full width
             whole = panel.wide or (len(line) == 1 and row == len(lines) - 1)
             place = grid[row, :] if whole else grid[row, column]
             axes = figure.add_subplot(place)
@@ -159,12 +159,12 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
 
 
 def sentence(text: str) -> str:
-    """A title, its first letter large where it begins a word."""
+    """A title, capitalised where its first letter begins a word."""
     return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
 
 
 def _settle(figure: "Any") -> None:
-    """Keep the layout, rounded: its last bits depend on the order in which a solver finds it."""
+    """Freeze the layout, rounded: its last bits depend on the order of a solver's steps."""
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
@@ -209,7 +209,7 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
 
 
 def _slenderness(panel: "Panel") -> float:
-    """Height over width of what a panel of equal axes shows."""
+    """Height over width of the contents of a panel with equal axes."""
     if panel.x.ends is not None and panel.y.ends is not None:
         return (panel.y.ends[1] - panel.y.ends[0]) / (panel.x.ends[1] - panel.x.ends[0])
     across: list[float] = []
@@ -254,7 +254,7 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
         axes.set_axis_off()
         axes.margins(0.02)
     elif any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
-        # Room for words beside the outermost points.
+        # Space for labels beside the outermost points.
         beside = any(isinstance(item, Mark) and not item.dot for item in panel.items)
         axes.margins(x=0.3 if beside else 0.2, y=0.12 if panel.x.ends is None else 0.2)
     if _legend(panel):
@@ -293,7 +293,7 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
 
 
 def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
-    """Names at 1, 2, 3 …, whole numbers where things are counted, and no more ticks than there is room for."""
+    """Names at 1, 2, 3 …, whole numbers where things are counted, and no more ticks than fit."""
     from matplotlib.ticker import MaxNLocator
 
     if axis.names:

@@ -1,6 +1,6 @@
-"""The classical methods: linear, second order, unscented, Monte Carlo. They are asked for by name and never chosen.
+"""The classical methods: linear, second order, unscented, Monte Carlo. They are used only if named, never chosen.
 
-The first three state what they cannot see themselves, their truncation, against a quadrature made beside them.
+The truncation error of the first three, which they cannot see themselves, is measured against a quadrature.
 """
 
 import numpy as np
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 DEFAULT_SAMPLES = 1_000_000
-# Values of a sample that are kept, of all results together: a gigabyte.
+# Values of a sample that are kept for all results together: a gigabyte.
 MOST_VALUES = 125_000_000
 _STEP = 0.05
 
 
 class Plain:
-    """Quantiles, mean and deviation of one result, and the error where the method knows it."""
+    """Quantiles, mean and deviation of one result, and the error if the method knows it."""
 
     def __init__(self, method: str, quantiles: "Array", mean: float, std: float, estimate: float = np.inf) -> None:
         self.method = method

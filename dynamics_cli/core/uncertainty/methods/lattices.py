@@ -80,7 +80,7 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
             done = _lattice_moments(made, goal)
             if done is None or done.estimate <= goal.accuracy or most:
                 return done
-            # moments may need more lines than quantiles do
+            # moments may need more lines than quantiles
             grown = larger(count, done.estimate / goal.accuracy)
             if grown == count or space.points + 4 * SHIFTS * grown * goal.p.size > goal.points:
                 return done
@@ -142,7 +142,7 @@ def _moment_scatter(made: Moments) -> float:
 
 
 def _thinned(lines: Lines) -> Lines:
-    """Every so many of the lines, about a thousand."""
+    """A regular selection of about a thousand lines."""
     made = Lines.__new__(Lines)
     part = slice(None, None, max(1, lines.weights.size // 1024))
     made.space, made.result, made.direction = lines.space, lines.result, lines.direction

@@ -1,7 +1,7 @@
 """Grids along the gradient for each of the values that listed inputs may have: a mixture of smooth problems.
 
-An input of listed values (`empirical(…)`) is a step in its score, which no smooth rule takes. Its values one by one
-leave the other inputs, and these are integrated as ever; all lines of all values are solved together.
+An input of listed values (`empirical(…)`) is a step in its score, which no smooth rule can integrate. For each of
+its values the other inputs are integrated as usual; all lines of all values are solved together.
 """
 
 import numpy as np

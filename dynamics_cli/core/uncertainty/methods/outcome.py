@@ -1,4 +1,4 @@
-"""What is wanted of a propagation, what comes of it, and the direction it is integrated along."""
+"""The goal of a propagation, its outcome, and the direction of integration."""
 
 from copy import copy
 
@@ -23,24 +23,25 @@ if TYPE_CHECKING:
 
 SHIFTS = 8
 # Student's 97.5 % quantile with seven degrees of freedom, nearly tripled: five numbers must hold at once, replicates
-# are few and not quite normal, and a kink common to all of them biases all alike.
+# are few and not quite normal, and a common kink biases all of them.
 REPLICATE_FACTOR = 2.8 * 2.365
 FLOOR = 1e-13
-# In standard deviations: what is known so well needs no other method; and no dear one, nor a warning.
+# Errors in standard deviations: below the first no other method is needed; below the second no expensive one and no
+# warning.
 GOOD = 5e-3
 FAIR = 0.02
-# Model evaluations, unless asked: about a second of a formula's time.
+# Default number of model evaluations: about a second of a formula's time.
 DEFAULT_POINTS = 3_000_000
-# More results than this have no smaller part of the points each: most of them need few.
+# With more results than this each still gets this part of the points: most need few.
 MOST_PARTS = 8
 
 
-# Probabilities no farther apart are one.
+# Probabilities closer than this are equal.
 SAME = 1e-9
 
 
 class Goal:
-    """What is wanted of every result: probabilities of the quantiles, accuracy, at most how many points, a curve."""
+    """The goal for every result: probabilities of the quantiles, accuracy, maximum number of points, a curve."""
 
     def __init__(
         self, p: "Array", scores: "Array", accuracy: float, points: int, seed: int, *, curve: bool = False
@@ -51,13 +52,14 @@ class Goal:
         self.points = points
         self.seed = seed
         self.curve = curve
-        # Values whose exceedance is asked, probabilities whose quantiles are, and those of `p` that every result has.
+        # Limits whose exceedance is requested, probabilities whose quantiles are, and those of `p` that every result
+        # has.
         self.limits: Sequence[float] = ()
         self.levels: Sequence[float] = ()
         self.main = np.arange(p.size)
 
     def asking(self, limits: "Sequence[float]", levels: "Sequence[float]", *, curve: bool) -> "Goal":
-        """The goal of one result of which more is asked."""
+        """The goal of one result with further requests."""
         made = copy(self)
         made.limits, made.levels, made.curve = limits, levels, curve
         further = [level for level in levels if np.abs(self.p - level).min() > SAME]
@@ -69,7 +71,7 @@ class Goal:
         return made
 
     def at_levels(self, quantiles: "Array") -> "list[tuple[float, float]]":
-        """The levels asked, each with its quantile."""
+        """The requested levels, each with its quantile."""
         return [(level, float(quantiles[np.abs(self.p - level).argmin()])) for level in self.levels]
 
     def own(self, space: Space) -> "Goal":
@@ -80,7 +82,7 @@ class Goal:
 
     @property
     def tolerance(self) -> float:
-        """How near roots must come before the last step, which squares it."""
+        """Tolerance of the roots before the last step, which squares it."""
         return min(max(0.06 * float(np.sqrt(self.accuracy)), 1e-8), 3e-3)
 
 
@@ -102,7 +104,7 @@ class Outcome:
 
 
 def width_of(quantiles: "Array", goal: Goal) -> float:
-    """A standard deviation, about: the interval's width in those of a normal distribution."""
+    """Approximate standard deviation: from the interval's width as for a normal distribution."""
     spread = float(quantiles[-1] - quantiles[0])
     return spread / float(goal.scores[-1] - goal.scores[0])
 
@@ -142,7 +144,7 @@ def _overall(space: Space, result: int) -> "Array | None":
     plane, _, _, _ = np.linalg.lstsq(terms, values[good], rcond=None)
     slope = plane[1:]
     size = float(np.sqrt(slope @ slope))
-    # Of an even function only the scatter is left.
+    # For an even function only the scatter remains.
     return slope / size if size > 0.1 * float(values[good].std()) else None
 
 

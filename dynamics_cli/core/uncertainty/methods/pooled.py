@@ -1,6 +1,7 @@
 """Quantiles from one sample for all results: for many results that turn, jump or have kinks, each in its own way.
 
-Replicates of a shifted lattice; a number is that of all points together, its error the scatter of the replicates.
+Replicates of a shifted lattice; each number is taken over all points together, its error from the scatter of the
+replicates.
 """
 
 import numpy as np
@@ -46,7 +47,7 @@ class Pool:
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
-        # Lines that results share have left few of them poor.
+        # Shared lines have left only a few results inaccurate.
         self.shifts = SHIFTS if space.slow or space.shared else max(min(most // self.count, room), SHIFTS)
         total = self.shifts * self.count
         if space.size <= MOST_DIMENSIONS:
@@ -83,7 +84,7 @@ class Pool:
 
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """One result by the sample that all of them share, made when first asked for."""
+    """One result from the sample that all of them share, generated when first needed."""
     if space.pool is None:
         space.pool = Pool(space, goal)
     pool: Pool = space.pool

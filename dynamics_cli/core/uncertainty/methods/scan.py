@@ -1,8 +1,8 @@
 """Probabilities on lines along which the model may turn, jump, stay flat or be inadmissible: scan, split, bracket.
 
-Each line is looked at in steps of half a standard deviation from −8.3 to 8.3. Where admissibility changes its boundary
-is bisected; where the values turn the extremum is found; so every piece left is monotone with known ends. P(result ≤ v)
-is then the measure of the pieces below v and of the parts of those that straddle it.
+Each line is scanned in steps of half a standard deviation from −8.3 to 8.3. Where admissibility changes, its boundary
+is bisected; where the values turn, the extremum is located; so every remaining piece is monotone with known ends.
+P(result ≤ v) is then the measure of the pieces below v and of the parts of those that straddle it.
 """
 
 import numpy as np
@@ -48,8 +48,8 @@ class Pieces:
 class Scan:
     """The scanned lines; probabilities are given that the model is admissible.
 
-    `offsets`, shares of a step from −½ to ½, shift each line's scan: a kink then lies anywhere between two points,
-    and what a fixed scan would always err by on one side averages out.
+    `offsets`, shares of a step from −½ to ½, shift each line's scan: kinks then lie anywhere between two points,
+    and the one-sided error of a fixed scan averages out.
     """
 
     def __init__(self, lines: "Lines", offsets: "Array | None" = None, points: int = POINTS) -> None:
@@ -107,7 +107,7 @@ class Scan:
         """Cut the two cells beside a local extremum at the extremum."""
         values, s = self.values, self.s
         rise = np.diff(values, axis=1)
-        # Steps of rounding turn nowhere.
+        # Steps of rounding size are not turns.
         with np.errstate(invalid="ignore"):
             rise[np.abs(rise) <= 1e-13 * np.abs(values[:, 1:])] = 0.0
             turns = rise[:, :-1] * rise[:, 1:] < 0.0
@@ -189,13 +189,13 @@ class Scan:
             f = np.where(np.isnan(f), np.inf, f)
             first = (f <= 0.0) == under[open_]
             # The chord to the nearer end is the slope. One end may be at a pole, its chord far too steep: the flatter
-            # of both says how near the root is.
+            # of the two tells how near the root is.
             with np.errstate(all="ignore"):
                 ahead, behind = np.abs((fb[open_] - f) / (lb - x)), np.abs((f - fa[open_]) / (x - la))
                 chord = np.where(lb - x < x - la, ahead, behind)
                 flat = np.fmin(ahead, behind)
             steep[open_] = np.where(np.isfinite(chord) & (chord > 0.0), chord, steep[open_])
-            # The end that stays put loses half its weight, so that it is not kept for ever.
+            # The end that stays loses half its weight (Illinois), so that it is not kept for ever.
             ga[open_] = np.where(first, f, 0.5 * pa)
             gb[open_] = np.where(first, 0.5 * pb, f)
             fa[open_], fb[open_] = np.where(first, f, fa[open_]), np.where(first, fb[open_], f)
@@ -266,7 +266,7 @@ class Scan:
         return first, second
 
     def beyond(self) -> "tuple[Array, Array]":
-        """About what lies of both moments beyond the ends, (lines,): what decays there goes on as it did last."""
+        """Estimate of both moments beyond the ends, (lines,): the decay is extrapolated."""
         mass = density(self.s) * self.step
         made = []
         values = self.values - self.centre

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 # Points along the only line when one input is uncertain.
 FINE_SCAN = 1025
-# The same where every point is a call of its own.
+# The same where every point is a separate call.
 SLOW_SCAN = 49
-# Scans of smaller steps can be looked at with a quarter of their points.
+# Scans with smaller steps can be compared with a quarter of their points.
 FINE_STEP = 0.05
 
 
@@ -140,7 +140,7 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
 
 
 def _broken(scan: Scan, made: Outcome) -> float:
-    """What the rule on lines that are partly admissible leaves of mean and deviation, in deviations."""
+    """Error of mean and deviation from the rule on partly admissible lines, in deviations."""
     if scan.lines.space.heavy or not made.std > 0.0:
         return 0.0
     first, second = (error / scan.admissible for error in scan.broken_error())
@@ -150,7 +150,7 @@ def _broken(scan: Scan, made: Outcome) -> float:
 
 
 def _with_moments(made: Outcome, scan: Scan) -> Outcome:
-    """The outcome with what the scan knows: the admissible share, mean and deviation where these exist."""
+    """The outcome with the scan's further numbers: the admissible share, mean and deviation where these exist."""
     made.scan, made.admissible = scan, scan.admissible
     if scan.lines.space.heavy:
         return made
@@ -199,7 +199,8 @@ def _scan_estimate(scan: Scan, made: Outcome, goal: Goal, share: "Array", slope:
         errors = [means.std(ddof=1) / width, deviations.std(ddof=1) / width]
     scatter = shares.std(axis=0, ddof=1)
     dense = slope * width / scan.admissible
-    # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.
+    # Where the density vanishes a probability does not determine the quantile: the replicates' error stays a
+    # probability.
     sure = REPLICATE_FACTOR * scatter
     before = scan.below(made.quantiles - 1e-7 * width, 1e-9)[0]
     under, over = (weights @ part / scan.admissible for part in (before, share))
@@ -213,7 +214,7 @@ def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
     """P(result > limit), given admissibility, for each limit."""
     scan = outcome.scan or Scan(outcome.lines)
     outcome.scan = scan
-    # A few lines cost nothing: their roots are found to rounding.
+    # A few lines cost nothing: their roots are solved to rounding.
     tolerance = min(max(0.01 * goal.accuracy, 1e-11), 1e-4) if outcome.lines.weights.size > 1 else 1e-12
     share, _ = scan.below(limits, tolerance)
     weights = outcome.lines.weights if share.shape[0] == outcome.lines.weights.size else np.ones(1)

@@ -1,8 +1,8 @@
-"""A slow model stood in for by polynomials of its inputs, fitted once for all its results.
+"""A slow model replaced by polynomials of its inputs, fitted once for all its results.
 
-Every result would ask a model that is called case by case some hundreds of times, each along a direction of its own.
-The polynomials are fitted by least squares at a lattice's points and tried at others farther out; what they are off by
-there is part of every error stated.
+Every result would need hundreds of calls of a model that takes one case at a time, each along its own direction.
+The polynomials are fitted by least squares at a lattice's points and tested at others farther out; their deviation
+there is part of every stated error.
 """
 
 from itertools import combinations_with_replacement
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Tried first, and where that is not near enough.
+# The degree tried first, and the one tried if that is not accurate enough.
 DEGREES = (3, 6)
 MOST_TERMS = 250
-# Points beside those of the fit, how much farther out they lie, and how much worse it may be between them.
+# Number of test points, how much farther out they lie, and how much worse the fit may be between them.
 TRIALS = 32
 FARTHER = 1.25
 SAFETY = 3.0
@@ -42,7 +42,7 @@ def suits(space: Space) -> bool:
 
 
 class StandIn:
-    """The polynomials: `space` has them as the model of the same inputs.
+    """The polynomials; `space` has them as its model, with the same inputs.
 
     `errors` are those of each result (infinite where some case is refused), `missed` the share of its variance that the
     polynomials leave out.
@@ -106,7 +106,7 @@ def _products(n: int, degree: int) -> "Array":
 
 
 def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int) -> "tuple[Array, Array]":
-    """A lattice and the model's values at it; every so many of a larger lattice's points are those of a smaller one."""
+    """A lattice and the model's values on it; a larger lattice contains the points of a smaller one."""
     made = quantile(lattice(space.size, count, 1, seed))
     found = np.empty((len(values), count))
     known = np.zeros(count, dtype=bool)
