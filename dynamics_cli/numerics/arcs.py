@@ -1,15 +1,15 @@
-"""Means over a circular arc of half angle α that cancel for short arcs: closed form for long ones, series for short.
+"""Means over a circular arc of half angle α that cancel for short arcs, which therefore take a series.
 
-Both series alternate and their terms fall from the first on for x ≤ π, so the last one kept bounds what is left out.
+Both series alternate and their terms decrease for x ≤ π, so the first term omitted bounds the remainder.
 """
 
 from dynamics_cli.numerics.elementary import sin
 
-# Above these the closed form loses less than a factor of 7; below, the series keeps every digit.
+# Above these the closed form magnifies rounding less than 7 times; below, the series keeps every digit.
 SINC_SWITCH = 1.5
 SPREAD_SWITCH = 1.6
 
-# Above this sixty digits lose no more than twelve to the closed form, and below the series is good for all of them.
+# Above this the closed form loses at most twelve of sixty digits; below, the series gives all of them.
 SHORT = 1e-3
 
 
@@ -32,7 +32,7 @@ def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
 
 
 def _exact_horner(terms: "tuple[tuple[int, int], ...]", x: float) -> float:
-    """The same for numbers of many digits."""
+    """Horner's rule for numbers of many digits."""
     total = 0.0 * x
     for up, down in terms[::-1]:
         total = total * x + (0.0 * x + up) / down
@@ -40,7 +40,12 @@ def _exact_horner(terms: "tuple[tuple[int, int], ...]", x: float) -> float:
 
 
 def one_less_sinc(x: float) -> float:
-    """1 − sin x/x: how far the mean of cos over (−x, x) falls short of one."""
+    """1 − sin x/x: the difference of the mean of cos over (−x, x) from one.
+
+    References
+    ----------
+    Derived: Taylor series of sin x/x, whose alternating terms bound what is left out.
+    """
     many = hasattr(x, "exact")
     if abs(x) > (SHORT if many else SINC_SWITCH):
         return 1.0 - sin(x) / x
@@ -49,7 +54,12 @@ def one_less_sinc(x: float) -> float:
 
 
 def cosine_variance(alpha: float) -> float:
-    """Variance of the cosine over (−α, α): ½(1 + sin 2α/(2α)) − (sin α/α)², about α⁴/45 for short arcs."""
+    """Variance of the cosine over (−α, α): ½(1 + sin 2α/(2α)) − (sin α/α)², about α⁴/45 for short arcs.
+
+    References
+    ----------
+    Derived: moments of the cosine over an arc; below the switch their Taylor series, which alternates.
+    """
     many = hasattr(alpha, "exact")
     if abs(alpha) > (SHORT if many else SPREAD_SWITCH):
         mean = sin(alpha) / alpha

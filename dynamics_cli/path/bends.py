@@ -63,6 +63,10 @@ def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -
     """Tangential and normal acceleration, curvature, directions and torsion at one point.
 
     Equation: a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖², T = v/‖v‖, B = v×a/‖v×a‖, N = B×T.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
     """
     speed, size = norm(velocity), norm(acceleration)
     if vanishes(speed, 1.0):

@@ -81,6 +81,10 @@ def crash_with_energy(
     Equation
     --------
     As `crash`, with u² = w² + 2E/m_r along the line of the impact.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 9.5 and 10.10.
     """
     return _solved(scene, gravity, momentum_and_energy)
 

@@ -1,8 +1,8 @@
-"""The greatest value of a proxied function to the rounding of one evaluation: values at turning places, not proxies.
+"""The maximum of a proxied function to the rounding of one evaluation, from its values at stationary points.
 
-A proxy (`numerics.remainders`) tells where a function may be greatest; it errs itself by far more than one evaluation
-of the function does. At a place where it turns, though, the function's value hardly depends on the place: what is left
-is second order in the error of the proxy's slope, and the bound that of the value at the very place.
+A proxy (`numerics.remainders`) shows where a function may be greatest, but its error is far larger than that of one
+evaluation of the function. At a stationary point, though, the function's value hardly depends on the place: the error
+is of second order in that of the proxy's slope, and the bound is that of the value at that place.
 """
 
 from functools import lru_cache
@@ -19,11 +19,11 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# cells of a piece, in which nothing moves, that are looked into
+# number of nearly constant cells of a piece that are examined
 CALM = 8
 # more places than these are not compared with one another
 COVERED = 256
-# what the derivatives of a polynomial of 24 terms round by, of Σ k²|c| and Σ k⁴|c|
+# rounding of the derivatives of a polynomial of 24 terms, relative to Σ k²|c| and Σ k⁴|c|
 SLACK = (2.0**-44, 2.0**-43)
 
 
@@ -33,9 +33,7 @@ class Summits:
 
     rows: Annotated["Any", "The proxies' piece that each place lies in."]
     units: Annotated["Any", "Where in that piece, between -1 and 1."]
-    gains: Annotated[
-        "Any", "How much greater than at its place the function may be about it; infinite where that is not known."
-    ]
+    gains: Annotated["Any", "How much the function may exceed its value at the place nearby; infinite where unknown."]
     tops: Annotated["Any", "What no value of the function on each of the pieces is above."]
     errors: Annotated["Any", "What the proxies leave out on each piece."]
     level: Annotated["Any", "Values of the proxy that places were looked for from, by pieces."]
@@ -55,7 +53,7 @@ def _derivative(count: int) -> "Any":
 def summits(
     made: Proxies, which: int = 0, still: "Any" = False, ways: "tuple[float, ...]" = (1.0, -1.0)
 ) -> "tuple[Summits, ...]":
-    """Find the places that may hold the greatest value of a function, and those that may hold its least.
+    """Find the places that may be the maximum of a function, and those that may be its minimum.
 
     `made`: the functions, their error proved; `still`: pieces on which the functions are known to be constant; `ways`:
     1 for the greatest value, -1 for the least. Returns those of each way; for the least value, of the function upside
@@ -66,6 +64,10 @@ def summits(
     from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
     from there to one of the places, and is below that level at r already. Where p hardly moves within a cell, r has to
     reach beyond the cell. Pieces without such a proof keep p + E.
+
+    References
+    ----------
+    Derived: a parabola below the function about a place where its proxy turns.
 
     Examples
     --------
@@ -82,10 +84,10 @@ def summits(
     best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(whole)].max(initial=0.0))
     with np.errstate(invalid="ignore"):
         margin = np.where(np.isfinite(wide), 2.0 * wide + 4.0 * best, 0.0)
-    # on a piece that varies by less than that, every place is as good as any other
+    # on a piece that varies by less than that, all places are equivalent
     even = (moving <= margin) & ~np.broadcast_to(still, margin.shape)
     found = extremes(made, which, margin=np.where(even, 0.0, margin))
-    # the polynomial that was searched has no coefficients that are rounding alone
+    # the searched polynomial has no coefficients that are only rounding
     sizes = np.abs(whole)
     searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], whole, 0.0)
     dropped = np.abs(whole - searched).sum(axis=1)
@@ -99,7 +101,7 @@ def summits(
         tops = np.full(errors.shape, -inf)
         np.maximum.at(tops, found.rows, values)
         near = values >= level[found.rows]
-        # many places in which it hardly moves are no better than one
+        # many places where it hardly varies are no better than one
         calm = even | (np.bincount(found.rows[near & (found.about > 0.0)], minlength=even.size) > CALM)
         near &= ~calm[found.rows] | (values == tops[found.rows])
         tops = np.where(even, values.max(), tops) + errors
@@ -124,7 +126,7 @@ def summits(
 
 
 def _reaching(whole: "Any") -> "Any":
-    """Pieces that may hold the greatest or the least value, by what they have at their ends and middles."""
+    """Pieces that may contain the maximum or minimum, judged by their ends and middles."""
     count = whole.shape[1]
     k = np.arange(count)
     some = np.stack((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1), whole @ np.cos(0.5 * np.pi * k)))
@@ -186,7 +188,7 @@ def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any",
     if not 1 < gains.size <= COVERED:
         return gains
     same = rows[:, None] == rows
-    # only what is known about the best of a piece counts: it is in no other's care
+    # only the bound about the best place of a piece counts: no other place covers it
     first = ~(same & (values[:, None] > values)).any(axis=0)
     within = np.abs(units[:, None] - units) + about < wide[:, None]
     return np.where((same & first[:, None] & within).any(axis=0) & ~first, 0.0, gains)

@@ -26,7 +26,12 @@ _tables: "dict[float, Array]" = {}
 
 
 def upper(t: float, freedom: float) -> float:
-    """P(T > t) for t ≥ 0."""
+    """P(T > t) for t ≥ 0.
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, section 8.17 (Student's t as an incomplete beta function).
+    """
     if t == 0.0:
         return 0.5
     square = t * t
@@ -54,7 +59,7 @@ def quantile(z: float, freedom: float) -> float:
 
 
 def quantiles(z: "Array", freedom: float) -> "Array":
-    """The same for an array of z."""
+    """The quantile for an array of z."""
     x = np.abs(z)
     if freedom == 1.0:
         with np.errstate(over="ignore", divide="ignore"):
@@ -104,7 +109,7 @@ def _table(freedom: float) -> "Array":
     for piece in range(_REACH):
         for k in order.tolist():
             target = piece + 0.5 * (1.0 + float(local[k]))
-            # dt/dz = φ(z)/f(t): a step along it is a fair guess.
+            # dt/dz = φ(z)/f(t): a step along it is a good first guess.
             slope = normal.density(z) / density(t, freedom)
             z, t = target, _solve(target, freedom, t + slope * (target - z))
             values[k, piece] = math.log(t / z)
@@ -146,7 +151,13 @@ def _front(freedom: float, t: float) -> float:
 
 
 def incomplete_fraction(a: float, b: float, x: float) -> float:
-    """The continued fraction of the incomplete beta function by Lentz's method (DLMF 8.17.22)."""
+    """The continued fraction of the incomplete beta function by Lentz's method (DLMF 8.17.22).
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, 8.17.22; Lentz's method: W. H. Press et al., Numerical
+    Recipes, 3rd ed., Cambridge 2007, section 5.2.
+    """
     tiny = 1e-300
     c = 1.0
     d = 1.0 - (a + b) * x / (a + 1.0)

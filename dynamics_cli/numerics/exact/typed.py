@@ -1,4 +1,4 @@
-"""Doubles that know the decimals they were typed as, for sums that are formed in exact ratios."""
+"""Doubles that remember the decimals they were typed as, for sums formed in exact ratios."""
 
 from math import gcd
 

@@ -1,4 +1,4 @@
-"""Formulas as people type them, `20*t - 2*t^2`, read into a small tree and evaluated; never by `eval`.
+"""Formulas as typed, `20*t - 2*t^2`, parsed into a small tree and evaluated; never by `eval`.
 
 Numbers, variables, pi, + − * / ^ (also **), brackets and the functions of `FUNCTIONS`. A tree is evaluated on doubles,
 arrays, tracked numbers, numbers of many digits and jets (`jets.Jet`), which give exact derivatives.
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
     from typing import Any, TypeAlias
 
-    # an operation, then what it is of: numbers, names, trees
+    # an operation and its operands: numbers, names, trees
     Tree: TypeAlias = tuple[Any, ...]
 
 
@@ -233,7 +233,7 @@ def _value(tree: "Tree", variables: "Mapping[str, Any]", pi: "Any") -> "Any":
         return _function(operation, first)
     second = _value(tree[2], variables, pi)
     if isinstance(second, jets.Jet) and not isinstance(first, jets.Jet):
-        # numbers that carry more than a double do not know jets
+        # numbers that carry more than a double cannot operate on jets
         first = jets.Jet([first, *[0.0] * (len(second.parts) - 1)])
     if operation == "+":
         return first + second
@@ -262,5 +262,5 @@ def _power(base: "Any", exponent: "Any") -> "Any":
 
 
 def constant(tree: "Tree") -> "float | None":
-    """The number that a tree without variables is; None where it has some."""
+    """The value of a tree without variables; None where it has some."""
     return float(_value(tree, {}, math.pi)) if not any(_names(tree)) else None

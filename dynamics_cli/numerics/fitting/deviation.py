@@ -46,6 +46,10 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     InadmissibleError when it would take more than four million cells, or nothing is known of the curve's acceleration.
 
     See the module. The ends are those written: that they are on the curve is not assumed.
+
+    References
+    ----------
+    Derived: the error of linear interpolation between nodes, w²/8·max|e″|.
     """
     coarse = _coarse(path, piece, places)
     size = float(np.abs(points).max() if form != "cubics" else max(np.abs(points).max(), np.abs(shape).max()))

@@ -1,7 +1,8 @@
 """Arcs, cubics or lines along a path, as few as a tolerance allows, split at every joint of its smooth pieces.
 
 Pieces touch the exact curve at their ends with its direction. A pair of arcs meets on the curve; a cubic also meets it
-at two places inside, which leaves an error of sixth order. Places are spread so that every piece errs alike.
+at two places inside, which leaves an error of sixth order. Places are distributed so that every piece has the same
+error.
 """
 
 from math import pi
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.fitting.path import OnPiece, Path
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
-# (1 − x²)²(x² − a²) is least at its worst for this a
+# this a minimises the maximum of |(1 − x²)²(x² − a²)|
 INSIDE = 0.5 * 0.3254077
 FRACTIONS = np.array([0.5 - INSIDE, 0.5 + INSIDE])
 SAMPLES = (np.arange(24) + 0.5) / 24.0
@@ -33,11 +34,17 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
 
 
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
-    """Places of the pieces' ends on every smooth piece of the curve, and what stands between them.
+    """Places of the pieces' ends on every smooth piece of the curve, and the shape between them.
 
     `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
     made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
     2). Raises InadmissibleError when it would take more than 20,000 pieces.
+
+    References
+    ----------
+    Biarcs: K. M. Bolton, Biarc curves, Computer-Aided Design 7 (1975) 89. Cubics of sixth order: C. de Boor, K.
+    Höllig, M. Sabin, High accuracy geometric Hermite interpolation, Comput. Aided Geom. Des. 4 (1987) 269 (there
+    with curvature in place of two inner points).
     """
     made = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
@@ -57,7 +64,7 @@ def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: flo
     places = np.linspace(start, end, count + 1)
     best = None
     for attempt in range(60):
-        # an arc form with its pair counts as one here
+        # a pair of arcs counts as one here
         shape, errors = _shaped(path, form, places)
         load = np.maximum(errors / tolerance, 1e-9) ** (1.0 / order)
         worst = float(load.max())
@@ -94,7 +101,7 @@ def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: flo
 
 
 def _equal(places: "Any", load: "Any", count: int) -> "Any":
-    """Places that share the load equally, its density taken as constant between the places there are."""
+    """Places that share the load equally, its density taken as constant between the present places."""
     total = np.concatenate(([0.0], np.cumsum(load)))
     new = np.interp(np.linspace(0.0, total[-1], count + 1), total, places)
     new[0], new[-1] = places[0], places[-1]
@@ -139,7 +146,7 @@ def _pairs(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
         same = (excess(middle)[0] > 0.0) == sign
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     middle = 0.5 * (low + high)
-    # where every place will do (an exact circle), the middle does
+    # where every place will do (an exact circle), the middle is used
     _, first, second = excess(middle)
     bulges = np.stack((np.tan(0.5 * first), np.tan(0.5 * second)), axis=1)
     both = np.empty(2 * places.size - 1)
@@ -152,6 +159,10 @@ def circle_distance(x0: "Any", y0: "Any", x1: "Any", y1: "Any", bulge: "Any", x:
     """Signed distance of points from the circle of an arc (a line for bulge zero), and its gradient; stable throughout.
 
     With the chord on the x axis, G = ½κ(x² + y² − a²) + y·c, the distance is 2G/(1 + √(1 + 2κG)).
+
+    References
+    ----------
+    Derived: the root of a quadratic in the distance, written without cancellation.
     """
     cx, cy = x1 - x0, y1 - y0
     chord = np.hypot(cx, cy)
@@ -178,7 +189,12 @@ def _arc_errors(path: "OnPiece", places: "Any", bulges: "Any") -> "Any":
 
 
 def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, Any, Any]":
-    """One coordinate of cubics with its first two derivatives."""
+    """One coordinate of cubics with its first two derivatives.
+
+    References
+    ----------
+    G. Farin, Curves and Surfaces for CAGD, 5th ed., Morgan Kaufmann 2002 (Bernstein form).
+    """
     d0, d1, d2 = x1 - x0, x2 - x1, x3 - x2
     u = 1.0 - t
     value = x0 * u * u * u + 3.0 * t * u * (x1 * u + x2 * t) + x3 * t * t * t

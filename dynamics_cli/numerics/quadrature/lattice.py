@@ -29,7 +29,12 @@ _EDGE = 2.0**-54
 
 
 def uniforms(seed: int, count: int) -> "list[float]":
-    """Numbers in (0, 1) by SplitMix64 (Steele, Lea & Flood 2014): shifts need no generator worth an import."""
+    """Numbers in (0, 1) by SplitMix64 (Steele, Lea & Flood 2014): shifts do not need a generator that costs an import.
+
+    References
+    ----------
+    G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
+    """
     made = []
     state = (seed * 0xD1342543DE82EF95 + 0x2545F4914F6CDD1D) & _MASK
     for _ in range(count):
@@ -44,6 +49,12 @@ def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED) 
     """Points (dimensions, shifts · count) in the open unit cube, shift by shift.
 
     `count` is a power of two up to 2^14.
+
+    References
+    ----------
+    I. H. Sloan, S. Joe, Lattice Methods for Multiple Integration, Oxford 1994; baker transform: F. J. Hickernell,
+    Obtaining O(N^(−2+ε)) convergence for lattice quadrature rules, in Monte Carlo and Quasi-Monte Carlo Methods
+    2000, Springer 2002.
     """
     if dimensions > MOST_DIMENSIONS or count > MOST_POINTS or count & (count - 1):
         raise ValueError(f"no lattice of {count} points in {dimensions} dimensions")

@@ -1,4 +1,4 @@
-"""Phases of a motion along a path: each by what is known of it, chained forward from a speed or back from one."""
+"""Phases of a motion along a path: each given by its known quantities, chained forward or back from a known speed."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Kind(Choice):
-    """What a party does in a phase."""
+    """Kind of motion in a phase."""
 
     names = ("waiting", "constant", "reaction", "build-up", "braking", "coasting", "accelerating")
     aliases = {"steady": "constant", "standing": "waiting", "sliding": "braking", "build": "build-up"}  # noqa: RUF012
@@ -34,7 +34,7 @@ EVEN = ("waiting", "constant", "reaction")
 
 @record
 class Phase:
-    """One phase of a motion; of its duration, distance, speed and acceleration it needs two, or one when even."""
+    """One phase of a motion; it needs two of duration, distance, speed and acceleration, or one at constant speed."""
 
     kind: Annotated[
         Kind, "Kind of phase: waiting, constant, reaction, build-up, braking, coasting or accelerating; e.g. braking."
@@ -71,7 +71,7 @@ class Leg:
         self.rate = rate
 
     def at(self, time: "Any") -> "tuple[Any, Any]":
-        """Distance and speed so long after the phase began."""
+        """Distance and speed at a time after the phase began."""
         if self.kind == "build-up":
             lost = 0.5 * self.rate * time * time / self.duration
             return time * (self.start + lost / 3.0), self.start + lost
@@ -80,7 +80,12 @@ class Leg:
 
 
 def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None") -> "list[Leg]":
-    """The phases with all their numbers, from the speed that is known at the start or at the end of them all."""
+    """The phases with all quantities, from the speed known at the start or at the end of all.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
+    """
     require(len(phases) > 0, "no phase is given", code="no-phase")
     if start is not None:
         speed, order = start, range(len(phases))
@@ -96,7 +101,7 @@ def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", 
 
 
 def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, *, forward: bool) -> Leg:
-    """One phase, from the speed at the side where the chain comes from."""
+    """One phase, from the speed at its known side."""
     phase = phases[index]
     name = f"phases[{index}]: " if len(phases) > 1 else ""
     if phase.kind in EVEN:
@@ -135,7 +140,7 @@ def rate_of(phase: Phase, gravity: float, name: str = "") -> "float | None":
 
 
 def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
-    """A phase of one speed: by its duration or its distance."""
+    """A phase at constant speed: by its duration or its distance."""
     duration, distance = phase.duration, phase.distance
     for word in ("friction", "acceleration"):
         require(
@@ -144,7 +149,7 @@ def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
             name=name, word=word, kind=str(phase.kind),
         )  # fmt: skip
     if phase.kind == "waiting":
-        # who sets out at a walk is taken to have it at once: looking back, waiting ends where the walk begins
+        # a pedestrian is assumed to reach walking speed at once: going back, waiting ends where the walk begins
         require(
             (speed == 0.0) | (not forward), "{name}a phase of waiting begins and ends at rest, not at {speed}",
             code="moving", hint="use kind=constant for a steady speed", name=name, speed=(speed, RoadSpeed),
@@ -197,7 +202,7 @@ def _build_up(
 
 
 def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str) -> None:
-    """Refuse a phase of which more or less is given than it needs."""
+    """Refuse a phase with more or fewer quantities than it needs."""
     known = [word for word in words if getattr(phase, word) is not None]
     everything = ("duration", "distance") if phase.kind in EVEN else ("duration", "distance", "speed")
     surplus = [word for word in everything if word not in words and getattr(phase, word) is not None]
@@ -265,7 +270,7 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
 def _by_two(
     speed: float, time: "float | None", way: "float | None", other: "float | None", name: str
 ) -> "tuple[float, float, float, float]":
-    """The same, where duration, distance and speed give the rate."""
+    """The same, with the rate from duration, distance and speed."""
     if way is None:
         assert time is not None
         assert other is not None
