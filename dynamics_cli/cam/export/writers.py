@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 def polar(made: "CamExport") -> str:
     """A polar table: angle in degrees and radius in millimetres, in order of cam angle, for a rotary table or a CMM.
 
-    Returns lines of cam angle, polar angle and radius, apart by spaces.
+    Returns lines of cam angle, polar angle and radius, separated by spaces.
     """
     arrays = made.points.arrays
     lines = [
@@ -63,7 +63,7 @@ def codesys(made: "CamExport") -> str:
 
 
 def twincat(made: "CamExport") -> str:
-    """A point list for TwinCAT: master position, slave position, velocity and acceleration, apart by semicolons.
+    """A point list for TwinCAT: master position, slave position, velocity and acceleration, separated by semicolons.
 
     Returns a header and a line for each point.
     """

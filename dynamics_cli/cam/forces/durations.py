@@ -1,4 +1,4 @@
-"""How long a valve's follower is above a lift, and its ramps."""
+"""Durations of a valve above given lifts, and its ramps."""
 
 from math import pi
 
@@ -20,7 +20,7 @@ QUOTED = (0.00127, 0.001)
 def durations(
     motion: "Motion", lifts: "tuple[float, ...]", omega: float
 ) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
-    """Give the cam angles above some lifts, and say which are never passed.
+    """Give the cam angles above some lifts, and note the lifts never reached.
 
     `lifts`: lifts above the lowest [m]. Returns one for every time a lift is passed upwards; a note for every lift that
     never is.
@@ -77,7 +77,7 @@ def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omeg
 def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
     """Cam angles at which the lift passes a level, and whether upwards.
 
-    `level`: the lift [m]. Returns in order of the angle. A touch without passing is none.
+    `level`: the lift [m]. Returns in order of the angle. Touching without passing does not count.
     """
     found = []
     for index, span in enumerate(motion.segments):
@@ -95,7 +95,9 @@ def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
 
 
 def _passed(motion: "Motion", level: float, low: float, high: float) -> float:
-    """Where a monotone stretch passes a level: Newton's steps, halved where they leave what is left of the stretch."""
+    """Where a monotone stretch passes a level: Newton's method, with bisection where a step leaves the remaining
+    interval.
+    """
     below = motion.at(low, 0)[0] < level
     angle = 0.5 * (low + high)
     while low < angle < high:

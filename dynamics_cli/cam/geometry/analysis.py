@@ -31,11 +31,11 @@ class Analysis:
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     """Find every extreme of curvature, pressure angle and contact.
 
-    `motion`: the program. Returns the extremes. Raises InadmissibleError when a centre of the roller passes through the
+    `motion`: the program. Returns the extremes. Raises InadmissibleError when the roller's centre passes through the
     cam's axis, the pressure angle passes 180 degrees, or a flat rocker turns as fast as the cam.
 
     Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, give the places;
-    the values are those of the formulas there, with their own roundings followed. See `numerics.chebyshev` and
+    the values are those of the formulas there, with bounded rounding. See `numerics.chebyshev` and
     `cam.proof`. No value on the turn is beyond the extremes by more than their errors.
     """
     slip = start_slip(geometry)
@@ -71,7 +71,7 @@ def refuse_size() -> None:
 
 
 def runs_forward(geometry: Geometry, found: Analysis) -> bool:
-    """Whether the cam's curve is proved to stand nowhere and to run backwards nowhere within the zones of the motion.
+    """Whether the cam's curve provably never stops or runs backwards within the zones of the motion.
 
     1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
     """
@@ -83,10 +83,11 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift is off by rounding.
+    """Rounding error of the follower's height or angle at zero lift.
 
     Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
-    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    in the last place, of quotients of such roots, 6 u at most. For a second follower it follows from the given distance
+    or angle.
     """
     f = geometry.follower
     if isinstance(f, FlatFace):

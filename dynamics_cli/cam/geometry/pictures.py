@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 TURN = 2.0 * pi
 # Fewer points than this look like a polygon.
 SMOOTH = 720
-# Radii beyond this many times the cam are straight for the eye.
+# Radii beyond this multiple of the cam look straight.
 FAR = 4.0
-# Where the words of a negative convex radius stand, clear of the curve.
+# Position of the label of a negative convex radius, clear of the curve.
 LOWER = (6.0, -24.0)
 # Pressure angles below this are rounding.
 ROUNDING = 1e-12
@@ -69,7 +69,7 @@ def check_picture(
     least_radius: float | None = None,
     **given: "Any",
 ) -> Picture:
-    """The same with the limits of `cam check`, whose parameters these are."""
+    """The same with the limits of `cam check`."""
     del given
     cam = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=SMOOTH)
     geometry = Geometry(follower, rotation, flank)
@@ -80,7 +80,7 @@ def check_picture(
 
 
 def size_picture(result: "Any", scene: Program, program: str = "", follower: "Any" = None, **given: "Any") -> Picture:
-    """The cam that `cam size` found, of a pair the first, with the limits that it keeps."""
+    """The cam from `cam size` (the first of a pair), with its limits."""
     kind = getattr(followers, type(follower).__name__.removeprefix("Conjugate"))
     found = {}
     for name in kind.fields:
@@ -116,7 +116,7 @@ def _picture(
     )
     way = Axis("cam angle θ", Angle, ends=(0.0, TURN), step=pi / 6.0)
     angle = [*arrays["cam_angle"], TURN]
-    # a flat face square to its way has none but rounding, which is nothing to enlarge
+    # a flat face perpendicular to its motion has only rounding, not worth enlarging
     none = max(map(abs, arrays["pressure_angle"])) < ROUNDING
     lines = [Band(limit, limit, vertical=False) for limit in limits]
     low = cam.least_pressure_angle
@@ -142,7 +142,7 @@ def _picture(
 def _items(
     arrays: "dict[str, list[float]]", geometry: Geometry, shown: Figure, on: complex, cutter: "float | None"
 ) -> "list[Any]":
-    """What the first panel shows, in the cam's frame at its first angle."""
+    """The items of the first panel, in the cam's frame at its first angle."""
     items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
     if geometry.roller:
         items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
@@ -166,7 +166,7 @@ def _items(
 def _curvature(
     cam: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]", least_radius: float | None
 ) -> Panel:
-    """The radius of curvature, broken where the curve is all but straight."""
+    """The radius of curvature, interrupted where the curve is nearly straight."""
     reach = FAR * cam.largest_radius
     radii = [radius if abs(radius) <= reach else float("nan") for radius in _closed(arrays["radius_of_curvature"])]
     convex, hollow = cam.least_convex_radius, cam.least_concave_radius

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
-# Beyond this the curve is straight for every purpose, and a document holds no infinity.
+# Beyond this the curve counts as straight: a document cannot hold infinity.
 STRAIGHT = 1e12
 MANY = 10_000_000
 UNIT = 2.0**-53
@@ -53,7 +53,7 @@ class ProfilePoint:
 
 @record
 class CamProfile:
-    """A cam's shape, what it does to its follower, and its plate."""
+    """A cam's shape, its action on the follower, and its plate."""
 
     largest_pressure_angle: Annotated[Angle, "Largest positive pressure angle [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
@@ -136,9 +136,9 @@ def profile(
     -----
     Radial cams only: barrel (cylindrical) cams are out of scope. Points are the exact envelope, not the radius R_b + s
     of knife-edge textbooks. Errors are a few roundings of the size: the square root of an offset is factored, and
-    extremes come from Chebyshev proxies of every piece of every law, none missed between the points of a table. The
-    table follows the whole envelope of an undercut cam; its plate ends where the envelope crosses itself, and `cam
-    check` gives what the undercut costs.
+    extremes come from Chebyshev proxies of every piece of every law, so that none between the points of a table is
+    missed. The table follows the whole envelope of an undercut cam; its plate ends where the envelope crosses
+    itself, and `cam check` gives the lost lift.
 
     References
     ----------
@@ -218,7 +218,7 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
 
     from dynamics_cli.cam.geometry.contact import turned_back
 
-    # a point and what lies along the normal are turned by the same sine and cosine
+    # a point and its offset along the normal are rotated by the same sine and cosine
     cos, sin = turned_back(theta.size, start_angle, geometry.turn)
     (cx, cy), (nx, ny) = touch.point, touch.normal
     # minus zero is zero
@@ -262,7 +262,7 @@ def concave(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, flo
 
 
 def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, ...]:
-    """Proved bounds of the least radii of curvature: what 1/κ is off where κ is, and two roundings."""
+    """Proved bounds of the minimum radii of curvature: the error of 1/κ from that of κ, and two roundings."""
     bend = found.curvature
     made = []
     for name, radius, value, error in (
@@ -281,7 +281,7 @@ def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, 
 
 
 def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
-    """The roller's centre is where the slide or the arm has it, to rounding."""
+    """Check that the roller's centre is on the slide or the arm, within rounding."""
     import numpy as np
 
     (nx, ny), size = touch.normal, 8e-16

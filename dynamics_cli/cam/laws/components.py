@@ -1,8 +1,8 @@
-"""The pieces rise laws are made of: each gives a function that is zero at its end of the rise, with its derivatives.
+"""The pieces of rise laws: each gives a function that is zero at its end of the rise, with its derivatives.
 
 A shape is called with a distance t ≥ 0 from the end of the rise it belongs to (x at the start, 1 − x at the end), so
 that it keeps its digits where the rise begins and ends; t is a float or an array. However a shape is computed, `parts`
-says what it is: a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
+describes it as a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
 """
 
 import math
@@ -29,7 +29,7 @@ def _series(u: "Any") -> "Any":
 
 
 def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
-    """U − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
+    """U − sin u to a few roundings even where u ≥ 0 is small; `sine` is sin u if known."""
     if type(u) is float:
         return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
     import numpy as np
@@ -40,7 +40,7 @@ def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
         return _series(u)
     direct = u - (np.sin(u) if sine is None else sine)
     if count:
-        # angles in order have the small ones at one end, and a slice is cheaper than a mask
+        # ordered angles have the small ones at one end, and a slice is cheaper than a mask
         part: Any = small
         if u.ndim == 1 and small[0] and small[:count].all():
             part = slice(count)
@@ -104,7 +104,7 @@ class Mixed:
     ) -> None:
         # within how many half units in the last place amplitudes and frequencies of the waves are
         self.near = near
-        # what constants and places may be off by besides rounding, as shares and in t
+        # errors of constants (relative) and of places (in t) besides rounding
         self.off = off
         self.origin = origin
         self.backwards = backwards
@@ -168,7 +168,7 @@ class Beta:
         return found
 
     def size(self, order: int) -> float:
-        """Bound of the magnitudes that a derivative, the first to the fourth, is made of for 0 ≤ t ≤ 1, p ≤ ¼."""
+        """Bound of the sum of magnitudes of a derivative's terms (first to fourth) for 0 ≤ t ≤ 1, p ≤ ¼."""
         n, c = self.n, self.constant
         if order < 3:
             return (c * 0.25**n, c * n * 0.25 ** (n - 1))[order - 1]

@@ -1,4 +1,4 @@
-"""Polynomial and spline laws made to measure: from conditions at chosen places, solved exactly, and through points."""
+"""Custom polynomial and spline laws: from conditions at chosen places, solved exactly, and through points."""
 
 import itertools
 
@@ -17,7 +17,7 @@ MOST_CONDITIONS = 10
 
 
 def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> Law:
-    """Give the polynomial of least degree that meets conditions (x, order of derivative, value).
+    """Give the polynomial of lowest degree that meets conditions (x, order of derivative, value).
 
     `conditions`: place 0 ≤ x ≤ 1, order 0 to 4, and value of the derivative there; as many as the polynomial has
     coefficients; `name`: name of the law. Returns the law; its total is f(1) − f(0), and f(0) is taken off. Raises
@@ -115,7 +115,8 @@ def spline(
     velocity and acceleration are continuous, jerk jumps at the points. Raises InadmissibleError when the places do not
     increase.
 
-    The tridiagonal system for the slopes is dominant: its solution is good to a few roundings for any places.
+    The tridiagonal system for the slopes is diagonally dominant: its solution is good to a few roundings for any
+    places.
 
     Examples
     --------

@@ -32,7 +32,7 @@ ROUNDING = 2.0**-52
 UNIT = 2.0**-53
 UP = 1.0 + 2.0**-40
 MOST_POINTS = 100_000
-# One turn, for spans that rounding makes longer than it.
+# One turn, for spans that rounding makes slightly longer.
 TURN = 2.0 * pi * (1.0 + 2.0**-50)
 METHOD = "closed form from the nearer end, rounding bounded at every point"
 
@@ -152,7 +152,7 @@ def rise(
 
 
 def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool) -> None:
-    """Refuse what is not a rise within one turn, and a table of too many points."""
+    """Refuse anything but a rise within one turn, and a table of too many points."""
     require(
         lift > 0.0,
         "the lift is {lift}; a rise needs a positive lift",
@@ -203,7 +203,7 @@ def _peak_bounds(law: Law, peaks: "list[float | None]") -> "list[ErrorBound]":
 def _bounds(
     law: Law, points: "tuple[RisePoint, ...]", span: float, lift: float, omega: float | None, way: str
 ) -> "list[ErrorBound]":
-    """What the values of each column may be off, at the worst of its rows."""
+    """Error bound of each column, the largest of its rows."""
     worst = [0.0] * 4
     for point in points:
         x, rest = point.angle / span, (span - point.angle) / span
@@ -217,7 +217,7 @@ def _bounds(
                 found = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
                 sizes = [abs(value) for value in piece.shape(t, 4)]
                 for order, (error, value) in enumerate(zip(found, values, strict=True)):
-                    # less than its change over the rounding of the angle is shown as zero
+                    # a value below its change over the rounding of the angle is shown as zero
                     still = 2.0 * ROUNDING * x * sizes[order + 1] if order and not value else 0.0
                     scaled = (error + still) * lift / span**order + (2.0 * order + 4.0) * UNIT * abs(value)
                     worst[order] = max(worst[order], scaled)
@@ -265,7 +265,7 @@ def _point(
 
 
 def _measured(law: Law, x: float, rest: float, side: int, *, down: bool) -> "tuple[float, ...]":
-    """The law at x, or how far it is below its end, with 1 − x as its own quotient: both ends keep their digits."""
+    """The law at x, or its distance from the end, with 1 − x as a separate quotient: both ends keep their digits."""
     for piece in law.pieces:
         if x < piece.high or (x == piece.high and side < 0) or piece is law.pieces[-1]:
             t = rest if piece.far else x
@@ -277,7 +277,7 @@ def _measured(law: Law, x: float, rest: float, side: int, *, down: bool) -> "tup
 
 
 def _ways_down(law: Law, way: str) -> "tuple[Advice, ...]":
-    """Which of the two returns of a law that is not symmetric is given."""
+    """Note which of the two returns of an asymmetric law is shown."""
     places = [k / 32.0 for k in range(17)]
     if way == "rising" or all(abs(law.at(x, 0)[0] + law.at(1.0 - x, 0)[0] - law.total) <= 1e-12 for x in places):
         return ()

@@ -1,4 +1,4 @@
-"""Constants of rise laws made of shares, from whole numbers."""
+"""Constants of rise laws composed of shares, in integer arithmetic."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Rise laws by themselves: peak factors, where they occur, and continuity."""
+"""Rise laws: peak factors, where they occur, and continuity."""
 
 from math import inf
 
@@ -81,8 +81,8 @@ def laws(
 
     Notes
     -----
-    A peak is infinite where the derivative below it jumps; half rises go on at full speed at one end, which counts as
-    no jump there. Places are bisected to the last bit.
+    A peak is infinite where the derivative below it jumps; half rises continue at full speed at one end, which does
+    not count as a jump. Places are bisected to the last bit.
 
     References
     ----------

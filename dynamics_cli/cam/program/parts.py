@@ -1,4 +1,4 @@
-"""Segments of a motion between exact ends, and the parts that its laws are made of, in cam angles."""
+"""Segments of a motion between exact ends, and the parts of its laws, in cam angles."""
 
 from dynamics_cli.cam.laws.normalised import Law  # noqa: TC001 (annotations of a record)
 from dynamics_cli.quantities import Annotated
@@ -15,7 +15,7 @@ Exact = tuple[int, int]
 
 
 def radians(angle: "Exact") -> "tuple[float, float]":
-    """An exact number of degrees in radians, as the nearest double and what it is short of."""
+    """An exact number of degrees in radians, as the nearest double and its rounding error."""
     top, bottom = angle[0] * _PI, angle[1] * 180 * _PI_SCALE
     high = top / bottom
     a, b = high.as_integer_ratio()
@@ -29,7 +29,7 @@ def from_radians(angle: "Exact") -> "Exact":
 
 @record
 class Span:
-    """One segment of a motion, ready to be computed."""
+    """One segment of a motion, ready for evaluation."""
 
     start: Annotated["Exact", "Its ends, exactly, in degrees."]
     end: Annotated["Exact", "Its ends, exactly, in degrees."]
@@ -68,7 +68,7 @@ class Part:
         self.origin, self.origin_low = radians(span.end if far else span.start)
         self.sign = -1.0 if far else 1.0
         self.base = span.high if far else span.low
-        # the lift from one end to the other is off by both
+        # the lift difference has the errors of both ends
         self.off = span.off[0] + span.off[1]
         self.law_piece = piece
         rise = span.high - span.low if span.scale is None else span.scale
@@ -95,7 +95,7 @@ class Part:
         return t
 
     def local_of_sorted(self, theta: "Any") -> "Any":
-        """The same for angles in order, of which only the first or the last can be the origin."""
+        """The same for ordered angles, of which only the first or the last can be the origin."""
         t = (theta - self.origin - self.origin_low) * (self.sign / self.span)
         if theta[0] == self.origin:
             t[: theta.searchsorted(self.origin, side="right")] = 0.0

@@ -1,4 +1,4 @@
-"""A whole revolution of cam motion as a user reads it: table, extremes, joints, the book's singularity functions."""
+"""A whole revolution of cam motion as reported: table, extremes, joints, the book's singularity functions."""
 
 from itertools import pairwise
 
@@ -73,8 +73,8 @@ def motion(
     Notes
     -----
     Where a derivative jumps the table gives the later value, and the joints give the jump. Where the velocity jumps the
-    acceleration is an impulse: it has no extreme in that sense and no mean square; the place of the extreme is that of
-    the first such jump.
+    acceleration is an impulse: it has no extreme in that sense and no mean square; the extreme's place is that of the
+    first such jump.
 
     References
     ----------
@@ -146,7 +146,7 @@ def _impulses(steps: "list[tuple[float, str, list[float]]]") -> "Impulses":
 
 
 def _with_impulses(one: Extreme, impulse: "Impulses") -> "tuple[float | None, float, float | None, float]":
-    """Extremes of the acceleration; an impulse has a place and no value."""
+    """Extremes of the acceleration; an impulse has a place but no value."""
     down, up = impulse
     least = (one.least, one.least_at) if down is None else (None, down)
     greatest = (one.greatest, one.greatest_at) if up is None else (None, up)
@@ -160,13 +160,13 @@ def _form(found: Motion) -> "Any":
 
 
 def _closing(found: Motion) -> Check:
-    """The end of the turn is its start, to the bit."""
+    """Check that the end of the turn equals its start to the bit."""
     gap = abs(found.in_zone(len(found.zones) - 1, 1.0, 0)[0] - found.in_zone(0, 0.0, 0)[0])
     return Check("the lift closes over the turn", gap == 0.0, gap, 0.0)
 
 
 def angles_of_turn(found: Motion, count: int) -> "tuple[Any, Any]":
-    """Equal steps over one turn, both ends among them; whole degrees land on the joints as the program gives them."""
+    """Equal steps over one turn, including both ends; whole degrees land on the joints as the program gives them."""
     import numpy as np
 
     top, bottom = found.segments[0].start
@@ -189,7 +189,7 @@ def _table(found: Motion, count: int) -> "tuple[Any, Any]":
     last = found.at(float(angles[-1]), 4, side=-1)
     for column, value in zip(values, last, strict=True):
         column[-1] = value
-    # an angle is a double: where a value is less than its change over the angle's rounding, it is zero
+    # an angle is a double: a value below its change over the angle's rounding is zero
     for column, slope in pairwise(values):
         column[abs(column) <= ROUNDING * abs(angles * slope)] = 0.0
     names = ("swing" if found.swing else "lift", *NAMES[1:])
@@ -327,7 +327,7 @@ def _in_time_bounds(
 
 
 def _column_errors(found: Motion, table: "Any") -> "list[float]":
-    """What lift and derivatives of a table may be off, at the worst of its rows."""
+    """Error bounds of lift and derivatives of a table, the largest of all rows."""
     import numpy as np
 
     arrays = table.arrays

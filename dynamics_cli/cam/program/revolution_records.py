@@ -1,4 +1,4 @@
-"""What `cam motion` gives."""
+"""Results of `cam motion`."""
 
 from dynamics_cli.quantities import (
     Acceleration,
@@ -42,7 +42,7 @@ class VelocityRange:
 
 @record
 class AccelerationRange:
-    """Extremes of the acceleration; none in the sense of an impulse, where the velocity jumps."""
+    """Extremes of the acceleration; absent in the sense of an impulse, where the velocity jumps."""
 
     least: Annotated[CamAcceleration | None, "Minimum acceleration [m/rad^2]."]
     least_at: Annotated[Angle, "Where first, as a cam angle [rad]."]
@@ -78,7 +78,7 @@ class SwingRange:
 
 @record
 class Joint:
-    """What jumps where two segments, or two parts of one, meet."""
+    """Jumps at a joint of two segments, or of two parts of one."""
 
     angle: Annotated[Angle, "Cam angle [rad]."]
     between: Annotated[Text, "The two segments that meet there."]
@@ -90,7 +90,7 @@ class Joint:
 
 @record
 class SwingJoint:
-    """What jumps where two segments of an arm's motion meet."""
+    """Jumps at a joint of two segments of an arm's motion."""
 
     angle: Annotated[Angle, "Cam angle [rad]."]
     between: Annotated[Text, "The two segments that meet there."]

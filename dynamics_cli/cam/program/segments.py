@@ -1,4 +1,4 @@
-"""The records a program of cam motion is written in."""
+"""Records of a program of cam motion."""
 
 from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.quantities import (
@@ -86,7 +86,7 @@ class Program:
 
 @record
 class Step:
-    """A segment as both ways of writing it come to: spans exact, in degrees."""
+    """The common form of a segment from a file or a line: spans exact, in degrees."""
 
     segment: Annotated[Segment, "The segment as given."]
     span: Annotated["Exact | None", "Its span in degrees, exactly."]

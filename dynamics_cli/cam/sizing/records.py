@@ -1,4 +1,4 @@
-"""What is asked of the smallest cam, by its follower, and what is answered."""
+"""Inputs of the smallest cam, by its follower, and the results."""
 
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record, tagged

@@ -60,7 +60,7 @@ def size(
     Returns
     -------
     CamSize
-        Base radius, offset, the limits that bind, and the extremes of the cam found.
+        Base radius, offset, the binding limits, and the extremes of the resulting cam.
 
     Raises
     ------
@@ -73,8 +73,8 @@ def size(
     Where the apex is not the nearest point, the foot of the perpendicular on the line that binds is. A radius of
     curvature that binds is met by a secant on certified extremes from the largest root in X of w³ = ρ·D; with a free
     offset, every dip of the start radius over a grid of offsets is followed by golden section to 1e-13 of the reach. A
-    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first of the motion
-    upside down in the mirror. In a closed track both flanks share their pressure angles: size it for the inner flank
+    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first one for the
+    inverted motion, mirrored. In a closed track both flanks share their pressure angles: size it for the inner flank
     and for the outer, and take the larger.
 
     References
