@@ -95,9 +95,7 @@ def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
 
 
 def _passed(motion: "Motion", level: float, low: float, high: float) -> float:
-    """Where a monotone stretch passes a level: Newton's method, with bisection where a step leaves the remaining
-    interval.
-    """
+    """Where a monotone stretch passes a level: Newton's method, safeguarded by bisection."""
     below = motion.at(low, 0)[0] < level
     angle = 0.5 * (low + high)
     while low < angle < high:

@@ -265,9 +265,7 @@ def _contacts(geometry: "Geometry", load: Load, angles: "Any", state: "tuple[Any
 
 
 def _mean_torque(motion: Motion, load: Load, survey: "Survey") -> Check:
-    """Spring and inertia return over a turn what they absorb; where the velocity jumps, the impact accounts for the
-    rest.
-    """
+    """Spring and inertia return over a turn what they absorb; at velocity jumps the impact accounts for the rest."""
     work, size = survey.integral(1)
     count = len(motion.zones)
     ends = [(motion.in_zone(i, 0.0, 1)[1], motion.in_zone(i, 1.0, 1)[1]) for i in range(count)]

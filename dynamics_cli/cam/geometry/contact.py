@@ -154,9 +154,7 @@ class Geometry:
         return x + share * big_y, y - share * big_x
 
     def bends(self, s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, ...]":
-        """The quantities of a contact that extremes are taken of: curvature or radius, pressure angle, place along a
-        face.
-        """
+        """The quantities that extremes are taken of: curvature or radius, pressure angle, place along a face."""
         if self.flat:
             touch = self._flat(s, self.turn * s1, s2)
             return touch.radius, touch.pressure_angle, self.along(touch)
@@ -204,9 +202,7 @@ class Geometry:
         )
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
-        """A point of the fixed frame as a point of the cam: rotated back by the cam angle and forward by the start
-        angle.
-        """
+        """A point of the fixed frame as one of the cam: back by the cam angle, forward by the start angle."""
         return rotated(point, theta, self.turn, start_angle)
 
 

@@ -108,9 +108,7 @@ MATES = (ConjugateRoller, ConjugateOscillatingRoller)
 
 
 def require_lift(motion: "Any", oscillating: bool) -> None:
-    """Refuse a lift that is an angle for a slide, one that is a length for an arm, and an arm that swings all the
-    way round.
-    """
+    """Refuse an angular lift of a slide, a linear one of an arm, and an arm that swings all the way round."""
     require(
         bool(motion.swing) == oscillating,
         "an arm's lift is an angle, and this program's lift is a length"

@@ -156,9 +156,7 @@ def _kept(curve: Envelope, corners: "tuple[Corner, ...]") -> "list[tuple[int, fl
 def _shares(
     curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
 ) -> "list[tuple[int, float, float]]":
-    """Zones of the edge cut into pieces of 15 degrees or less: zone, and the shares of it where each begins and
-    ends.
-    """
+    """Zones of the edge cut into pieces of 15 degrees or less, each with the shares of the zone at its ends."""
     shares = []
     for part, low, high in kept:
         zone = curve.parts[part]

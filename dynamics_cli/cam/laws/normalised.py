@@ -47,9 +47,7 @@ class Piece:
 
 
 class Law:
-    """A rise law: its pieces in order, the inner places where a derivative jumps, whether it rests at its ends, and
-    f(1).
-    """
+    """A rise law: its pieces in order, inner places where a derivative jumps, whether its ends rest, and f(1)."""
 
     __slots__ = ("breaks", "edges", "known", "monotone", "name", "pieces", "rests", "steps", "total")
 

@@ -1,6 +1,4 @@
-"""Polynomial and spline segments fitted to the state of their neighbours: the implicit boundary conditions of a
-program.
-"""
+"""Polynomial and spline segments fitted to their neighbours: implicit boundary conditions of a program."""
 
 from dynamics_cli.cam.laws.normalised import Law
 from dynamics_cli.cam.laws.polynomials import polynomial, spline

@@ -87,8 +87,7 @@ class Ends:
 
 
 class Cover:
-    """Functions of lift and derivatives over a motion: their proxies, and directly evaluated values with rounding
-    bounds.
+    """Functions of lift and derivatives over a motion: their proxies, and their values with rounding bounds.
 
     `function`: takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents,
     `numpy.stack` and the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values

@@ -71,9 +71,7 @@ def extreme(motion: "Motion", order: int) -> Extreme:
 
 
 def _value_error(span: "Span", x: float, order: int, factor: float, value: float) -> float:
-    """Error bound of a level, or of factor·value added to it; the factor counts one rounding, and two for each
-    division.
-    """
+    """Error of a level, or of factor·value added to it; a factor counts one rounding, and two for each division."""
     level = sum(span.off)
     if order == 0 and x in (0.0, 1.0):
         return level
@@ -126,8 +124,7 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
 
 
 def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
-    """Every zone boundary: its angle, the segments that meet there, and the jumps of lift, velocity, acceleration and
-    jerk.
+    """Every zone boundary: its angle, its segments, and the jumps of lift, velocity, acceleration and jerk.
 
     Returns angle, words, and the four jumps; a difference that rounding explains is zero.
     """

@@ -177,8 +177,7 @@ def _best_angle(part: float) -> float:
 def round_start(
     motion: "Any", arm: float, pivot: float, start: float, wanted: float, turn: float, side: float
 ) -> tuple[float, float]:
-    """The smallest angle of the arm, from `start` on, with the required curvature of the pitch curve, and its error
-    bound.
+    """The smallest angle of the arm, from `start` on, with the required curvature, and its error bound.
 
     `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `start`: the least angle
     [rad]; `wanted`: least radius of curvature of the pitch curve, where it is hollow on an outer flank [m]; `turn`,
