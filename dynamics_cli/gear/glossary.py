@@ -1,4 +1,4 @@
-"""The words of gearing with their symbols, other names and formulas."""
+"""The terms of gearing with their symbols, other names and formulas."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.terms import TERMS
@@ -39,7 +39,7 @@ def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all terms if lef
     Raises
     ------
     InadmissibleError
-        When a term is not known; the message names those that sound alike.
+        When a term is not known; the message lists similar ones.
 
     Notes
     -----
@@ -71,7 +71,7 @@ def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all terms if lef
 
 
 def _matching(term: str) -> "list[tuple[str, ...]]":
-    """The entry of that very name, else those whose name, symbol or other names hold the words."""
+    """The entry of exactly that name, else those whose name, symbol or other names contain the words."""
     if not term:
         return []
     names = [entry for entry in TERMS if term == entry[0] or term in entry[2].lower().split(", ")]
@@ -82,7 +82,7 @@ def _matching(term: str) -> "list[tuple[str, ...]]":
 
 
 def _near(term: str) -> list[str]:
-    """Three terms that share the most letters in pairs."""
+    """The three terms that share the most pairs of letters."""
     own = {term.lower()[i : i + 2] for i in range(len(term) - 1)}
 
     def shared(entry: "tuple[str, ...]") -> float:

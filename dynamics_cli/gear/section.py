@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 GREEN, BLACK = 2, 6
 STEPS = 180
-# What a line on paper can show, of a module and of a gear's diameter.
+# Resolution of a printed line, relative to the module and to a gear's diameter.
 FINE, FINE_OF_GEAR = 2e-3, 5e-5
-# Gears of more teeth are drawn as their tip circle: the teeth would run together.
+# Gears with more teeth are drawn as their tip circle: the teeth would merge.
 MOST_DRAWN = 400
 # How far a ring is drawn beyond its root circle, in modules.
 RIM = 2.0
@@ -67,7 +67,7 @@ def body(form: "ToothForm", at: "Place", tooth: float, role: int) -> "list[Curve
 
 
 def tooth_line(form: "ToothForm", at: "Place", tooth: float) -> "Line":
-    """The closed line of all teeth; the tip circle where they would run together."""
+    """The closed line of all teeth; the tip circle where they would merge."""
     if form.teeth > MOST_DRAWN:
         around = circle(at, form.tip, "", "solid", 0)
         return tuple(around.x), tuple(around.y)

@@ -1,4 +1,4 @@
-"""The terms of gearing: a table of words."""
+"""The terms of gearing as a table."""
 
 # term; symbol; other names; formula; meaning
 TERMS: tuple[tuple[str, ...], ...] = (

@@ -1,4 +1,4 @@
-"""Tasks of `dynamics gear`: one cylindrical gear, pairs on parallel shafts, and words."""
+"""Tasks of `dynamics gear`: one cylindrical gear, pairs on parallel shafts, and the glossary."""
 
 from dynamics_cli.core.answering.task import Model, Task
 

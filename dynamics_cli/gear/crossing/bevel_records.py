@@ -12,7 +12,7 @@ class Kind(Choice):
 
 
 class Flank(Choice):
-    """Which flank of the pinion drives: the concave one, as usual, pushes it away from its apex."""
+    """The driving flank of the pinion: the concave one, as usual, pushes it away from its apex."""
 
     names = ("concave", "convex")
 

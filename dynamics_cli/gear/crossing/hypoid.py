@@ -71,11 +71,11 @@ def hypoid(
     Raises
     ------
     InadmissibleError
-        When the offset is too large for the wheel, or no pinion cone touches there.
+        When the offset is too large for the wheel, or no pinion cone touches the wheel there.
 
     Notes
     -----
-    The free choice of a hypoid, its wheel pitch angle, is left to the user; a cutter that suits has the limit
+    The free choice of a hypoid, its wheel pitch angle, is left to the user; a suitable cutter has the limit
     curvature. Tooth proportions (ISO 23509) and strength are outside this task. Without offset the pair is bevel.
 
     References
@@ -176,7 +176,7 @@ class _Point:
 
 
 def _solved(point: _Point) -> float:
-    """η in plain numbers within its bracket, and one Newton step in the numbers that came in."""
+    """η in doubles within its bracket, and one Newton step in the numbers of the input."""
     doubles = point.bare()
     least = doubles.at(0.0)[0]
     require(
@@ -203,7 +203,7 @@ def _solved(point: _Point) -> float:
         sign * bisect(lambda eta: -sign * doubles.residual(sign * eta), high - step, high) if doubles.offset else 0.0
     )
     slope = (doubles.residual(found + 1e-6) - doubles.residual(found - 1e-6)) / 2e-6
-    # Among tracked numbers, so that the rounding of its sine and cosine counts.
+    # As a tracked number, so that the rounding of its sine and cosine is included.
     start = point.offset * 0.0 + found
     return start - point.residual(start) / slope
 

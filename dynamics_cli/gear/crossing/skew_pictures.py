@@ -1,4 +1,4 @@
-"""Pictures of gears on skew axes, crossed helical and hypoid: seen along one line, with the speeds where they touch."""
+"""Pictures of gears on skew axes, crossed helical and hypoid, with the speeds at the contact."""
 
 from math import copysign, cos, pi, sin, tan
 
@@ -96,7 +96,7 @@ def _turned(point: "Point", angle: float) -> "Point":
 
 
 def _speeds(first_helix: float, first_axis: float, second_helix: float, second_axis: float) -> Panel:
-    """Pitch line velocities over the first's: alike across the teeth, their difference slides along them."""
+    """Pitch line velocities relative to the first's: equal across the teeth; their difference slides along them."""
     one = _turned((0.0, 1.0), first_axis)
     size = cos(first_helix) / cos(second_helix)
     two = _turned((0.0, size), second_axis)

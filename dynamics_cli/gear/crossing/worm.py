@@ -100,12 +100,12 @@ def worm(
     Raises
     ------
     InadmissibleError
-        When the worm has no diameter that fits, its root vanishes, or friction locks it also forwards.
+        When no diameter of the worm fits, its root vanishes, or friction locks it in both directions.
 
     Notes
     -----
-    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, and its sign is
-    that of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
+    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, with the sign
+    of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
     diameter are the usual choices, not limits.
 
     References
@@ -156,7 +156,7 @@ def worm(
         code="locked",
         hint="a smaller lead angle or less friction",
     )
-    # tan(γ ± ρ) of the tangents: angles would round away what is left of their difference
+    # tan(γ ± ρ) from the tangents: a difference of angles would lose digits
     forward = slope * multiply_add(-slope, drag, 1.0) / (slope + drag)
     left = (slope - drag) / (1.0 + slope * drag)
     backward = left / slope
@@ -261,7 +261,7 @@ def _worm(
 
 
 def _shift(given: float | None, distance: float | None, reference: float, module: float) -> float:
-    """x₂ as given, or as the centre distance asks for it."""
+    """x₂ as given, or as the centre distance requires."""
     require(
         given is None or distance is None,
         "profile shift and centre distance are both given",

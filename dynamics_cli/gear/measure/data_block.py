@@ -1,4 +1,4 @@
-"""The table that goes on a gear's drawing: what must be known to make the gear and to measure it."""
+"""The data table on a gear's drawing: everything needed to make and to measure the gear."""
 
 from math import pi
 
@@ -90,12 +90,12 @@ def data_block(
     Raises
     ------
     InadmissibleError
-        When there is no such gear.
+        When the gear is impossible.
 
     Notes
     -----
-    Values are rounded, as a drawing has them, and each row's bound is what its decimals leave out with what the
-    calculation may be off; `gear helical` and `gear measure` have them in full.
+    Values are rounded, as on a drawing, and each row's bound adds the rounding to the error of the calculation;
+    `gear helical` and `gear measure` give all digits.
 
     References
     ----------

@@ -204,7 +204,7 @@ class _Readings:
 
 
 def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
-    """What fits, best first: disagreement, name, module as a fraction, and pressure angle in degrees."""
+    """Candidates, best first: deviation, name, module as a fraction, and pressure angle in degrees."""
     found = []
     mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
@@ -221,13 +221,13 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]
             off, _ = _disagreement(read, module, angle, degrees, shift, error)
             if off < 1e4:
                 found.append((sqrt(off), name, (size[0], size[1]), degrees))
-    # of equal ones the size listed first
+    # among equal ones the size listed first
     order = {name: place for place, (name, *_) in enumerate(sizes)}
     return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
 def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
-    """One of the chosen, in the numbers that were read: of its standard size and angle doubles are rounded too."""
+    """A candidate in the numbers of the readings; its standard size and angle are rounded doubles too."""
     mean = read.mean()
     module = like(float(size[0]), mean) / float(size[1])
     angle = like(degrees, mean) * pi_beside(mean) / 180.0
@@ -240,7 +240,7 @@ def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float
 def _disagreement(
     read: _Readings, module: float, angle: float, degrees: float, shift: float, error: float | None
 ) -> tuple[float, float | None]:
-    """The square of how far a candidate is off, and its addendum."""
+    """The squared deviation of a candidate, and its addendum."""
     off = 0.0 if error is None else error * error / (read.room * read.room)
     beyond = maximum(absolute(shift) - COMMON_SHIFT, 0.0)
     off = off + 0.2 * shift * shift + 25.0 * beyond * beyond
@@ -248,10 +248,10 @@ def _disagreement(
     if read.tip_diameter is not None:
         addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
         known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
-        # of full depth, or a stub's 4/5
+        # full depth, or 4/5 for stub teeth
         full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
         off = off + minimum(full * full, stub * stub + 0.25)
-    # what is rare counts a little
+    # unusual values get a small penalty
     return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
 
 

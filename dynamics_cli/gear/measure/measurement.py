@@ -35,13 +35,13 @@ if TYPE_CHECKING:
 FULL = BasicProfile("a")
 ISO = Sign("iso")
 
-# What was measured, as a refusal calls it.
+# Names of the measured sizes in refusals.
 _READ = ("a span", "a size over pins", "a chordal thickness")
 
 
 @record
 class ShiftFound:
-    """What a measured size says of the tooth."""
+    """The tooth that a measured size implies."""
 
     profile_shift: Annotated[Ratio, "The profile shift that gives the measured size."]
     thickness_deviation: Annotated[Coordinate, "Normal tooth thickness at the pitch circle, measured less nominal [m]."]
@@ -117,16 +117,16 @@ def measure(
     Returns
     -------
     Measurements
-        Every size that this gear allows, its limits, where the instrument touches, and the shift from measured sizes.
+        Every size possible for this gear, its limits, the points of contact, and the shift from measured sizes.
 
     Raises
     ------
     InadmissibleError
-        When a span or pin that was asked for does not touch on the flanks.
+        When a given span or pin does not touch on the flanks.
 
     Notes
     -----
-    Exact but for the chordal thickness of a helical gear, which is that of the equivalent spur gear by convention.
+    Exact except for the chordal thickness of a helical gear, which is that of the equivalent spur gear by convention.
     Helical gears: balls, or pins for an even number of teeth. The condition of W and M to the module is 1.
 
     References
@@ -205,7 +205,7 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
 
 
 def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: list[Advice]) -> "Sized | None":
-    """A size, or why there is none; refused when it was asked for."""
+    """A size, or the reason why there is none; refused if it was requested."""
     if asked:
         return make()
     try:
@@ -246,7 +246,7 @@ def _from_pins(gear: "Toothing", pin: float | None, measured: float | None) -> S
 def _require_cut(
     made: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
 ) -> None:
-    """Refuse a reading whose profile shift leaves no such gear."""
+    """Refuse a reading whose profile shift makes the gear impossible."""
     own = with_shift(made, -shift if made.internal else shift)
     try:
         require_circles(own)
@@ -267,7 +267,7 @@ def _require_cut(
 
 
 def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
-    """The profile shift found again from the sizes that were returned."""
+    """Check the profile shift by recalculating it from the returned sizes."""
     checks = []
     room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
     if spanned is not None:

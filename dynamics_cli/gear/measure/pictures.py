@@ -1,4 +1,4 @@
-"""Pictures of measuring: a gear with its span and pins, and which gear readings may belong to."""
+"""Pictures of measuring: a gear with its span and pins, and the candidates for readings."""
 
 from math import cos, degrees, nan, pi, sin
 
@@ -112,7 +112,7 @@ def _pins(pins: "Any", teeth: int) -> "list[Any]":
 
 
 def candidates(made: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
-    """How well each candidate agrees with what was read."""
+    """How well each candidate agrees with the readings."""
     names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in made.candidates)
     worst = [float(one.disagreement) for one in made.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)

@@ -34,7 +34,7 @@ class Chord:
 
 
 def thinned(gear: Toothing, allowance: float) -> float:
-    """The profile shift that gives the tooth this much more normal thickness (an internal gear's grows inwards)."""
+    """The profile shift that increases the normal tooth thickness by this amount (inwards for an internal gear)."""
     change = allowance / (2.0 * gear.module * tan(gear.pressure_angle))
     return gear.shift - change if gear.internal else gear.shift + change
 
@@ -121,7 +121,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
     chosen = over
     if chosen is None:
         require(bool(serving), "no span touches on the flanks", code="span-off-flank", hint="measure over pins")
-        # halfway between two, rounding must not choose
+        # halfway between two, rounding must not decide
         chosen = min(serving, key=lambda k: round(abs(k - plain(ideal)), 9))
     require(chosen >= 1, "a span is over one tooth at least", code="span-off-flank")
     length = span_length(gear, chosen)

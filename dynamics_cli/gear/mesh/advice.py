@@ -1,4 +1,4 @@
-"""Advice on a mesh: what jams, overlaps or is cut off, and the remedy."""
+"""Advice on a mesh: jamming, overlaps, contact cut short, and the remedies."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.gear.mesh.profile_contact import Path
@@ -13,7 +13,7 @@ OVERLAP = 1e-6
 
 
 def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
-    """Say so when the tips are left at full height where `gear pair` shortens them."""
+    """Note that the tips are left at full height where `gear pair` shortens them."""
     one, two = first.cutter, second.cutter
     if one is None or two is None:
         return ()
@@ -41,7 +41,7 @@ def advice(
     clearances: tuple[float, float],
     first: ToothForm,
 ) -> tuple[Advice, ...]:
-    """What is wrong with a mesh, or has an end other than the tips'."""
+    """Faults of a mesh, and contact that ends elsewhere than at the tips."""
     found = []
     if ratio < 1.0:
         text = worded(
@@ -75,7 +75,7 @@ def advice(
 
 
 def tips_meet(overlap: float) -> tuple[Advice, ...]:
-    """That tips trim flanks off the line of action."""
+    """Advice that tips cut into flanks off the line of action."""
     message = worded(
         "off the line of action the tips overlap the flanks they pass by {overlap:6}", overlap=(overlap, Size)
     )

@@ -1,4 +1,4 @@
-"""The proof of a mesh: both exact profiles turned through it, with what they really do."""
+"""The proof of a mesh: both exact profiles turned through it, and their actual behaviour."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.mesh.advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
@@ -50,7 +50,7 @@ class ContactPoint:
 
 @record
 class MeshProof:
-    """What two profiles do in mesh."""
+    """The behaviour of two profiles in mesh."""
 
     centre_distance: Annotated[Size, "Centre distance [m]."]
     working_pressure_angle: Annotated[Angle, "Transverse working pressure angle [rad]."]
@@ -109,23 +109,23 @@ def mesh(
     points: Annotated[Count, "Points of contact to check."] = 100000,
     shown: Annotated[Count, "Number of them to show."] = 11,
 ) -> MeshProof:
-    """Turn two exact profiles through their mesh: transmission error, least clearances, real contact ratio.
+    """Turn two exact profiles through their mesh: transmission error, minimum clearances, actual contact ratio.
 
     Equation
     --------
-    At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is held
-    against z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and where
-    the flank begins, where the normal passes through the pitch point; tips against the root circle.
+    At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is
+    compared with z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and
+    where the flank begins, where the normal passes through the pitch point; tips against the root circle.
 
     Returns
     -------
     MeshProof
-        What the profiles do, and whether the pair runs.
+        The behaviour of the profiles, and whether the pair runs.
 
     Raises
     ------
     InadmissibleError
-        When the base circles do not leave room, or no involutes meet at all.
+        When the base circles overlap, or no involutes meet at all.
 
     Notes
     -----
@@ -195,7 +195,7 @@ def forms_of(
     second_tip_diameter: float | None,
     **common: "Any",
 ) -> tuple[ToothForm, ToothForm]:
-    """Both profiles; what they have in common is given once."""
+    """Both profiles, from their common and individual parameters."""
     common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
     gear = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
     two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
@@ -233,7 +233,7 @@ def _require_contact(path: Path) -> None:
 
 
 def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
-    """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
+    """The proof in numbers that carry rounding bounds; the turning itself is in doubles."""
     import numpy as np
 
     first, second, plain = bare(known.first), bare(known.second), bare(known.path)
@@ -276,7 +276,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
 
 
 class _Known:
-    """What is known of a mesh in closed form, in numbers that carry rounding bounds."""
+    """The closed-form quantities of a mesh, in numbers that carry rounding bounds."""
 
     def __init__(
         self, given: "dict[str, Any]", distance: "float | None", places: "tuple[Any, Any] | None" = None
@@ -305,20 +305,20 @@ class _Known:
 
     def _gaps(self, distance: float, places: "tuple[Any, Any] | None") -> None:
         first, second, path = self.first, self.second, self.path
-        # where an involute gets to where the other begins, they touch there by design, or jam
+        # an involute that reaches the start of the other touches it there by design, or jams
         touch = minimum(0.5 * self.backlash, 0.0)
         touches = touch if path.end < path.tip_end else None, touch if path.start > path.tip_start else None
         self.inward, self.outward, self.places = root_gaps(first, second, distance, self.play, touches, places)
 
     def numbers(self) -> "list[Any]":
-        """Every number whose bound is stated or goes into one."""
+        """Every number whose bound is stated or contributes to one."""
         path = self.path
         lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
         return [*self.results.values(), self.inward, self.outward, *lengths]
 
 
 def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
-    """The least distance of either gear's teeth from the other's flanks, beside the line of action."""
+    """The minimum distance of either gear's teeth from the other's flanks, off the line of action."""
     gap = flank_gap(first, second, distance, play)
     return min(gap, flank_gap(second, first, distance, play * second.teeth / first.teeth))
 

@@ -1,4 +1,4 @@
-"""Backlash of a pair: what distance and thinned teeth make of it, and how teeth are thinned and cut for one."""
+"""Backlash of a pair from centre distance and thinned teeth, and the thinning and cutting for a given one."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.pair.engagement import Engagement, at_tight_distance, reference_distance, with_shift

@@ -1,4 +1,4 @@
-"""Two cylindrical gears on parallel shafts: how they stand, touch, slide, push and whether they interfere."""
+"""Two cylindrical gears on parallel shafts: position, contact, sliding, forces and interference."""
 
 from math import gcd
 
@@ -78,7 +78,7 @@ def pair(
     first_bearings: Annotated[Bearings | None, "Bearings of the first gear's shaft."] = None,
     second_bearings: Annotated[Bearings | None, "Bearings of the second gear's shaft."] = None,
 ) -> PairData:
-    """Everything about two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
+    """Two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
 
     Equation
     --------
@@ -94,7 +94,7 @@ def pair(
     ------
     InadmissibleError
         When inv α_w would be negative, the centre distance is below that of the base circles or jams the teeth, a
-        ring has too few teeth, the gears never touch, or one of them cannot exist by itself.
+        ring has too few teeth, the gears never touch, or one of them is impossible by itself.
 
     Notes
     -----
@@ -295,7 +295,7 @@ def _bearings(
 
 
 def _checks(mesh: Engagement) -> tuple[Check, ...]:
-    """The working pitch circles touch, and both base circles see the same pressure angle."""
+    """Check that the working pitch circles touch, and that both base circles give the same pressure angle."""
     from dynamics_cli.numerics.elementary import cos as cosine
 
     own = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 POINTS = 41
 PATH = Axis("place on the path of contact, from the pitch point", Coordinate)
 X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
-# Specific sliding beyond this leaves the panel: it has no bound at a base circle.
+# Specific sliding beyond this is cut off: it is unbounded at a base circle.
 _STEEPEST = 6.0
-# A pinion smaller than this share of its wheel has its words above it.
+# A pinion smaller than this share of its wheel is labelled above it.
 _SMALL = 0.35
 
 
@@ -69,7 +69,7 @@ def _module(pitch: "Any", helix: float) -> float:
 def _forms(
     made: "PairData", first: "Mate", second: "Mate", internal: bool, pitch: "Any", given: "dict[str, Any]"
 ) -> "list[ToothForm | None]":
-    """The exact forms of both gears as they are cut; None where there are none to draw."""
+    """The exact forms of both gears as cut; None if they cannot be drawn."""
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.gear import Gear
     from dynamics_cli.gear.single.profile import tooth_form
@@ -190,7 +190,7 @@ def _sliding(made: "PairData", internal: bool) -> Panel:
     mate = [_bounded(-s * (1.0 + u), other - s) for s in steps]
     finite = [value for value in own + mate if isfinite(value)]
     low, high = min(finite), max(finite)
-    # Lines without names: in the legend they would all look alike, so the points are named beside them.
+    # Lines without names: in the legend they would all look the same, so the points are labelled instead.
     marks = [Band(point.path, point.path) for point in made.points]
     room = 0.16 * (high - low)
     across = 0.008 * (end.path - start.path)
@@ -207,7 +207,7 @@ def _bounded(above: float, below: float) -> float:
 
 
 def involute_curve(made: "Any", *, base_diameter: "float | None" = None, **_: "Any") -> Picture:
-    """The involute from its base circle to the point asked for, or the involute function when there is no circle."""
+    """The involute from its base circle to the given point, or the involute function if there is no circle."""
     if base_diameter is None:
         angles = [made.pressure_angle * k / (POINTS - 1) for k in range(POINTS)]
         from dynamics_cli.quantities import Angle

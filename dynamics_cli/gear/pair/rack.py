@@ -1,4 +1,4 @@
-"""A gear on a rack: the rack's own dimensions, where it stands, how it touches and what it moves."""
+"""A gear on a rack: dimensions and position of the rack, contact, motion and forces."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
@@ -48,7 +48,7 @@ class RackData:
 
 
 def _line_of_action(gear: Gear, basic: BasicRack, profile_shift: float) -> tuple[float, float, float, float, float]:
-    """Lengths of approach and recess, the root's margin, the approach that is left, and the contact ratio."""
+    """Lengths of approach and recess, the root's margin, the remaining approach, and the contact ratio."""
     module = gear.module
     radius = 0.5 * gear.reference_diameter
     sine = sin(gear.transverse_angle)
@@ -105,7 +105,7 @@ def rack(
     Raises
     ------
     InadmissibleError
-        When there is no such gear, or the two never touch.
+        When the gear is impossible, or the two never touch.
 
     Notes
     -----
@@ -172,7 +172,7 @@ def rack(
 
 
 def _cuts(margin: float) -> bool:
-    """Whether the involute ends short of the rack's tips, by more than the corner of a standard rack is rounded off."""
+    """Whether the involute ends short of the rack's tips by more than the corner rounding of a standard rack."""
     return plain(margin) < -1e-3
 
 

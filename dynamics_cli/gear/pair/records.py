@@ -1,4 +1,4 @@
-"""Records of a pair of gears: what is given of each, a point of contact, and the answer."""
+"""Records of a pair of gears: inputs of each gear, a point of contact, and the results."""
 
 from dynamics_cli.gear.pair.forces import BearingLoad, ToothForces
 from dynamics_cli.gear.pair.interference import Verdict
@@ -21,7 +21,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Mate:
-    """What belongs to one gear of a pair."""
+    """Inputs of one gear of a pair."""
 
     teeth: Annotated[Teeth, "Number of teeth (AGMA: N)."]
     profile_shift: Annotated[

@@ -54,7 +54,7 @@ def spur(
     Raises
     ------
     InadmissibleError
-        When there is no such gear: the circles are out of order, the teeth are pointed below their tips, the rack
+        When the gear is impossible: the circles are out of order, the teeth are pointed below their tips, the rack
         leaves no involute, an internal tip lies inside the base circle, or no shift avoids undercut.
 
     Notes
@@ -175,7 +175,7 @@ def helical(
 
 
 def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
-    """α_n, from whichever was given."""
+    """α_n, from whichever angle was given."""
     if transverse is None:
         return FULL_DEPTH if normal is None else normal
     require(
@@ -194,7 +194,7 @@ def normal_pressure_angle(normal: float | None, transverse: float | None, helix_
 
 
 def _without_undercut(gear: Gear) -> Gear:
-    """The same gear with the least shift that leaves its involute whole."""
+    """The same gear with the smallest shift that avoids undercut."""
     require(not gear.internal, "an internal gear is not cut by a rack", code="internal")
     least = least_shift(gear)
     shift = least if least > 0.0 else 0.0 * least
@@ -289,7 +289,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
 
 
 def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
-    """The tip thickness again from the tooth thickness at the reference circle."""
+    """Check the tip thickness from the tooth thickness at the reference circle."""
     from dynamics_cli.numerics.involute import involute
 
     steepness = tan(plain(gear.transverse_angle))

@@ -95,7 +95,7 @@ def involute_point(
     Raises
     ------
     InadmissibleError
-        When the angle is not from 0 to 90 degrees, a diameter lies inside the base circle, or lengths are asked for
+        When the angle is not from 0 to 90 degrees, a diameter lies inside the base circle, or lengths are requested
         without a base diameter.
 
     Notes

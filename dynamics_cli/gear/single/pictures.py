@@ -20,7 +20,7 @@ SHOWN = 3
 # Colours of tip, reference, base and root circle.
 ROLES = (0, 1, 2, 3)
 STEPS = 96
-# What a line on paper can show of a module.
+# Resolution of a printed line, relative to the module.
 FINE = 2e-3
 
 
@@ -68,7 +68,7 @@ def _whole_gear(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]"
 
 
 def _sizes(made: "Any") -> "tuple[tuple[str, str, str], ...]":
-    """The main sizes with their symbols; what the gear does not have is left out."""
+    """The main sizes with their symbols; sizes that the gear does not have are left out."""
     listed = (
         ("reference diameter", "d", made.reference_diameter, Size),
         ("base diameter", "d_b", made.base_diameter, Size),
@@ -109,7 +109,7 @@ def _enlarged(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]") 
     ends = sorted(zip((radius * cos(reach) for radius in radii), circles, strict=True), key=lambda end: -end[0])
     height = None
     for level, (name, diameter, style) in ends:
-        # words keep their distance where circles lie close together
+        # labels keep their distance where circles are close together
         height = level if height is None else min(level, height - 0.075 * side)
         radius = 0.5 * float(diameter)
         role = [name for name, _, _ in circles].index(name)
@@ -209,7 +209,7 @@ def _rack_line(made: "Any", pitch: float, datum: float, bottom: float) -> "tuple
 
 
 def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
-    """The exact outline of some teeth about +y; None where there are none, for example pointed teeth."""
+    """The exact outline of some teeth about +y; None if it cannot be drawn, for example for pointed teeth."""
     shift = given.get("profile_shift", 0.0)
     own = getattr(made, "profile_shift", None)
     drawn = exact_profile(
@@ -217,7 +217,7 @@ def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[s
     )
     if drawn is None:
         return None
-    # Tooth after tooth anticlockwise from +y: turned back by half of them, they stand about it.
+    # Tooth after tooth anticlockwise from +y: rotated back by half of them, they are centred on it.
     turn = -pi * (min(shown, teeth) - 1) / teeth
     x, y = outline_points(drawn.drawing.outlines[0])
     return (
@@ -229,7 +229,7 @@ def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[s
 def exact_profile(
     teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", made: "Any" = None
 ) -> "Any":
-    """The profile of a gear as the task was given it, in lines; None where there is none to draw."""
+    """The profile of a gear from the task's inputs, in lines; None if it cannot be drawn."""
     from dynamics_cli.gear.pitch import module_of
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.profile import profile

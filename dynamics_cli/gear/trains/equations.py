@@ -1,4 +1,4 @@
-"""A gear train as equations in whole numbers: what is given, how it moves, and the torques that balance it."""
+"""A gear train as equations in integers: givens, motion, and balancing torques."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.trains.scene import GROUND, Mesh, Network, Planetary, Shaft, Stages, settled
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Known:
-    """The train as indices and whole numbers, with what is given of it."""
+    """The train as indices and integers, with its givens."""
 
     def __init__(
         self, arrangement: Stages | Planetary | Network, driver: str, driven: str, fixed: str, shafts: tuple[Shaft, ...]
@@ -52,7 +52,7 @@ class Known:
         return name
 
     def _settle_planetary(self, *, hold: bool) -> None:
-        """Roles that were not named: sun drives, carrier is driven, and the shaft left over is held."""
+        """Default roles: the sun drives, the carrier is driven, and the remaining shaft is held."""
         taken = [self.driver, self.driven, *self.fixed, *(one.name for one in self.shafts if one.speed is not None)]
 
         def left_over(*names: str) -> str:
@@ -60,7 +60,7 @@ class Known:
             taken.append(found)
             return found
 
-        # a named shaft with a speed may still be the driver or the driven one
+        # a shaft with a given speed may still be the driver or the driven one
         self.driver = self.driver or left_over("sun", "carrier", "ring")
         self.driven = self.driven or left_over("carrier", "ring", "sun")
         held = left_over("ring", "sun", "carrier") if hold else ""
@@ -140,7 +140,7 @@ def _require_mesh(mesh: Mesh) -> None:
 
 
 class Motion:
-    """Every speed as an exact multiple of those given."""
+    """Every speed as an exact multiple of the given ones."""
 
     def __init__(self, known: Known, given: "Mapping[str, Pair | None]") -> None:
         self.known = known
@@ -160,7 +160,7 @@ class Motion:
         return self._solved.terms(self._names.index(name))
 
     def relative(self, name: str) -> "Pair | None":
-        """Turns for each turn of the driver, where one speed settles all."""
+        """Turns for each turn of the driver, if one speed determines all."""
         terms, driver = self.terms(name), self.terms(self.known.driver)
         if terms is None or driver is None or len(terms) != 1 or driver[0][0] == 0:
             return None
@@ -226,7 +226,7 @@ class Motion:
         )
 
     def advice(self) -> tuple[Advice, ...]:
-        """What the motion does not settle, and a driven shaft that stands still."""
+        """Advice on undetermined motion, and on a driven shaft that stands still."""
         found = []
         driven = self.relative(self.known.driven) if self.known.driven else None
         if driven is not None and driven[0] == 0:

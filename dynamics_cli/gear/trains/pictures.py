@@ -117,7 +117,7 @@ def _stages(arrangement: Stages) -> Panel:
 
 
 def ratio_picture(made: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
-    """The best train's gears in mesh, and how far the best trains miss the ratio."""
+    """The best train's gears in mesh, and the errors of the best trains."""
     best = made.best
     names = tuple(one.stages for one in best)
     misses = [1e6 * float(one.error_value) for one in best]

@@ -1,4 +1,4 @@
-"""Whether the planets of a planetary set can be put in, where, and how much room they leave one another."""
+"""Assembly of a planetary set: possible places of the planets, and the gaps between them."""
 
 from math import pi, sin
 
@@ -11,7 +11,7 @@ from dynamics_cli.records import Advice, record
 
 @record
 class Assembly:
-    """How the planets go in."""
+    """The assembly of the planets."""
 
     equal_spacing: Annotated[bool, "Whether the planets can be spread evenly."]
     deciding_number: Annotated[
@@ -36,7 +36,7 @@ def basic_ratio(arrangement: Planetary) -> str:
 
 
 def planetary_assembly(arrangement: Planetary) -> Assembly:
-    """Places for the planets and the room between them; refuses planets that touch."""
+    """Places for the planets and the gaps between them; refuses planets that touch."""
     count, steps = arrangement.planets, arrangement.steps
     inner, outer = arrangement.planet_teeth
     require(count > 0, "a planetary set has one planet at least", code="planets")
@@ -47,7 +47,7 @@ def planetary_assembly(arrangement: Planetary) -> Assembly:
         steps=steps,
         code="planets-touch",
     )
-    # nearest whole number of steps to each even place, halves downwards
+    # nearest whole number of steps to each evenly spaced place, halves downwards
     chosen = [(2 * index * steps + count - 1) // (2 * count) for index in range(count)]
     gaps = [(other - one) % steps or steps for one, other in zip(chosen, chosen[1:] + chosen[:1], strict=True)]
     shifts = [abs(place * count - index * steps) for index, place in enumerate(chosen)]
@@ -129,7 +129,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
 
 
 def _nearest_ring(arrangement: Planetary) -> int | None:
-    """The nearest ring that spreads the planets evenly and leaves them room, or None within a fifth of its teeth."""
+    """The nearest ring that spaces the planets evenly without contact, or None within a fifth of its teeth."""
     sun, ring, count = arrangement.sun, arrangement.ring, arrangement.planets
     for step in range(1, max(ring // 5, 2 * count) + 1):
         for candidate in (ring - step, ring + step):

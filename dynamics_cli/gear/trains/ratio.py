@@ -1,4 +1,4 @@
-"""The best tooth numbers for a wanted ratio: every train within the limits is looked at, in whole numbers."""
+"""The best tooth numbers for a ratio: exhaustive over every train within the limits, in integers."""
 
 from math import prod
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.exact.rational import Pair
 
 
-# Gears have fewer; more would take minutes.
+# Gears have fewer teeth; more would take minutes.
 MOST_TEETH = 100_000
 
 
@@ -83,12 +83,12 @@ def ratio(
 
     Equation
     --------
-    i = Π z_driven/Π z_driver; all products of the driven teeth are held against all products of the driver teeth.
+    i = Π z_driven/Π z_driver; all products of the driven teeth are compared with all products of the driver teeth.
 
     Returns
     -------
     RatioFound
-        The best trains, how many ratios were considered, and how many nearer ones the constraints rule out.
+        The best trains, the number of ratios considered, and the number of nearer ones that the constraints exclude.
 
     Raises
     ------
@@ -97,7 +97,8 @@ def ratio(
 
     Notes
     -----
-    Products are compared in doubles to pick candidates and ranked as exact fractions; equal errors by fewest teeth.
+    Products are compared in doubles to pick candidates and ranked as exact fractions; equal errors are ordered by
+    fewest teeth.
 
     References
     ----------
@@ -208,7 +209,7 @@ def _shown(train: "Train", target: "Pair") -> TrainFound:
 
 
 def _checks(best: list[TrainFound], target: "Pair") -> tuple[Check, ...]:
-    """The trains multiplied out again from the words that are shown."""
+    """Check the trains by multiplying out the tooth numbers shown."""
     passed = True
     for one in best:
         pairs = [tuple(map(int, pair.split(":"))) for pair in one.stages.split(", ")]

@@ -1,4 +1,4 @@
-"""What a gear train is made of, however it is written: shafts, meshes and what is done with the shafts."""
+"""The elements of a gear train, however it is written: shafts, meshes and givens of the shafts."""
 
 from itertools import pairwise
 from math import gcd
@@ -30,7 +30,7 @@ class Mesh:
 
 @record
 class Stages:
-    """A train whose axes the frame holds, stage after stage."""
+    """A train with fixed axes, stage after stage."""
 
     stages: Annotated[
         Text,
@@ -132,7 +132,7 @@ class Planetary:
 
     @property
     def steps(self) -> int:
-        """How many evenly spread places about the sun can take a planet (all planets cut alike)."""
+        """Number of evenly spaced places about the sun that can take a planet (all planets cut alike)."""
         inner, outer = self.planet_teeth
         return (self.sun * outer + self.ring * inner) // gcd(inner, outer)
 
@@ -146,7 +146,7 @@ class Network:
 
 @record
 class Shaft:
-    """What is known of a shaft."""
+    """The givens of a shaft."""
 
     name: Annotated[Text, "The shaft."]
     speed: Annotated[ShaftSpeed | None, "Its speed [rad/s]."] = None
@@ -154,6 +154,6 @@ class Shaft:
 
 
 def settled(name: str) -> str:
-    """A shaft's name as it was written; the frame's many names are one, in any case."""
+    """A shaft's name as written; all names of the frame are equivalent, in any capitals."""
     own = name.strip()
     return GROUND if own.lower() in _GROUND_NAMES else own

@@ -77,7 +77,7 @@ class Forces:
         return total(product(term, own) for term, own in zip(terms, self.given.values(), strict=True))
 
     def torque(self, name: str) -> "Pair | None":
-        """Torque from outside; none on a shaft that is neither driven nor held."""
+        """Torque from outside; zero on a shaft that is neither driven nor held."""
         return None if self._values is None else self._values.get(name, (0, 1))
 
     def power(self, name: str) -> "Pair | None":
@@ -123,7 +123,7 @@ class Forces:
         return total((largest, (-put_in[0], put_in[1])))
 
     def advice(self) -> tuple[Advice, ...]:
-        """Torques that statics alone does not settle."""
+        """Advice on torques that statics alone does not determine."""
         if not self.open:
             return ()
         where = ", ".join(self.open)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
 STEPS = 72
-# A wheel smaller than this share of the other has its words beside it.
+# A wheel smaller than this share of the other is labelled beside it.
 SMALL = 0.5
 
 

@@ -22,7 +22,7 @@ from dynamics_cli.records import Advice, Check, Choice, record
 
 
 class Drive(Choice):
-    """How one wheel turns the other."""
+    """Type of drive between the wheels."""
 
     names = ("external", "internal", "open-belt", "crossed-belt")
     aliases = {"contact": "external", "rolling": "external", "belt": "open-belt"}  # noqa: RUF012
@@ -86,8 +86,8 @@ def wheels(
     Raises
     ------
     InadmissibleError
-        When a wheel has no diameter, a belt's wheels overlap, rolling wheels are not as far apart as their radii say,
-        or a load is to be carried without friction.
+        When a wheel has no diameter, a belt's wheels overlap, the distance of rolling wheels does not match their
+        radii, or a load is given without friction.
 
     Notes
     -----
@@ -204,7 +204,7 @@ def _load(torque: float | None, power: float | None, speed: float | None) -> flo
 
 
 def _checks(first: float, second: float, wraps: "tuple[float | None, float | None]", drive: str) -> tuple[Check, ...]:
-    """A closed belt turns by one full turn, or by none when it crosses."""
+    """Check that a closed belt turns by one full turn, or by zero if it is crossed."""
     total = plain(wraps[0]) + (-plain(wraps[1]) if drive == "crossed-belt" else plain(wraps[1]))
     residual = abs(total - (0.0 if drive == "crossed-belt" else 2.0 * pi))
     return (Check("turns of the belt", residual <= 1e-14, residual, 1e-14),)
