@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
     Pair = tuple[float, float]
 
-# A neutral outline, where nothing is known of a vehicle's size.
+# A neutral outline if a vehicle's size is unknown.
 LENGTH, WIDTH = 4.5, 1.8
 NEUTRAL = f"outlines {LENGTH:g} m by {WIDTH:g} m, not measured"
-# What the fastest arrow of a scene takes of its page, in lengths of a neutral outline.
+# Length of a scene's fastest arrow, in lengths of a neutral outline.
 LONGEST_ARROW = 1.5
 KM_H = 1.0 / 3.6
 
@@ -53,7 +53,7 @@ def outline(at: "Pair", way: "Pair", role: int, *, length: float = LENGTH, width
 def apart(first: "Pair", second: "Pair") -> "tuple[Pair, Pair]":
     """Centres of two vehicles that drove in these directions and touch at the origin, without overlapping.
 
-    Of two on one line the second stands ahead of the first.
+    If both are on one line the second is ahead of the first.
     """
     start = -0.5 * LENGTH * first[0], -0.5 * LENGTH * first[1]
     along = 0.5 if first[0] * second[0] + first[1] * second[1] > 0.9 else -0.5
@@ -67,7 +67,7 @@ def apart(first: "Pair", second: "Pair") -> "tuple[Pair, Pair]":
 
 
 def _overlap(one: "Pair", way: "Pair", other: "Pair", course: "Pair") -> bool:
-    """Whether two outlines overlap, by the axes that could part them."""
+    """Whether two outlines overlap, by the separating-axis test."""
     gap = other[0] - one[0], other[1] - one[1]
     for axis in (way, (-way[1], way[0]), course, (-course[1], course[0])):
         reach = 0.0
@@ -130,7 +130,7 @@ def velocities(
 
 
 def about(speed: float) -> str:
-    """A speed to two digits: the picture shows sizes, the results stand beside it."""
+    """A speed to two digits: the picture shows magnitudes, the exact results are in the text."""
     shown = speed / KM_H
     return f"{shown:.0f} km/h" if shown >= 10.0 else f"{shown:.2g} km/h"
 
@@ -145,7 +145,7 @@ def beside(at: "Pair", way: "Pair", text: str, role: int) -> Mark:
 def scales(
     items: "Sequence[Any]", scale: float, fastest: float, north: "Pair | None", note: str = NEUTRAL
 ) -> "list[Any]":
-    """The length of an arrow of a round speed, what the outlines are, and where north (or x) is."""
+    """A scale arrow of a round speed, a note on the outlines, and the direction of north (or x)."""
     points = [(x, y) for item in items if isinstance(item, Curve) for x, y in zip(item.x, item.y, strict=True)]
     points += [(item.x, item.y) for item in items if isinstance(item, Arrow | Mark)]
     left, right = min(x for x, _ in points), max(x for x, _ in points)

@@ -139,9 +139,7 @@ def pointed_diameter(gear: Gear, thinning: float) -> float | None:
 
 
 def _require_thickness(gear: Gear, thinning: float) -> None:
-    """Refuse a thinning that leaves no tooth where the involute begins, even if the reference circle is outside
-    them.
-    """
+    """Refuse a thinning that leaves no tooth where the involute begins; the reference circle may be elsewhere."""
     if plain(thinning) <= 0.0:
         return
     roll = gear.roll(gear.root_diameter) if gear.internal else root(gear.cutter).roll

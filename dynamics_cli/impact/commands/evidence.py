@@ -1,4 +1,4 @@
-"""Tasks of `dynamics impact`: approach from what vehicles did afterwards, or recorded."""
+"""Tasks of `dynamics impact`: approach motion from the motion after the impact, or from a recorder."""
 
 from dynamics_cli.core.answering.task import Model, Task
 

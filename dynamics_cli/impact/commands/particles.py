@@ -76,7 +76,7 @@ OBLIQUE = Task(
     ),
 )
 
-# With masses that were given, and with those of given weights.
+# With given masses, and with masses from given weights.
 _PLANE_MOMENTUM = (
     "{{first.approach_speed|v₁}} = ({0}·{{first.exit_speed|u₁}}·sin({{second.approach_heading|α₂}} − "
     "{{first.exit_heading|β₁}}) + {1}·{{second.exit_speed|u₂}}·sin({{second.approach_heading|α₂}} − "

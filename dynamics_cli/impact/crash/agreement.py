@@ -1,4 +1,4 @@
-"""What two links of a crash give alike: the gap between them, in standard deviations where inputs are uncertain."""
+"""Quantities that two links of a crash both give, and the gap between them in standard deviations."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.crash.results import Agreement, CrashCourse
@@ -13,12 +13,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Beyond so many standard deviations of their gap, two links contradict each other.
+# Beyond this many standard deviations of their gap, two links contradict each other.
 MOST_DEVIATIONS = 3.0
 
 
 class Gap:
-    """An agreement, and what its refusal says."""
+    """An agreement, and the data for its refusal."""
 
     def __init__(self, agreement: Agreement, kind: "Any", one: float, other: float) -> None:
         self.agreement = agreement
@@ -28,7 +28,7 @@ class Gap:
 
 
 def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse]") -> "list[Gap]":
-    """Every quantity of the scene that was measured and also follows from another link."""
+    """Every quantity that was measured and also follows from another link."""
     gaps: list[Gap] = []
     for name, side, course in zip(names, ("first", "second"), courses, strict=True):
         given = getattr(scene, side)
@@ -56,7 +56,7 @@ def _place(name: str, slid: "tuple[float, float]", measured: "tuple[float, float
 
 
 def _normalised(gap: "Any") -> float | None:
-    """A gap over its standard deviation; None where that is not known or for arrays."""
+    """A gap over its standard deviation; None if that is unknown, or for arrays."""
     if not single(gap):
         return None
     spread = deviation(gap)
@@ -86,7 +86,7 @@ def require_agreement(gaps: "list[Gap]") -> None:
 
 
 def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
-    """What to think of gaps that nothing is known to judge by, and of those beyond two deviations."""
+    """Advice on gaps without known uncertainty, and on gaps beyond two standard deviations."""
     notes: list[Advice] = []
     for gap in gaps:
         entry = gap.agreement
@@ -111,7 +111,7 @@ def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
 
 
 def _judged_by_eye(gap: Gap) -> bool:
-    """Whether a gap between exact inputs is worth a word: a tenth of a speed, a metre of a position."""
+    """Whether a gap between exact inputs deserves advice: a tenth of a speed, a metre of a position."""
     if not single(gap.one, gap.other):
         return False
     if gap.kind is Length:

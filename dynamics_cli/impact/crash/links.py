@@ -1,4 +1,4 @@
-"""Verdicts of the links of a crash, and which of them is the weakest."""
+"""Verdicts of the links of a crash, and the weakest of them."""
 
 from math import inf
 
@@ -14,9 +14,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.numerics.road.phases import Leg, Phase
 
-# Friction is known to a tenth where it was measured on the road; to three hundredths nowhere.
+# Friction is known to a tenth if measured on the road; never to three hundredths.
 GOOD_FRICTION, CAUTION_FRICTION = 0.1, 0.03
-# No error of friction matters to a speed that this much of it does not change by a tenth.
+# If this relative error of friction does not change a speed by a tenth, no error of friction matters.
 NO_MATTER = 1.0
 
 
@@ -47,7 +47,7 @@ def verdicts(
 
 
 def _grip(leg: "Leg", phase: "Phase", gravity: float) -> float:
-    """Half of what the square of the speed at the start grows by, for a friction that is so much larger."""
+    """Half the increase of the squared speed at the start, per relative increase of friction."""
     force = gravity * phase.braking * phase.friction / secant(phase.grade)  # type: ignore[operator]
     if leg.kind == "build-up":
         return 0.5 * force * leg.duration * leg.start
@@ -65,7 +65,7 @@ def _by_friction(link: str, speed: float, grip: float) -> LinkVerdict:
 
 
 def weakest(links: "tuple[LinkVerdict, ...]") -> str:
-    """The link whose tolerance is least beside what such an input is known to; empty for arrays."""
+    """The link with the smallest tolerance relative to the accuracy of its input; empty for arrays."""
     if not links or not all(single(one.friction_tolerance, one.heading_tolerance) for one in links):
         return ""
 
@@ -74,7 +74,7 @@ def weakest(links: "tuple[LinkVerdict, ...]") -> str:
             angle: float = plain(one.heading_tolerance)
             return angle / (GOOD if angle >= CAUTION else CAUTION)
         if one.friction_tolerance is None:
-            return inf  # no heading changes it
+            return inf  # no heading affects it
         return plain(one.friction_tolerance) / GOOD_FRICTION
 
     return str(min(links, key=margin).link)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     Pair = tuple[float, float]
 
-# What the fastest arrow takes beside the longest way of the scene.
+# Length of the fastest arrow relative to the longest path of the scene.
 ARROW_SHARE = 0.25
 # Half the width between the tracks of a car, beside its width.
 TRACK = 0.4
@@ -35,7 +35,7 @@ def crash(result: "Any", scene: "Any", **_: "Any") -> Picture:
 
 
 class _Scene:
-    """What is drawn of both vehicles."""
+    """The drawn items of both vehicles."""
 
     def __init__(self, result: "Any", scene: "Any") -> None:
         self.given = (scene.first, scene.second)
@@ -142,7 +142,7 @@ class _Scene:
 
 
 def _abeam(way: "Pair", other: "Pair") -> "Pair":
-    """Across a direction, to the side that another does not turn to."""
+    """Perpendicular to a direction, on the side away from another one."""
     left = way[0] * other[1] - way[1] * other[0] > 0.0
     return (way[1], -way[0]) if left else (-way[1], way[0])
 

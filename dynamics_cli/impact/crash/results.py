@@ -38,7 +38,7 @@ class BeforeImpact:
 
 @record
 class CrashDeltaV:
-    """Change of velocity of one vehicle, and where the force came from; `impact momentum` has more of it."""
+    """Change of velocity of one vehicle, and where the force came from; `impact momentum` gives more detail."""
 
     magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
     pdof: Annotated[
@@ -62,7 +62,7 @@ class CrashCourse:
 
 @record
 class CrashEnergy:
-    """Where the kinetic energy of both vehicles went."""
+    """Energy balance of both vehicles."""
 
     start: Annotated[Energy, "Kinetic energy of both where their first phases begin, or at the impact [J]."]
     before: Annotated[Energy, "Lost before the impact to tyres and grade, less what they gained [J]."]
@@ -73,7 +73,7 @@ class CrashEnergy:
 
 @record
 class Course:
-    """One row of the way through the crash."""
+    """One row of the course through the crash."""
 
     vehicle: Annotated[Text, "Whose."]
     what: Annotated[Text, "A phase before the impact, the impact, or the surface of the slide after it."]
@@ -86,7 +86,7 @@ class Course:
 
 @record
 class LinkVerdict:
-    """How far one step of the reconstruction is decided by what was measured."""
+    """How well the measurements determine one step of the reconstruction."""
 
     link: Annotated[Text, "The step: a slide, the impact as one vehicle sees it, or the braking before."]
     verdict: Annotated[Text, "good, caution or undetermined."]

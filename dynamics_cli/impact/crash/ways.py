@@ -1,4 +1,4 @@
-"""The ways of the vehicles of a crash before and after the impact: speeds back along them, and forward again."""
+"""Phases of the vehicles before and after the impact: speeds calculated back along them, and forward as a check."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of
@@ -51,7 +51,7 @@ class After:
         return total
 
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
-        """Its surfaces as rows of the whole way."""
+        """Its surfaces as rows of the course."""
         parts = getattr(scene, self.side).after
         return [
             Course(
@@ -62,7 +62,7 @@ class After:
         ]  # fmt: skip
 
     def forward(self, name: str) -> tuple[Check, ...]:
-        """Slide again from the speed after the impact: it must end where it was measured to end."""
+        """Check by sliding forward from the speed after the impact: the end must be the measured one."""
         if not self.surfaces:
             return ()
         assert self.speed is not None
@@ -74,7 +74,7 @@ class After:
         return balance(f"{name} slides forward to its rest", reached, self.distance, reached)
 
     def advice(self) -> tuple[Advice, ...]:
-        """What is odd about its surfaces."""
+        """Advice on implausible surfaces."""
         notes: tuple[Advice, ...] = ()
         for index, ground in enumerate(self.grounds):
             notes += drag_advice(ground.friction, ground.grade, ground.braking, f"{self.side}.after[{index}]: ")
@@ -82,7 +82,7 @@ class After:
 
 
 class Before:
-    """A vehicle's way to the impact, back from its speed there."""
+    """A vehicle's phases before the impact, back from its speed there."""
 
     def __init__(self, scene: CrashScene, side: str, speed: float, gravity: float) -> None:
         self.side = side
@@ -93,7 +93,7 @@ class Before:
 
     @property
     def start_speed(self) -> float:
-        """Speed where it begins, that into the impact without phases."""
+        """Speed at the start; without phases the speed into the impact."""
         return self.legs[0].start if self.legs else self.impact_speed
 
     @property
@@ -125,14 +125,14 @@ class Before:
         return sqrt(maximum(limit * limit - shed, 0.0))
 
     def rows(self, name: str, mass: float) -> "list[Course]":
-        """Its phases as rows of the whole way."""
+        """Its phases as rows of the course."""
         return [
             Course(name, leg.kind, leg.start, leg.end, leg.duration, leg.distance, mass * _shed(leg))
             for leg in self.legs
         ]
 
     def forward(self, name: str) -> tuple[Check, ...]:
-        """Drive again from its start: it must come to the impact with the speed found there."""
+        """Check by driving forward from the start: it must reach the impact with the calculated speed."""
         if not self.legs:
             return ()
         speed = self.legs[0].start
@@ -140,12 +140,12 @@ class Before:
             gained = leg.rate * leg.duration
             speed = speed + (0.5 * gained if leg.kind == "build-up" else gained)
             if leg.kind == "waiting" and following is not None:
-                # who sets out at a walk is taken to have it at once
+                # a walking speed is assumed to be reached at once
                 speed = following.start
         return balance(f"{name} drives forward into the impact", speed, self.impact_speed, self.legs[0].start)
 
     def advice(self) -> tuple[Advice, ...]:
-        """What is odd about its phases."""
+        """Advice on implausible phases."""
         notes: tuple[Advice, ...] = ()
         for index, phase in enumerate(self.phases):
             if phase.friction is not None:
@@ -154,7 +154,7 @@ class Before:
 
 
 def _shed(leg: Leg) -> float:
-    """Work per mass that slows a phase: the deceleration over its distance, of a build-up over its time."""
+    """Work per mass of a phase: deceleration times distance; for a build-up integrated over time."""
     if leg.kind == "build-up":
         lost = 0.5 * leg.rate * leg.duration
         return -lost * (leg.start + 0.5 * lost)
@@ -162,7 +162,7 @@ def _shed(leg: Leg) -> float:
 
 
 def along(scene: CrashScene, heading: float, distance: float) -> "Pair":
-    """A point so far along a heading from the point of impact."""
+    """The point at a distance along a heading from the point of impact."""
     x, y = direction_of(heading, scene.axes)
     return scene.impact.point[0] + distance * x, scene.impact.point[1] + distance * y
 

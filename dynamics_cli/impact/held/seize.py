@@ -1,4 +1,4 @@
-"""A moving body of which a point or an axis is suddenly held fast."""
+"""A moving body when a point or an axis of it is suddenly fixed."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
@@ -95,7 +95,7 @@ def seize(
         "The square plate of the book, or any body by mass, inertia, motion and the point or axis held.",
     ],
 ) -> Seized:
-    """A point or an axis of a moving body is suddenly held: angular momentum about it stays, the rest is lost.
+    """A point or an axis of a moving body is suddenly held: angular momentum about it is conserved, the rest is lost.
 
     Equation
     --------
@@ -104,16 +104,16 @@ def seize(
     Returns
     -------
     Seized
-        Angular velocity and velocity after, impulse and couple of what holds, energies.
+        Angular velocity and velocity after, impulse and couple of the support, energies.
 
     Raises
     ------
     InadmissibleError
-        When mass or inertia is zero or not that of a body, the body does not move, or the axis has no direction.
+        When mass or inertia is zero or not that of a real body, the body does not move, or the axis has no direction.
 
     Notes
     -----
-    What holds the body does not move and does not let it slip or rebound. The energy lost is that of the lost
+    The support does not move and allows neither slip nor rebound. The energy lost is that of the lost
     velocities (Carnot's theorem), not a difference of energies. A thin rod held on its own line has no answer for the
     spin about itself.
 
@@ -221,7 +221,7 @@ def _size(vector: Vector) -> float:
 
 
 def _checks(couple: Vector, axis: Vector | None, size: float) -> tuple[Check, ...]:
-    """Angular momentum about the held point, or along the held axis, stays."""
+    """Check that angular momentum about the held point, or along the held axis, is conserved."""
     if axis is not None:
         return balance("angular momentum about the axis", dot(couple, axis), 0.0, size)
     checks: tuple[Check, ...] = ()

@@ -1,4 +1,4 @@
-"""A rolling wheel that meets a step: what the impact on the edge leaves, and the least speed to get over."""
+"""A rolling wheel that meets a step: motion after the impact on the edge, and the minimum speed to get over it."""
 
 from dynamics_cli.errors import (
     require,
@@ -28,7 +28,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Factor:
-    """A wheel by how its mass is spread."""
+    """A wheel by the distribution of its mass."""
 
     inertia_factor: Annotated[
         Positive,
@@ -86,7 +86,7 @@ def step(
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> StepMet:
-    """A wheel that rolls against a step: angular momentum about the edge in the impact, energy on the way up.
+    """A wheel that rolls against a step: angular momentum about the edge in the impact, then energy while climbing.
 
     Equation
     --------
@@ -95,7 +95,7 @@ def step(
     Returns
     -------
     StepMet
-        Least speed, angular velocities, energy lost, impulses, and what becomes of the wheel.
+        Minimum speed, angular velocities, energy lost, impulses, and whether the wheel gets over.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def step(
     Notes
     -----
     The wheel rolls without slip; the edge does not give way, and the wheel neither rebounds from it nor slips on it.
-    Shares lost and speeds left are factored, never differences of energies.
+    Energy shares and speeds are factored, never differences of energies.
 
     References
     ----------

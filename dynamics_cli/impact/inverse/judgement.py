@@ -1,4 +1,4 @@
-"""What approach speeds from exit motion are worth: verdicts, implied contact, contradictions."""
+"""Reliability of approach speeds from exit motion: verdicts, implied contact, contradictions."""
 
 from dynamics_cli.errors import judge, require, worded
 from dynamics_cli.impact.inverse.fit import Fit, Side
@@ -9,7 +9,7 @@ from dynamics_cli.records import Advice
 
 Pair = tuple[float, float]
 GOOD, CAUTION, UNDETERMINED = "good", "caution", "not determined"
-# Shares of a speed that its standard deviation may be.
+# Limits of a speed's relative standard deviation.
 GOOD_SHARE, CAUTION_SHARE = 0.05, 0.15
 UNLIKELY, CONTRADICTION = 0.05, 0.001
 # Sine of the angle between the levers.
@@ -85,7 +85,7 @@ class Contact:
         self.ratio_sigma = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
 
     def advice(self) -> "tuple[Advice, ...]":
-        """Cautions where vehicles do not behave so."""
+        """Cautions about an implied contact that is unlike vehicles."""
         cautions: list[Advice] = []
         remedy = "check normal, contact point, spins and headings: the contact is elsewhere, or a measurement is wrong"
         if self.restitution is not None and not 0.0 <= self.restitution <= HIGHEST_RESTITUTION:
@@ -104,14 +104,14 @@ class Contact:
 
 
 def chance(chi_squared: float, freedom: int) -> float | None:
-    """Probability of a sum of squares as large or larger; of one or two degrees of freedom, all that occur here."""
+    """Probability of an equal or larger sum of squares, for one or two degrees of freedom, which is all that occurs."""
     if freedom <= 0:
         return None
     return 2.0 * upper(sqrt(chi_squared)) if freedom == 1 else exp(-0.5 * chi_squared)
 
 
 def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
-    """A caution below 5 %, and no answer below 0.1 %, with the measurement that fits worst."""
+    """A caution below 5 %, a refusal below 0.1 %, naming the measurement that fits worst."""
     if probability is None or probability >= UNLIKELY:
         return ()
     name, worst = residuals[0]

@@ -38,7 +38,7 @@ class ExitSpeed:
 
 @record
 class Departing:
-    """A vehicle after the impact, and what is known of it before."""
+    """A vehicle after the impact, and its known quantities before."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     motion: Annotated[ExitVelocity | ExitSpeed, "Its motion just after the impact."]
@@ -62,7 +62,7 @@ class Departing:
 
 @record
 class Approach:
-    """One vehicle as it came."""
+    """The approach of one vehicle."""
 
     approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
     approach_heading: Annotated[Angle, "Direction of travel just before [rad]."]
@@ -84,7 +84,7 @@ class Residual:
 
 @record
 class InverseResult:
-    """Both vehicles as they came, and how well the measurements agree."""
+    """The approach of both vehicles, and how well the measurements agree."""
 
     first: Annotated[Approach, "The first vehicle."]
     second: Annotated[Approach, "The second vehicle."]

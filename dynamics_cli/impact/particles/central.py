@@ -138,8 +138,8 @@ def central(
 
     Notes
     -----
-    The impulse decides everything: changes of velocity and the loss are never differences of large numbers. With two
-    velocities the closing speed carries their rounding; give it where they are nearly equal.
+    Everything follows from the impulse: changes of velocity and the loss are never differences of large numbers. With
+    two velocities the closing speed carries their rounding; give it where they are nearly equal.
 
     References
     ----------
@@ -168,7 +168,7 @@ def central(
     changes = -(impulse / mass), 0.0 if two is None else impulse / two
     common, after = velocities_after((mass, two), before, shares, closing, restitution)
     if closing_speed is not None and first.velocity is not None and second.velocity is not None:
-        # the velocities tell the closing speed less well: each body's own is kept
+        # the velocities give the closing speed less accurately: each body keeps its own
         after = [
             multiply_add(restitution * share, closing, multiply_add(share, closing, velocity))
             for share, velocity in zip(shares, before, strict=True)
@@ -199,7 +199,7 @@ def velocities_after(
 ) -> tuple[float, list[float]]:
     """The common velocity of the greatest compression, and both velocities after: on from it by e times the same share.
 
-    From the heavier body, which changes less, nothing cancels that was not nearly equal before.
+    Taken from the heavier body, which changes less, so that nothing cancels unless it was nearly equal before.
     """
     one, two = masses
     common = before[1]
@@ -210,7 +210,7 @@ def velocities_after(
 
 
 def _approach(first: float | None, second: float | None, closing: float | None) -> tuple[tuple[float, float], float]:
-    """Velocities before and the closing speed, whichever of them were given."""
+    """Velocities before and the closing speed, from those that are given."""
     ahead: float = 0.0 if first is None else first
     if closing is None:
         other = 0.0 if second is None else second
@@ -246,7 +246,7 @@ def require_approach(closing: float, hint: str = CLOSING_HINT) -> None:
 
 
 def contact_advice(contact: Restituted | Energetic) -> tuple[Advice, ...]:
-    """Say so when the contact adds energy."""
+    """Advice when the contact adds energy."""
     ratio = contact.restitution
     if not single(ratio) or not plain(ratio) > 1.0:
         return ()

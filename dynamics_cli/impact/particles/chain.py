@@ -56,14 +56,14 @@ def chain(
     Raises
     ------
     InadmissibleError
-        When there are fewer than two bodies, a mass is zero, no pair closes, or the law asked for has no answer: pairs
-        that collide without end, or unlike restitutions that would give energy.
+        When there are fewer than two bodies, a mass is zero, no pair closes, or the requested law has no answer:
+        endless collisions, or different restitutions that would add energy.
 
     Notes
     -----
-    Rigid bodies do not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at one
-    moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals of so
-    many digits that two runs agree: the bound stated is that of rounding, here and into another unit.
+    Rigid-body theory does not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at
+    one moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals with
+    enough digits that two runs agree: the stated bound is that of rounding, including conversion to another unit.
 
     References
     ----------
@@ -146,7 +146,7 @@ def _after(name: str, solution: "Answer") -> tuple[AfterChain, ...]:
 
 
 def _bounds(answers: "list[Answer]", momentum: float) -> tuple[ErrorBound, ...]:
-    """What rounding the results to doubles leaves, and the little that two runs of many digits differ by."""
+    """Rounding of the results to doubles, plus the small difference of two runs in many digits."""
     bounds: list[ErrorBound] = [ErrorBound("momentum", UNIT_ROUNDOFF)] if momentum else []
 
     def add(name: str, number: "Bounded") -> None:
@@ -174,7 +174,7 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     speeds = [body.velocity for body in bodies], [row.velocity for row in rows]
     parts = [[body.mass * v for body, v in zip(bodies, side, strict=True)] for side in speeds]
     pushes = [row.impulse_to_next or 0.0 for row in rows]
-    # velocities are as right as the fastest of them is rounded
+    # velocities are as accurate as the rounding of the fastest one
     fastest = max(abs(v) for v in speeds[0])
     size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)]) + _sum([b.mass * fastest for b in bodies])
     checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)

@@ -5,10 +5,10 @@ from dynamics_cli.records import Advice, Check, Choice, Numerics, record
 
 
 class ChainLaw(Choice):
-    """How a chain of touching bodies shares an impact.
+    """Law for the impact of a chain of touching bodies.
 
-    sequential: one pair at a time, the pair that closes fastest first, until none closes. simultaneous: all contacts at
-    one moment are pushed until none closes, and e times as much again (Moreau); once more while a pair closes.
+    sequential: one pair at a time, the pair that closes fastest first, until none closes. simultaneous: impulses at all
+    contacts at one moment until none closes, and e times as much again (Moreau); repeated while a pair closes.
     all: both, side by side.
     """
 

@@ -1,4 +1,4 @@
-"""How long a central impact lasts and how hard it pushes, where the contact has a stiffness."""
+"""Duration and peak force of a central impact whose contact has a stiffness."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.particles.hunt_crossley import HuntCrossley, shape

@@ -96,7 +96,7 @@ def drop(
     Returns
     -------
     Dropped
-        Restitution, speeds, heights and times of the bounces, time and way until rest.
+        Restitution, speeds, heights and times of the bounces, time and distance until rest.
 
     Raises
     ------

@@ -1,6 +1,6 @@
-"""Hunt and Crossley's contact, F = k δ^1.5 (1 + c δ̇), with the loss that gives a wanted restitution.
+"""Hunt and Crossley's contact, F = k δ^1.5 (1 + c δ̇), with the loss that gives a required restitution.
 
-With δ in (m u²/k)^(2/5) and velocity in u only x = c u is left, and v dv/dδ = −δ^1.5 (1 + x v). Every number of the
+With δ in (m u²/k)^(2/5) and velocity in u only x = c u remains, and v dv/dδ = −δ^1.5 (1 + x v). Every number of the
 contact is then a function of the restitution alone.
 """
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# Below this the release takes ever longer: the bodies hardly part.
+# Below this the release takes ever longer: the bodies hardly separate.
 LEAST_RESTITUTION = 0.1
 PANELS, NODES = 12, 28
-# What quadrature and root may be wrong by, relatively.
+# Relative error of quadrature and root.
 WRONG = 1e-13
 
 

@@ -84,7 +84,7 @@ def _polygon(
 def _away(
     middle: "tuple[float, float]", way: "tuple[float, float]", total: "tuple[float, float]"
 ) -> "tuple[float, float]":
-    """Where words stand beside an arrow: across it, on the side away from the sum."""
+    """Place of a label beside an arrow: across it, on the side away from the sum."""
     left = total[0] * middle[1] - total[1] * middle[0] > 0.0
     nx, ny = -way[1], way[0]
     if (nx * -total[1] + ny * total[0] > 0.0) != left:
@@ -160,7 +160,7 @@ def chain(result: "Any", *, bodies: "Any", **_: "Any") -> Picture:
 
 
 def yaw_inertia(result: "Any", **_: "Any") -> Picture:
-    """What every rule gives, and the range of all."""
+    """The estimate of every rule, and the range of all."""
     names = tuple(str(one.rule) for one in result.rules)
     rules = Bars(names, [0.0] * len(names), [float(one.yaw_inertia) for one in result.rules])
     items = (

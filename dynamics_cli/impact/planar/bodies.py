@@ -1,4 +1,4 @@
-"""Rigid bodies in the plane as a user states them, and as the mechanics of the contact needs them."""
+"""Rigid bodies in the plane: as given by the user, and in the form that the contact needs."""
 
 from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import (
@@ -103,7 +103,7 @@ class RigidTarget:
 
 @record
 class Solid:
-    """A body as the contact sees it; mass and inertia are None when it is fixed."""
+    """A body at the contact; mass and inertia are None if it is fixed."""
 
     mass: Annotated[float | None, "Mass [kg]."]
     inertia: Annotated[float | None, "Moment of inertia [kg·m²]."]
@@ -156,7 +156,7 @@ def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravi
 
 
 def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
-    """Direction of the nose: given, else that of travel, of a body at rest that of heading zero."""
+    """Direction of the nose: as given, else that of travel, or of heading zero for a body at rest."""
     return travel_of(velocity, axes) if nose is None else direction_of(nose, axes)
 
 

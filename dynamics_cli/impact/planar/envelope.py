@@ -1,4 +1,4 @@
-"""ΔV over a region of restitution and friction: what an impact can have done when neither is known well."""
+"""ΔV over a region of restitution and friction: possible outcomes of an impact when neither is known well."""
 
 from dynamics_cli.errors import (
     require,
@@ -43,7 +43,7 @@ POINTS_MOST = 100_000_000
 def _require_region(
     ends: "tuple[tuple[float, float], tuple[float, float]]", points: tuple[int, int], map_points: int
 ) -> None:
-    """Refuse a region that is turned round, has too few or too many points; restitution first, then friction."""
+    """Refuse an inverted region, or one with too few or too many points; restitution first, then friction."""
     require(
         all(least <= greatest for least, greatest in ends),
         "the lower ends of the region lie above its upper ends",
@@ -110,7 +110,7 @@ def envelope(
     Notes
     -----
     Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie. Doubles
-    find their places, 60 digits their values; the bound is mostly that another point errs in doubles.
+    give their places, 60 digits their values; the bound is mostly the error of doubles at other points.
 
     References
     ----------
@@ -158,7 +158,7 @@ def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[En
     """The answers on a coarse grid of the region."""
     import numpy as np
 
-    # a side without extent has one place on the map: more would repeat its rows
+    # a side of zero extent has one place on the map: more would repeat its rows
     e, mu = (np.linspace(s[0], s[-1], map_points if s[0] < s[-1] else 1) for s in (region.e, region.mu))
     pn, pt, lost = region.answer(mu[:, None], e)
     good = pn == pn

@@ -94,19 +94,19 @@ def planar(
     Returns
     -------
     PlanarImpact
-        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws where asked for.
+        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws if requested.
 
     Raises
     ------
     InadmissibleError
-        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law has
-        no push or gains energy.
+        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law
+        gives no compressive impulse or gains energy.
 
     Notes
     -----
-    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; the
-    impulse decides ΔV and the work of the forces decides the energy. Newton's and Brach's laws can gain energy: such an
-    answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
+    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; ΔV
+    follows from the impulse and the energy from the work of the forces. Newton's and Brach's laws can gain energy: such
+    an answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
 
     References
     ----------
@@ -186,7 +186,7 @@ def meeting_of(
         )
         approach = -closing
     else:
-        # below this the direction of the normal, rounded, is all there is of an approach
+        # below this the approach is only rounding of the normal's direction
         slide = absolute(relative[0]) + absolute(relative[1])
         require(
             (approach >= 0.0) | (-approach > 2.0**-52 * slide),
@@ -221,7 +221,7 @@ def _adds_energy(restitution: float) -> bool:
 
 
 def refuse(solved: Outcome, law: str, energetic: bool) -> None:
-    """Refuse a law that has no push or gains energy."""
+    """Refuse a law that gives no compressive impulse or gains energy."""
     require(
         solved.feasible,
         "{law}: {why}",
@@ -314,7 +314,7 @@ def _all_laws(
                 gain=(-solved.lost, Energy),
             )
         else:
-            # of many rows, those where a law has no answer are taken out and asked one by one
+            # rows where a law has no answer are removed and calculated one by one
             refuse(solved, law, energetic)
             answers[name] = _alternative(solved, one, two, inward)
             continue

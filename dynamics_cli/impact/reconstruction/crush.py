@@ -1,4 +1,4 @@
-"""Energy of deformation from crush profiles, and the change of velocity that goes with it."""
+"""Energy of deformation from crush profiles, and the resulting change of velocity."""
 
 from dynamics_cli.errors import judge, require, require_given, worded
 from dynamics_cli.impact.conventions import mass_of
@@ -36,7 +36,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check
 
-# CRASH3 corrects for the direction of force up to 45 degrees; beyond, the face was hardly pushed in.
+# CRASH3 corrects for the direction of force up to 45 degrees; beyond that the face is hardly crushed.
 STEEPEST_FORCE = 0.7853981633974483
 RIGHT_ANGLE = 1.5707963267948966
 
@@ -71,7 +71,7 @@ def crush(
 
     Notes
     -----
-    E is what remained lost; the impulse follows from E = ½ m_r (1 − e²) u². m_r is that of the effective masses
+    E is the energy finally lost; the impulse follows from E = ½ m_r (1 − e²) u². m_r is that of the effective masses
     m k²/(k² + h²), k² = J/m, h the lever arm |D cos α − x sin α|. The integral is exact for a profile of straight
     pieces: no station is favoured.
 
@@ -311,7 +311,7 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
 
 
 def _checks(one: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:
-    """Energy once more, by Simpson's rule on every piece, which is exact for squares."""
+    """Check the energy by Simpson's rule on every piece, which is exact for squares."""
     profile = vehicle.profile
     if profile is None:
         return ()

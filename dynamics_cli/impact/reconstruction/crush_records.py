@@ -1,4 +1,4 @@
-"""Damage of vehicles as measured or given, and what follows from it."""
+"""Damage of vehicles as measured or given, and its results."""
 
 from dynamics_cli.errors import require_given
 from dynamics_cli.impact.conventions import BodyName, ByMass, ByWeight, Fixed
@@ -92,7 +92,7 @@ class Damaged:
 
 @record
 class Opponent:
-    """What the vehicle met: another damaged vehicle, or something fixed that took no damage."""
+    """The body that the vehicle met: another damaged vehicle, or something fixed without damage."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
     stiffness: Annotated[
@@ -124,7 +124,7 @@ class Opponent:
 
 @record
 class VehicleDamage:
-    """Damage of one vehicle and what follows from it."""
+    """Damage of one vehicle and its results."""
 
     energy: Annotated[Energy, "Energy of deformation, corrected for the direction of force [J]."]
     energy_normal: Annotated[Energy | None, "The same without that correction [J]."]
@@ -153,7 +153,7 @@ class VehicleDamage:
 
 @record
 class CrushResult:
-    """Energies of deformation and what follows for the impact."""
+    """Energies of deformation and the resulting impact."""
 
     first: Annotated[VehicleDamage, "The first vehicle."]
     second: Annotated[VehicleDamage | None, "The second vehicle; needs its damage."]
@@ -171,7 +171,7 @@ class CrushResult:
 
 
 def require_damage(vehicle: Damaged | Opponent, name: str) -> None:
-    """Both the stiffness and the crush, or neither of them but an energy."""
+    """Require both stiffness and crush, or an energy instead."""
     profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
     stiffness = ("stiffness_a", "stiffness_b")
     missing = "damage"

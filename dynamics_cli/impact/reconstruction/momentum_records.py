@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Vehicle:
-    """A vehicle before and after; what is left out is unknown, up to two quantities in all."""
+    """A vehicle before and after; omitted quantities are unknown, at most two in total."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     approach_speed: Annotated[RoadSpeed | None, "Speed just before the impact [m/s]."] = None
@@ -73,7 +73,7 @@ class Reconstructed:
 
 @record
 class MomentumResult:
-    """Both vehicles before and after, and how reliable the answer is."""
+    """Both vehicles before and after, and the reliability of the answer."""
 
     first: Annotated[Reconstructed, "The first vehicle."]
     second: Annotated[Reconstructed, "The second vehicle."]

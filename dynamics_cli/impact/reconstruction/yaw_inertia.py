@@ -27,7 +27,7 @@ LOW_INDEX, HIGH_INDEX = 0.7, 1.1
 
 
 class InertiaRule(Choice):
-    """Which rule gives the estimate: Burg's product, the dynamic index one, a uniform rectangle, or their mean."""
+    """Rule of the estimate: Burg's product, the dynamic index one, a uniform rectangle, or their mean."""
 
     names = ("mean", "burg", "dynamic-index", "rectangle")
 
@@ -37,7 +37,7 @@ MEAN = InertiaRule("mean")
 
 @record
 class RuleEstimate:
-    """What one rule gives."""
+    """The estimate of one rule."""
 
     rule: Annotated[Text, "Its name and formula."]
     yaw_inertia: Annotated[Inertia, "Yaw moment of inertia [kg·m²]."]

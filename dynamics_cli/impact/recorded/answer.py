@@ -14,14 +14,14 @@ from dynamics_cli.records import Advice, Check, record
 GOOD = 0.05235987755982989
 # The rule's resolution of ΔV: 1 km/h.
 RESOLUTION = 0.2777777777777778
-# Of the slip before: below it, the contact points come to a common velocity.
+# Relative to the slip before: below this the contact points reach a common velocity.
 COMMON = 0.05
 SPINS_DIFFER = 0.2
 
 
 @record
 class Found:
-    """What a model gives: the inward normal, restitution, closing speed and the other's velocity, with limits."""
+    """Results of a model: the inward normal, restitution, closing speed and the other's velocity, with limits."""
 
     inward: "Pair | None"
     restitution: "float | None"
@@ -46,7 +46,7 @@ class Contact:
             return
         across = 0.0 - found.inward[1], found.inward[0]
         if crash.before is None or found.velocity is None:
-            # in line, the impulse has no part across
+            # in line, the impulse has no transverse component
             closing, e = float_like(found.closing), float_like(found.restitution)
             self.lost = 0.5 * crash.size * closing * (1.0 - e)
             return
@@ -74,7 +74,7 @@ def answer(
     zero: PdofZero,
     stated: "tuple[float, float] | None" = None,
 ) -> RecordResult:
-    """Everything that the record and the model say."""
+    """The complete answer from record and model."""
     require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves no information", code="tolerance")
     contact = Contact(crash, found)
     first = _first(crash, tolerance, zero)
@@ -129,7 +129,7 @@ def _second(crash: Crash, found: Found, zero: PdofZero) -> OtherVehicle:
     other = crash.other
     heading = other.approach_heading
     if heading is None:
-        # in line the other faces the force, unless it says where its nose is
+        # in line the other faces the force, unless its nose is given
         heading = heading_of(*crash.impulse, crash.axes)
     travel = direction_of(heading, crash.axes)
     nose = travel if other.nose is None else direction_of(other.nose, crash.axes)

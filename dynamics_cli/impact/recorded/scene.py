@@ -1,4 +1,4 @@
-"""Both vehicles of a recorded crash: the exchanged impulse, and what it does at the contact."""
+"""Both vehicles of a recorded crash: the exchanged impulse, and its effect at the contact."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass_of

@@ -22,7 +22,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Sine of 5 degrees: across the normal, restitution says nothing of a speed.
+# Sine of 5 degrees: nearly perpendicular to the normal, restitution does not determine a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
 DEGREE = 0.017453292519943295
 
@@ -263,12 +263,12 @@ def by_headings(
 
 
 def in_line(*, second: Partner, **_: object) -> str | None:
-    """Say why the closing speed is what can be answered."""
+    """Reason why only the closing speed can be answered."""
     return "no approach heading of the second is given: they met in line" if second.approach_heading is None else None
 
 
 def restitution_decides(*, second: Partner, **_: object) -> str | None:
-    """Say why restitution answers."""
+    """Reason why restitution applies."""
     return "no exit heading of the second is given: restitution decides" if second.exit_heading is None else None
 
 
@@ -312,7 +312,7 @@ def _require_forward(speed: float, verb: str = "come") -> None:
 
 
 def _range(low: float | None, high: float | None) -> "tuple[float, float, float]":
-    """Middle, low and high of the restitution, which is the largest doubt of all."""
+    """Middle, low and high of the restitution, the largest uncertainty of all."""
     require(
         low is not None and high is not None,
         "the closing speed depends on restitution, 0.1 of which is 9 % of it: its range is not given",

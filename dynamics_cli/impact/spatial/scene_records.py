@@ -1,4 +1,4 @@
-"""Two bodies and one contact as a scene file states them."""
+"""Two bodies and one contact as stated in a scene file."""
 
 from dynamics_cli.impact.conventions import BodyName, ByMass, BySpeed, ByWeight, Fixed
 from dynamics_cli.impact.spatial.bodies import ZERO
@@ -28,7 +28,7 @@ class ByTensor:
 
 @record
 class ByMoment:
-    """Inertia of a body that turns about z only, or about any axis alike."""
+    """Inertia of a body that turns about z only, or equally about any axis."""
 
     moment: Annotated[
         Inertia, "Moment of inertia about the axis through the mass centre that the body turns about [kg·m²]."
