@@ -1,4 +1,4 @@
-"""Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
+"""Avoidability: whether the driver could have stopped, and what speed would have sufficed."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where
@@ -76,7 +76,7 @@ def avoid(
     ] = 1.0,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Avoidance:
-    """Whether the driver could have stopped before the hazard, travelled or at the limit, and what speed sufficed.
+    """Whether the driver could have stopped before the hazard, as travelled or at the limit, and the sufficient speed.
 
     Equation
     --------
@@ -96,8 +96,9 @@ def avoid(
     Notes
     -----
     A point mass that keeps its speed during the reaction and is then slowed uniformly. The hazard stays where it is.
-    The sufficient speed has no cancellation. The margin is a difference, as good as the inputs allow near zero; whether
-    the vehicle stops and the speed at the hazard follow from it, so the three never contradict one another.
+    The sufficient speed has no cancellation. The margin is a difference, near zero only as accurate as the inputs
+    allow; whether the vehicle stops and the speed at the hazard follow from it, so the three never contradict each
+    other.
 
     References
     ----------
@@ -155,7 +156,7 @@ def _approach(case: str, speed: float, sight: float, reaction_time: float, decel
     before_braking = multiply_add(-speed, reaction_time, sight)
     margin = before_braking - braking
     root = sqrt(2.0 * deceleration * maximum(-margin, 0.0))
-    # within the reaction the speed is kept; maximum and minimum keep the root's error where rounding decides
+    # during the reaction the speed is constant; maximum and minimum keep the root's error where rounding decides
     impact = minimum(speed, maximum(root, where(before_braking <= 0.0, speed, 0.0)))
     available = maximum(before_braking, 0.0)
     covered = minimum(reaction, sight)

@@ -41,7 +41,7 @@ class Segment:
 
 @record
 class SkidSpeed:
-    """Speed at the start of the marks, and what happened on the way."""
+    """Speed at the start of the marks, and the slide along them."""
 
     speed: Annotated[RoadSpeed, "Speed where the marks begin [m/s]."]
     time: Annotated[Time, "Time from the beginning of the marks to their end [s]."]
@@ -82,8 +82,7 @@ def speed(
     Notes
     -----
     A point mass slowed uniformly on each surface; distances are measured along the road. The numerator ημ + G is
-    rounded once, so a drag factor near zero keeps all its digits; what it does not forgive is an error of friction or
-    grade.
+    rounded once, so a drag factor near zero keeps all its digits; but it magnifies errors of friction or grade.
 
     References
     ----------
@@ -125,7 +124,7 @@ def _total(parts: list[float]) -> float:
 
 
 def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[Check, ...]:
-    """Squares of the speeds against work, summed surface by surface from the speeds that were returned."""
+    """Check squared speeds against work, summed surface by surface from the returned speeds."""
     first, last = crossed[0].entry_speed, crossed[-1].exit_speed
     gained = _total([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
     operands = [x for one in crossed for x in (one.drag_factor, one.distance)]
@@ -177,8 +176,8 @@ def distance(
     Notes
     -----
     A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no
-    digit; v² − 2 g f m is formed in twice the precision. At the very end of the stop the speed left grows like the
-    root of what the mark is short of it: the least change of an input decides.
+    digit; v² − 2 g f m is formed in twice the precision. Close to the end of the stop the remaining speed varies
+    as the root of the remaining distance: the smallest change of an input decides.
 
     References
     ----------
@@ -238,7 +237,7 @@ def distance(
 
 
 def _speed_left_squared(speed: float, gravity: float, drag: float, mark: float) -> float:
-    """v² − 2 g f m, its products made good for their rounding."""
+    """v² − 2 g f m, with its products corrected for rounding."""
     deceleration, more = split_product(gravity, drag)
     shed, rest = split_product(2.0 * deceleration, mark)
     return multiply_add(speed, speed, -shed) - (rest + 2.0 * more * mark)

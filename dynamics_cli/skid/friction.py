@@ -1,4 +1,4 @@
-"""Coefficient of friction from test skids: each one's value, their mean and how far they scatter."""
+"""Coefficient of friction from test skids: the value of each, their mean and scatter."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, where
@@ -33,7 +33,7 @@ class TestSkid:
 
 @record
 class SkidTested:
-    """What one test skid showed."""
+    """The result of one test skid."""
 
     friction: Annotated[Friction, "Coefficient of friction [-]."]
     drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
@@ -75,7 +75,7 @@ def friction(
     ------
     InadmissibleError
         When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle
-        shorter.
+        sooner.
 
     Notes
     -----
@@ -105,7 +105,7 @@ def friction(
     error: float | None = None
     if len(found) > 1:
         mean = _sum(found) / float(len(found))
-        # the mean of equal numbers is that number, to the bit
+        # the mean of equal numbers is that number, exactly
         mean = where(lowest == highest, mean + (lowest - mean), mean)
         variance = _sum([(one - mean) * (one - mean) for one in found]) / float(len(found) - 1)
         spread = sqrt(variance)
@@ -152,7 +152,7 @@ def _friction(skid: TestSkid, drag: float, name: str) -> float:
 
 
 def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -> tuple[Check, ...]:
-    """Send every friction found back through the drag factor."""
+    """Check every friction by recalculating the drag factor from it."""
     checks: tuple[Check, ...] = ()
     for skid, one, drag in zip(made, found, drags, strict=True):
         back = drag_along(one, skid.grade, skid.braking)

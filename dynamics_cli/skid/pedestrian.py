@@ -1,4 +1,4 @@
-"""Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
+"""Pedestrian throw: the projection speed of a body from the distance to its rest position (Searle)."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import (
@@ -78,7 +78,7 @@ def pedestrian(
     launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
-    """Projection speed of a pedestrian from the throw distance: its bounds, and itself when the launch angle is known.
+    """Projection speed of a pedestrian from the throw distance: its bounds, and its value if the launch angle is known.
 
     Equation
     --------
@@ -90,7 +90,7 @@ def pedestrian(
     Returns
     -------
     Throw
-        Least and greatest speed; with the launch angle also the speed, and the flight and slide it is made of.
+        Least and greatest speed; with the launch angle also the speed, and its flight and slide.
 
     Raises
     ------

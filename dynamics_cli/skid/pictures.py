@@ -1,4 +1,4 @@
-"""What there is to look at in a skid: speed along the road, flights, test skids and curves, as data."""
+"""Pictures of skids: speed along the road, flights, test skids and curves, as data."""
 
 import math
 from itertools import pairwise
@@ -172,7 +172,7 @@ def spin(
     made: "Any", *, drag: "Any", distance: float, friction: float, grade: float = 0.0, end_speed: float = 0.0,
     gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
-    """How much of the friction acts while the vehicle turns, and its speed along the way."""
+    """The share of friction acting while the vehicle turns, and its speed along the path."""
     shares = [i / (POINTS - 1) for i in range(POINTS)]
     mean = float(made.mean_share)
     rotation = getattr(drag, "rotation", None)
@@ -187,7 +187,7 @@ def spin(
             Band(mean, mean, "mean", vertical=False),
         )
         panels.append(Panel(Axis("rotation since the impact", Angle), Axis("share of the friction", Fraction), items))
-    # From the end back: what each stretch takes from v², scaled so that the whole is what the answer says.
+    # From the end back: the decrease of v² in each stretch, scaled so that the total agrees with the answer.
     slope = math.sqrt(1.0 + grade * grade)
     squares = [end_speed * end_speed]
     for one, other in pairwise(reversed(local)):

@@ -49,7 +49,7 @@ def vault_least_speed(
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
-    """Least take-off speed, over all take-off angles, with which a vehicle reaches where it landed.
+    """Minimum take-off speed, over all take-off angles, with which a vehicle reaches the landing point.
 
     Equation
     --------
@@ -190,7 +190,7 @@ def _require_way(distance: float) -> None:
 
 
 def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, ...]:
-    """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
+    """Advice when the take-off points only slightly above the line of sight, where the speed grows without limit."""
     if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
         return ()
     message = worded(

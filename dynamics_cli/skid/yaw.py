@@ -1,4 +1,4 @@
-"""Critical speed: what a vehicle did that left yaw marks at the limit of side friction."""
+"""Critical speed of a vehicle that left yaw marks at the limit of side friction."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
@@ -87,7 +87,7 @@ def yaw(
     Notes
     -----
     A point mass on a circle in a horizontal plane, neither braking nor driven; 1 − f e is rounded once. Speed grows as
-    √R, and R from a chord as 1/M: a short middle ordinate decides everything.
+    √R, and R from a chord as 1/M: a short middle ordinate dominates the error.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Densities of common materials at room temperature, each with where it is from and how far grades differ."""
+"""Densities of common materials at room temperature, with source and range of grades."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Annotated, Density, Text
@@ -128,7 +128,7 @@ def _key(name: str) -> str:
 
 
 def materials(*, name: Annotated[Text, "One material; all if left out."] = "") -> Materials:
-    """Densities of common materials, each with its source and how far common grades differ.
+    """Densities of common materials, each with its source and the range of common grades.
 
     Returns
     -------
@@ -142,8 +142,8 @@ def materials(*, name: Annotated[Text, "One material; all if left out."] = "") -
 
     Notes
     -----
-    A density from a table is good to the range beside it, which is more than any other error of a mass computed from
-    it: weigh the part, or write the density of the grade with its uncertainty.
+    A density from a table is uncertain by its range, more than any other error of a mass computed from it: weigh the
+    part, or write the density of the grade with its uncertainty.
 
     Examples
     --------

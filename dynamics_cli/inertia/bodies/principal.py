@@ -1,4 +1,4 @@
-"""Principal moments and axes of a body from its second moments, with axes declared undetermined where they are."""
+"""Principal moments and axes of a body from its second moments, with undetermined axes declared as such."""
 
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
@@ -8,16 +8,16 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
 
-# Moments closer than this many roundings (2⁻⁵²) of the greatest one are equal as far as doubles can tell.
+# Moments closer than this many roundings (2⁻⁵²) of the largest one are equal within the accuracy of doubles.
 EQUAL = 8.0
-# What is said of axes that are not determined.
+# Texts about axes that are not determined.
 _EVERY = "every axis is principal"
 _FIRST_TWO = "axes 1 and 2 are any two in the plane across axis 3"
 _LAST_TWO = "axes 2 and 3 are any two in the plane across axis 1"
 
 
 class Principal:
-    """Second moments along the principal axes, the moments about them, the axes as rows, and what is undetermined.
+    """Second moments along the principal axes, the moments about them, the axes as rows, and undetermined ones.
 
     The moments are in ascending order, so the second moments descend. `vectors` are the eigenvectors that they were
     found with, in the axes of the matrix, also where the axes are not determined.

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.mesh.stl import Source
     from dynamics_cli.inertia.mesh.surface import Faults
 
-# A body this much thinner one way than another is integrated once more in its principal axes; small files always are,
-# as it costs them nothing that can be felt.
+# A body this much thinner in one direction than another is integrated again in its principal axes; small files always
+# are, as the cost is imperceptible.
 GRADED = 1e-4
 SMALL = 100_000
 # Up to this many triangles whole numbers take at most half as long again as two passes do.
@@ -57,7 +57,7 @@ class Measured:
 
     @property
     def known(self) -> bool:
-        """Whether the volume is more than rounding its corners to doubles may have made it."""
+        """Whether the volume exceeds the possible effect of rounding its corners to doubles."""
         import numpy as np
 
         sums = self.sums
@@ -71,7 +71,7 @@ class Measured:
         return self.sums.boundary is not None and self.sums.boundary.empty
 
 
-# The last files integrated: the trials of an uncertain density do not read them again.
+# Cache of the last files: trials of an uncertain density do not read them again.
 KEPT = 16
 _LAST: "dict[tuple[Any, ...], Measured]" = {}
 
@@ -91,7 +91,7 @@ def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
 
 
 def unit_of(found: "Measured | Source", given: "LengthUnit | None", part: str = "") -> "LengthUnit":
-    """The unit of a file's numbers: that which the file says, or which is given where it says none."""
+    """The unit of a file's numbers: as stated in the file, else as given."""
     of_part = f" of {part}" if part else ""
     if not found.unit:
         if given is None:
@@ -115,7 +115,7 @@ def unit_of(found: "Measured | Source", given: "LengthUnit | None", part: str = 
 
 
 def require_closed(found: Measured, *, allowed: bool, flip: bool = False, part: str = "") -> None:
-    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` says of which part."""
+    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` names the part."""
     places = ""
     if found.faults is not None:
         kept = found.faults

@@ -1,4 +1,4 @@
-"""What is said of a mesh beside its mass properties: checks, advice, the surface."""
+"""Report of a mesh besides its mass properties: checks, advice, the surface."""
 
 from math import sqrt
 
@@ -99,7 +99,7 @@ def _coarse_advice(found: "Measured") -> "list[Advice]":
 
 
 def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
-    """Serious warnings of what a diagnosis found that closure does not see."""
+    """Serious warnings about faults that a diagnosis shows and closure does not."""
     faults = found.faults
     if faults is None:
         few = f"{found.sums.count} triangles were not checked for crossings and overlaps"
@@ -138,7 +138,7 @@ def fault_advice(found: "Measured", *, shell: bool) -> "list[Advice]":
 
 
 def surface_of(found: "Measured", lift: "Lift") -> Surface:
-    """The surface as it is reported."""
+    """The report of the surface."""
     sums = found.sums
     quantisation = _quantisation(found)
     zero = (0.0, 0.0, 0.0)

@@ -1,11 +1,11 @@
-"""What is reported of the surface of a mesh, beside the mass properties of what it bounds."""
+"""The report of a mesh's surface, besides the mass properties of the body."""
 
 from dynamics_cli.quantities import Annotated, Area, Count, PartPosition, Ratio, Text, Volume
 from dynamics_cli.records import Choice, record
 
 
 class LengthUnit(Choice):
-    """The unit of length of a file that does not say it."""
+    """The unit of length of a file that does not state it."""
 
     names = ("m", "mm", "cm", "um", "in", "ft")
     aliases = {"inch": "in", "metre": "m", "millimetre": "mm", "µm": "um", "μm": "um", "foot": "ft"}  # noqa: RUF012

@@ -70,7 +70,7 @@ def mesh(
     Returns
     -------
     MassProperties
-        Everything about the body's mass, and `surface`.
+        The mass properties of the body, and its `surface`.
 
     Raises
     ------
@@ -82,8 +82,8 @@ def mesh(
     -----
     Bounds are of rounding, given the corners as stored. Up to 128 triangles the sums are formed in whole numbers and
     each result is rounded once; of more in doubles, with bounds calibrated by search. That the surface closes is proved
-    by a 64-bit sum over its directed edges; surfaces that cross, overlap or come twice are found by the diagnosis. A
-    thin shell has its mass on the triangles: the thickness makes mass, and is neglected against the size.
+    by a 64-bit sum over its directed edges; crossing, overlapping or duplicated surfaces are found by the diagnosis.
+    A thin shell has its mass on the triangles: the thickness only determines the mass.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Contours of a section in whole numbers: all that was typed, or given as doubles, has a common denominator."""
+"""Contours of a section in integers: all numbers, typed or given as doubles, have a common denominator."""
 
 from math import lcm
 
@@ -70,7 +70,7 @@ class Contour:
 def contours(
     polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]"
 ) -> "tuple[list[Contour], int]":
-    """Every contour, and how many of the unit that all their numbers are whole multiples of make a metre."""
+    """Every contour in a common unit, and the number of these units in a metre."""
     made: list[tuple[str, int, list[tuple[Ratio, ...]], Ratio]] = []
     if polygon:
         require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
@@ -156,7 +156,7 @@ def _ends(middle: "Ratio", width: "Ratio") -> "tuple[tuple[Ratio, Ratio], tuple[
 
 
 def all_typed(polygon: "tuple[float, ...]", shapes: "tuple[Piece | Hole, ...]") -> bool:
-    """Whether every number is what was typed, and not a double that it may have been rounded to."""
+    """Whether every number is the decimal as typed, not a rounded double."""
     numbers = [*polygon, *(part for shape in shapes for part in shape.polygon)]
     numbers += [
         part for shape in shapes for part in (shape.diameter, shape.width, shape.height, shape.x, shape.y) if part

@@ -13,7 +13,7 @@ PI, PI_SCALE = (
 # Common denominator of all integrals, beside the powers of the unit: 24 of polygons, 64 of circles.
 _D = 24 * 64 * PI_SCALE
 _ROOT_BITS = 160
-# Enough for the distance of a fibre from an axis that it is nearly on.
+# Enough for the distance of a fibre that is nearly on an axis.
 _DIRECTION_BITS = 400
 
 

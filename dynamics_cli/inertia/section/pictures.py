@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.section.task import Drawn
 
 STEPS = 96
-# Points of Mohr's circle this close, as a share of its radius, share a name.
+# Points of Mohr's circle this close, relative to its radius, share a label.
 CLOSE = 0.06
 # A circle this small beside its distance from zero is a point.
 SHRUNK = 1e-6

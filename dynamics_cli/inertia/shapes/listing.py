@@ -1,4 +1,4 @@
-"""The shapes there are, as a table."""
+"""The available shapes, as a table."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes import HOLLOW, PLATES, RODS, SHELLS, SOLIDS

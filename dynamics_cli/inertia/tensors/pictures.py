@@ -1,4 +1,4 @@
-"""What there is to look at in inertia tensors: Mohr's circles, where a torque comes from, two bodies compared."""
+"""Pictures of inertia tensors: Mohr's circles, the parts of a torque, two bodies compared."""
 
 from math import cos, pi, sin
 

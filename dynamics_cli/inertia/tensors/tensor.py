@@ -1,4 +1,4 @@
-"""What a given inertia tensor says: principal moments and axes, whether a body can have it, extreme products."""
+"""Properties of a given inertia tensor: principal moments and axes, whether a body can have it, extreme products."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.lines import unit
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix
 
 HALF_ROOT = 0.7071067811865476
-# A lamina's moments add up to within their rounding; a tensor printed with few digits needs more room.
+# A lamina's moments add up within their rounding; a tensor printed with few digits needs more tolerance.
 TOLERANCE = 1e-9
 # A deficit beyond the rounding of three printed digits.
 PRINTED = 1e-2
@@ -226,7 +226,7 @@ def require_tensor(
 ) -> "tuple[tuple[float, ...], Matrix, str]":
     """Principal moments (ascending), axes and words about them, of a tensor that a body can have.
 
-    The hint gives the remedy for impossible moments, unless the other sign of the products is one.
+    The hint gives the remedy for impossible moments, or suggests the other sign of the products.
 
     Raises InadmissibleError when no body can have it.
     """

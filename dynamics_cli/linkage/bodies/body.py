@@ -21,7 +21,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     Pair = tuple[float, float]
 
-# Points that part faster than this share of their relative velocity are no points of one rigid body.
+# Points that separate faster than this share of their relative velocity are not on one rigid body.
 RIGID = 1e-3
 ROUNDING = 1e-12
 
@@ -106,7 +106,7 @@ def body(
     Raises
     ------
     InadmissibleError
-        When the two points coincide, or part faster than a rigid body allows.
+        When the two points coincide, or separate faster than a rigid body allows.
 
     References
     ----------
@@ -224,5 +224,5 @@ def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None"
 
 
 def body_line(result: BodyMotion) -> str:
-    """What the picture says of the rotation."""
+    """The picture's text about the rotation."""
     return worded("ω = {omega}", omega=(result.angular_velocity, TurnRate))

@@ -8,7 +8,7 @@ SIX_BAR = "examples/six_bar.toml"
 
 
 def _shown() -> "dict[str, str]":
-    """What a template shows: a four-bar with its crank driven."""
+    """Template values: a four-bar with a driven crank."""
     links = (
         ("ground", ("O2", "0, 0 mm"), ("O4", "100, 0 mm")),
         ("crank", ("O2", "0, 0 mm"), ("A", "40, 0 mm")),

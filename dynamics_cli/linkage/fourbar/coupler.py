@@ -12,7 +12,7 @@ from dynamics_cli.sampling import drawing
 
 
 class Form(Choice):
-    """What the drawing is made of."""
+    """Kind of pieces of the drawing."""
 
     names = ("arcs", "cubics", "lines")
     aliases = {"splines": "cubics", "spline": "cubics", "polyline": "lines", "arc": "arcs"}  # noqa: RUF012

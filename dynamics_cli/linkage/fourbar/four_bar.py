@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     Pair = tuple[float, float]
 
 MANY = 1_000_000
-# What rounding may leave of a loop that closes, by the sum of its lengths.
+# Rounding of a closed loop, relative to the sum of its lengths.
 CLOSES = 1e-12
 # Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
 POOR = 0.6981317007977318
@@ -69,7 +69,7 @@ def four_bar(
 
     Notes
     -----
-    A branch is a side, not the pose nearest to the last one: every row stands for itself. At an exact change point the
+    A branch is a side, not the pose nearest to the last one: rows are independent. At an exact change point the
     branch is a whole smooth motion, named by its side at small positive crank angles: a parallelogram stays one.
 
     References
@@ -136,7 +136,7 @@ def _moving(
     crank: "tuple[float | None, float]",
     point: "Pair | None",
 ) -> "dict[str, Any]":
-    """What the crank's motion makes of coupler, rocker and coupler point."""
+    """The motion of coupler, rocker and coupler point from the crank's."""
     place = None if point is None else _carried(links, loop, pin, point)
     speed, bend = crank
     if speed is None:
@@ -156,7 +156,7 @@ def _moving(
 
 
 def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
-    """Refuse a crank angle that the links cannot reach: the gap, what closes it, and the nearest angle that can be."""
+    """Refuse a crank angle that the links cannot reach, with the gap, the remedy, and the nearest possible angle."""
     b, c = links.b, links.c
     sine = turned(0.5 * crank_angle)[1]
     reach = sqrt(links.apart * links.apart + 4.0 * links.product * (sine * sine))

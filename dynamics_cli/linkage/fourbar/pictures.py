@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 FRAMES = 120
 GHOSTS = 8
 SAMPLES = 361
-# The pose drawn out where none is asked for: an eighth of the motion on.
+# The default pose drawn in full: an eighth of the motion from the start.
 SHOWN = 45
 # Beyond this a speed ratio near a toggle only squeezes the rest of its curve.
 STEEP = 8.0
@@ -198,7 +198,7 @@ def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float,
 
 
 def synthesis_picture(result: "Any", **_: "Any") -> Picture:
-    """The linkage at every pair or pose that it meets, or over its motion."""
+    """The linkage at every pair or pose that it reaches, or over its motion."""
     lengths = (result.crank, result.coupler, result.rocker, result.ground)
     d = complex(result.ground)
     items: list[Any] = []
@@ -217,7 +217,7 @@ def moving_four_bar(
     result: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
     crank_angle: "float | None" = None, branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
 ) -> str:  # fmt: skip
-    """One whole motion of the linkage as an SVG that moves by itself."""
+    """One complete motion of the linkage as an animated SVG."""
     del result
     lengths = (crank, coupler, rocker, ground)
     place = None if point is None else complex(*point)

@@ -1,4 +1,4 @@
-"""What `linkage four-bar` gives, and the points of coupler curves."""
+"""Results of `linkage four-bar`, and points of coupler curves."""
 
 from dynamics_cli.quantities import (
     Angle,

@@ -1,4 +1,4 @@
-"""Four-bars from what they should do: three angle pairs, three poses of a body, or swing and time ratio."""
+"""Synthesis of four-bars: three angle pairs, three poses of a body, or swing and time ratio."""
 
 from itertools import pairwise
 
@@ -16,13 +16,13 @@ STEPS = 60
 GOLDEN = 0.6180339887498949
 CLOSES = 1e-9
 POOR = 0.6981317007977318
-# No link of a crank-rocker for a swing is longer than so many rockers: in line, longer ones are always a little better.
+# Maximum length of a crank-rocker's links, in rockers: in line, longer ones are always slightly better.
 LONGEST = 3.0
 
 
 @record
 class Pair:
-    """A crank angle with the rocker angle that belongs to it."""
+    """A crank angle with its rocker angle."""
 
     crank_angle: Annotated[Angle, "Crank angle θ₂, e.g. 40 deg."]
     rocker_angle: Annotated[Angle, "Rocker angle θ₄, e.g. 70 deg."]
@@ -38,7 +38,7 @@ class AnglePairs:
 
 @record
 class Pose:
-    """Where a body should be."""
+    """A required pose of a body."""
 
     x: Annotated[Coordinate, "Its reference point, e.g. 100 mm."]
     y: Annotated[Coordinate, "Its height y, e.g. 40 mm."]
@@ -56,7 +56,7 @@ class Poses:
 
 @record
 class QuickSwing:
-    """A crank-rocker by what its rocker should do."""
+    """A crank-rocker by the motion of its rocker."""
 
     swing: Annotated[Angle, "Angle through which the rocker swings, e.g. 60 deg."]
     time_ratio: Annotated[Positive, "Time of the slow stroke over that of the quick one, e.g. 1.2."]
@@ -65,7 +65,7 @@ class QuickSwing:
 
 @record
 class Met:
-    """One pair or pose as the linkage meets it."""
+    """One pair or pose as the linkage reaches it."""
 
     crank_angle: Annotated[Angle, "Crank angle from the line of the pivots [rad]."]
     rocker_angle: Annotated[Angle, "Rocker angle from it [rad]."]
@@ -105,12 +105,12 @@ def synthesize(
     Returns
     -------
     Synthesis
-        Lengths, class, and whether all is met on one branch and in order.
+        Lengths, class, and whether all are reached on one branch and in order.
 
     Raises
     ------
     InadmissibleError
-        When there are not three pairs or poses, they have no linkage, or no crank-rocker has such a swing.
+        When there are not three pairs or poses, they have no linkage, or no crank-rocker has this swing.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Instant centres of every two links of a linkage, those at infinity among them."""
+"""Instant centres of every two links of a linkage, including those at infinity."""
 
 from itertools import combinations
 
@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.linkage.scenes.solve import Solution
 
-# A difference of angular velocities below this share of the largest is none: the centre is at infinity.
+# A difference of angular velocities below this share of the largest is zero: the centre is at infinity.
 PARALLEL = 1e-12
 
 
@@ -97,7 +97,7 @@ def centres(
 
 
 def _moving(scene: Scene) -> Scene:
-    """The scene with its first driver moving, where none does: centres do not depend on how fast."""
+    """The scene with its first driver moving if none does: centres do not depend on the speed."""
     from dynamics_cli.linkage.scenes.records import Driver
 
     if any(driver.speed or driver.velocity for driver in scene.drivers):

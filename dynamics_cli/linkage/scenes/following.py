@@ -1,4 +1,4 @@
-"""What one link or pin does while the first driver goes through a turn."""
+"""Motion of one link or pin over a turn of the first driver."""
 
 from math import pi
 

@@ -1,4 +1,4 @@
-"""Freedoms of a linkage: counted (Grübler), and true at a pose, with the conditions that repeat others."""
+"""Degrees of freedom of a linkage: counted (Grübler), and true at a pose, with redundant conditions."""
 
 from dynamics_cli.linkage.scenes.records import Scene
 from dynamics_cli.quantities import Annotated, Count, Text
@@ -8,15 +8,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Singular values below this share of the largest are zero but for rounding.
+# Singular values below this share of the largest are zero within rounding.
 ZERO = 1e-9
-# A condition takes part in a dependency with at least this share of it.
+# A condition is involved in a dependency with at least this share of it.
 PART = 1e-3
 
 
 @record
 class Mobility:
-    """How a linkage can move."""
+    """The degrees of freedom of a linkage."""
 
     freedom: Annotated[Count, "Degrees of freedom at this pose, from the rank of its conditions."]
     counted: Annotated[int, "3(n − 1) − 2 j₁ − j₂."]
@@ -43,7 +43,7 @@ def mobility(
     Returns
     -------
     Mobility
-        Both counts, and the conditions that repeat others.
+        Both counts, and the redundant conditions.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def mobility(
 
 
 def _undriven(system: "Any", q: "Any", free: "list[int]") -> "Any":
-    """Conditions without drivers; a driven link gets its length back, which its driver stood for."""
+    """Conditions without drivers; a driven link gets back the length condition that its driver replaced."""
     import numpy as np
 
     rows = [system.jacobian(q)[index] for index in free]

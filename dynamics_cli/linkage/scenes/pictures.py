@@ -19,7 +19,7 @@ GHOSTS = 8
 ARROW = 0.25
 # A pin that jumps by this share of the linkage from one frame to the next has changed its assembly.
 JUMP = 0.35
-# Centres this near one another have their labels on different sides.
+# Centres this close have their labels on different sides.
 CLOSE = 0.12
 ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
@@ -36,7 +36,7 @@ def _driven(scene: Scene, share: float) -> Scene:
 
 
 def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
-    """Poses over a turn of the first driver, or as far as it goes either way, each by Newton from the one before."""
+    """Poses over a turn of the first driver, or as far as it goes, each by Newton from the one before."""
     forward = _run(scene, start, count, 1)
     if len(forward) == count:
         return forward
@@ -103,7 +103,7 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 
 
 def _curves(result: "Any") -> "tuple[Panel, ...]":
-    """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
+    """The followed link's angle and speed, or pin's coordinates, over the driver's angle."""
     if not result.motion:
         return ()
     way = Axis(
@@ -150,7 +150,7 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 
 
 def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
-    """The linkage over its driver's range as an SVG that moves by itself."""
+    """The linkage over its driver's range as an animated SVG."""
     at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]

@@ -1,4 +1,4 @@
-"""A linkage as users write it: links with points, slides, drivers, and which assembly is meant."""
+"""A linkage as users write it: links with points, slides, drivers, and the choice of assembly."""
 
 from dynamics_cli.quantities import (
     Acceleration,
@@ -17,7 +17,7 @@ GROUND = "ground"
 
 
 class Way(Choice):
-    """Which of two places a pin takes."""
+    """Which of two positions a pin takes."""
 
     names = ("left", "right", "ahead", "behind")
     aliases = {"+": "left", "-": "right"}  # noqa: RUF012
@@ -76,7 +76,7 @@ class Side:
 
 @record
 class Near:
-    """Roughly where a pin is, for linkages that no chain of dyads makes."""
+    """Approximate position of a pin, for linkages that are not chains of dyads."""
 
     pin: Annotated[Text, "The pin."]
     at: Annotated[PartPoint, "Its approximate position, e.g. 120, 60 mm."]

@@ -1,4 +1,4 @@
-"""A linkage from a scene: every assembly, and of the one meant position, velocity and acceleration, proved."""
+"""A linkage from a scene: every assembly, and position, velocity and acceleration of the chosen one, with proof."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.scenes.following import Followed, followed
@@ -110,8 +110,8 @@ def solve(
 
     Notes
     -----
-    Dyads (two links and a pin or slide between what is placed) are solved in closed form, what no dyad makes by Newton
-    from 240 starts: assemblies of such linkages are those found, and the scene names one by `near`.
+    Dyads (two links and a pin or slide between what is placed) are solved in closed form, others by Newton's method
+    from 240 starts: their list of assemblies may be incomplete, and the scene selects one by `near`.
 
     References
     ----------
@@ -167,7 +167,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
 
 
 def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assembly":
-    """The assembly that the scene means; a refusal with the list where it does not say."""
+    """The assembly chosen by the scene; a refusal with the list if it does not choose."""
     wanted = {side.pin: str(side.side) for side in system.scene.sides}
     decided = {pin for one in possible for pin, _ in one.words}
     for pin in wanted:
@@ -283,7 +283,7 @@ def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any"
         return LinkMotion(shape.name, angle, None, None)
     for driver in drivers:
         if driver.link == shape.name and driver.against == GROUND:
-            # what is given is what is said
+            # given sides are reported as given
             return LinkMotion(shape.name, angle, driver.speed, driver.angular_acceleration)
     turn = (base.conjugate() * (moving[shape.last] - moving[shape.first])).imag / square
     bend = (base.conjugate() * (bending[shape.last] - bending[shape.first])).imag / square

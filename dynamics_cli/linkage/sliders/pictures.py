@@ -81,12 +81,12 @@ def slider_picture(
 def moving_slider(
     result: "Any", crank: float = 0.0, rod: float = 0.0, offset: float = 0.0, end: End = RIGHT, **_: "Any"
 ) -> str:
-    """One turn of the crank, or to and fro between its limits, as an SVG that moves by itself."""
+    """One turn of the crank, or its oscillation between limits, as an animated SVG."""
     del result
     poses = [_pins(crank, rod, offset, end, 2.0 * pi * index / FRAMES) for index in range(FRAMES)]
     every = [pins for pins in poses if pins]
     if len(every) < FRAMES:
-        # the poses in one stretch, there and back
+        # the poses of one stretch, forward and back
         gaps = [index for index in range(FRAMES) if poses[index] is None]
         start = gaps[-1] + 1
         ordered = [poses[(start + index) % FRAMES] for index in range(FRAMES)]

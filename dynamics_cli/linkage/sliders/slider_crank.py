@@ -32,7 +32,7 @@ CLOSES = 1e-12
 
 
 class End(Choice):
-    """On which side of the crank's pin the slider is."""
+    """Side of the crank pin on which the slider is."""
 
     names = ("right", "left")
     aliases = {"+": "right", "-": "left", "−": "left"}  # noqa: RUF012
@@ -103,8 +103,8 @@ def slider_crank(
     Raises
     ------
     InadmissibleError
-        When a length is not above zero, the rod does not reach the slide at this angle, or stands square to it where a
-        velocity is asked for.
+        When a length is not above zero, the rod does not reach the slide at this angle, or is perpendicular to it
+        where a velocity is requested.
 
     References
     ----------

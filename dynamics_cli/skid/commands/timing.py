@@ -5,7 +5,7 @@ from dynamics_cli.skid.commands.marks import POINT
 
 
 def _stopping(body: str, speed: str) -> "dict[str, str]":
-    """What a template shows of a driver who reacts and brakes to a stop."""
+    """Template values of a driver who reacts and brakes to a stop."""
     return {
         f"{body}start_speed": speed,
         f"{body}phases[0].kind": "reaction",
@@ -17,7 +17,7 @@ def _stopping(body: str, speed: str) -> "dict[str, str]":
 
 
 def _steady(body: str, speed: str) -> "dict[str, str]":
-    """The same of one who goes on as before."""
+    """Template values of one who continues at constant speed."""
     return {f"{body}start_speed": speed, f"{body}phases[0].kind": "constant", f"{body}phases[0].duration": "5 s"}
 
 

@@ -1,4 +1,4 @@
-"""A motion through phases as polynomials of the time, for two parties to be laid side by side."""
+"""A motion through phases as polynomials of time, so that two parties can be compared."""
 
 from itertools import pairwise
 from math import inf, isfinite
@@ -48,7 +48,7 @@ class Course:
         self.stretches.append(Stretch(kind, plain(begin), inf, begin, [distance, motion[-1].end]))
 
     def on(self, time: "Any") -> Stretch:
-        """The piece that a time falls on; at a corner the earlier one."""
+        """The piece that contains a time; at a corner the earlier one."""
         at = plain(time)
         require_kept(isfinite(at), "a speed or an acceleration, or the difference of two,")
         return next(piece for piece in self.stretches if at <= piece.end)
@@ -87,7 +87,7 @@ def changes(
 
 
 def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
-    """The root with what the coefficients carry: one step of Newton's from the double nearest to it."""
+    """The root with the bounds and derivatives of the coefficients: one Newton step from the nearest double."""
     left = value(whole, root)
     only_in_doubles(left)
     return root - left / steep

@@ -1,4 +1,4 @@
-"""Sight past an obstruction: when two parties on crossing ways could first see one another."""
+"""Sight past an obstruction: when two parties on crossing paths could first see each other."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, hypot, sin
@@ -67,12 +67,12 @@ def sight(
     ] = RIGHT_ANGLE,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Sight:
-    """When two parties on crossing ways could see one another past the corner of an obstruction.
+    """When two parties on crossing paths could see each other past the corner of an obstruction.
 
     Equation
     --------
     (C − E) × (Q − E) = 0 with eye E, target Q and corner C: quadratic in the time for steady speeds, a polynomial for
-    every pair of phases otherwise. All its roots are looked at; the answer is the last opening before the impact.
+    every pair of phases otherwise. All its roots are examined; the answer is the last opening before the impact.
 
     Returns
     -------
@@ -86,7 +86,7 @@ def sight(
 
     Notes
     -----
-    A plan view: points, and an obstruction that fills everything behind its corner. Both are looked at as far back as
+    A plan view: points, and an obstruction that fills everything behind its corner. Both are followed back as far as
     the longer of the two timelines; before its first phase a party keeps its speed.
 
     References
@@ -129,7 +129,7 @@ def sight(
         return [a - across * b for a, b in zip(seen, hidden, strict=True)]
 
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
-    # where eye and target meet, at the impact, is no opening
+    # the meeting of eye and target at the impact is not an opening
     times = [entry for entry in changes(one, other, cleared, -plain(start), 0.0) if plain(entry[0]) < -AT_IMPACT]
     rows = tuple(_change(time, opens, one, other) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)
