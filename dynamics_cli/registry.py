@@ -105,6 +105,11 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "stability": Entry(
+        "dynamics_cli.stability.commands",
+        GROUPS[5],
+        "Stability: root counts, gains, delays, equilibria.",
+    ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."
     ),

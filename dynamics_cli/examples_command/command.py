@@ -63,6 +63,12 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "pid_loop",
+        "A position loop with a PI controller: stable gains, ranges of its coefficients, and the delay it bears.",
+        "cd pid_loop && sh pid_loop.sh",
+        "pid_loop/pid_loop.sh",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",
