@@ -250,8 +250,8 @@ def _in_si(text: str) -> str:
         raise UsageError(f"{text} may be electrical or a temperature", code="ambiguous-unit", hint=hint)
     from dynamics_cli.core.units.names import kind_name, si_name
 
-    found = candidates(text)
-    return si_name(next((unit for unit in found if not kind_name(unit).startswith("quantity in")), found[0]))
+    readings = candidates(text)
+    return si_name(next((unit for unit in readings if not kind_name(unit).startswith("quantity in")), readings[0]))
 
 
 def _mismatch(read: Unit, wanted: Unit) -> tuple[str, str]:

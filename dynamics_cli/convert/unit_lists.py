@@ -103,11 +103,11 @@ def show_unit(name: Annotated[Text, "A unit or an expression of units: slug, lbf
     UsageError
         When it is unknown.
     """
-    found = candidates(name)
+    readings = candidates(name)
     spelled = {symbol: names for symbol, names, _, _ in all_units()}
     return UnitShown(
-        tuple(_entry(unit, spelled.get(unit.text, ()), name) for unit in found),
-        ", ".join(dict.fromkeys(other for unit in found for other in conformable_names(unit))),
+        tuple(_entry(unit, spelled.get(unit.text, ()), name) for unit in readings),
+        ", ".join(dict.fromkeys(other for unit in readings for other in conformable_names(unit))),
     )
 
 

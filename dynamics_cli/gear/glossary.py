@@ -56,16 +56,16 @@ def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all terms if lef
     """
     chosen = []
     for term in terms:
-        found = _matching(" ".join(term.lower().replace("-", " ").split()))
+        entries = _matching(" ".join(term.lower().replace("-", " ").split()))
         require(
-            bool(found),
+            bool(entries),
             "the glossary has no term {term}; similar terms: {near}",
             term=repr(term),
             near=", ".join(_near(term)),
             code="unknown-term",
             hint="dynamics gear glossary lists all",
         )
-        chosen += [entry for entry in found if entry not in chosen]
+        chosen += [entry for entry in entries if entry not in chosen]
     rows = sorted(chosen) if terms else list(TERMS)
     return Glossary(tuple(Entry(*row) for row in rows))
 

@@ -142,15 +142,15 @@ def contact_panel(
 
 def outline_points(outline: "Outline") -> "Line":
     """A line through an outline, its arcs as chords."""
-    found: list[Place] = []
+    points: list[Place] = []
     for piece in outline.pieces:
         if isinstance(piece, Points):
-            found += piece.points
+            points += piece.points
         elif isinstance(piece, Arc):
-            found += _arc_points(piece)
+            points += _arc_points(piece)
         else:
-            found += [piece.start, piece.end]
-    return tuple(x for x, _ in found), tuple(y for _, y in found)
+            points += [piece.start, piece.end]
+    return tuple(x for x, _ in points), tuple(y for _, y in points)
 
 
 def _arc_points(piece: Arc) -> "list[Any]":

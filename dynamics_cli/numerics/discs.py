@@ -216,10 +216,10 @@ def _library(name: str, *arguments: "Any") -> "tuple[Any, Any]":
         if whole[0].size <= FEW:
             function = getattr(math, name)
             values = [function(*numbers) for numbers in zip(*(one.ravel().tolist() for one in whole), strict=True)]
-            made = np.array(values).reshape(whole[0].shape)
-            return made, np.spacing(np.abs(made))
-    made = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
-    return made, LIBRARY * np.abs(made)
+            value = np.array(values).reshape(whole[0].shape)
+            return value, np.spacing(np.abs(value))
+    value = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
+    return value, LIBRARY * np.abs(value)
 
 
 def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:

@@ -236,8 +236,8 @@ def multiply_add(a: float, b: float, c: float) -> float:
     with np.errstate(all="ignore"):
         product = a * b
         large = np.maximum(np.maximum(abs(a), abs(b)), abs(product)) > _SPLIT_LIMIT
-        made = np.where(large, product + c, _compensated(a, b, c, product))
-        return in_class_of_first(made, product)  # type: ignore[no-any-return]
+        value = np.where(large, product + c, _compensated(a, b, c, product))
+        return in_class_of_first(value, product)  # type: ignore[no-any-return]
 
 
 def total(numbers: "Iterable[float]") -> float:

@@ -152,8 +152,10 @@ def each_lane(function: "Callable[..., tuple[float, ...]]", *trees: "Any") -> "t
     leaves = [leaf for tree in trees for leaf in _leaves(tree)]
     kind = next(type(leaf) for leaf in leaves if isinstance(leaf, np.ndarray))
     columns = [column.tolist() for column in np.broadcast_arrays(*leaves)]
-    made = [function(*(_filled(tree, numbers) for tree in trees)) for numbers in map(iter, zip(*columns, strict=True))]
-    return tuple(np.array(column).view(kind) for column in zip(*made, strict=True))
+    results = [
+        function(*(_filled(tree, numbers) for tree in trees)) for numbers in map(iter, zip(*columns, strict=True))
+    ]
+    return tuple(np.array(column).view(kind) for column in zip(*results, strict=True))
 
 
 def _leaves(tree: "Any") -> "Iterator[Any]":

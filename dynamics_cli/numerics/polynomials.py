@@ -62,17 +62,17 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
     if len(coefficients) < 2 or not high > low:
         return []
     places = [low, *roots_between(derivative(coefficients), low, high), high]
-    found: list[float] = []
+    roots: list[float] = []
     for left, right in pairwise(places):
         at_left, at_right = value(coefficients, left), value(coefficients, right)
         if at_left == 0.0:
-            if not found or found[-1] != left:
-                found.append(left)
+            if not roots or roots[-1] != left:
+                roots.append(left)
         elif at_right == 0.0:
-            found.append(right)
+            roots.append(right)
         elif (at_left < 0.0) != (at_right < 0.0):
-            found.append(_halved(coefficients, left, right, rising=at_left < 0.0))
-    return found
+            roots.append(_halved(coefficients, left, right, rising=at_left < 0.0))
+    return roots
 
 
 def _halved(coefficients: "Sequence[float]", left: float, right: float, *, rising: bool) -> float:

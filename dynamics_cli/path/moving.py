@@ -131,12 +131,14 @@ def _fixed(turn: "tuple[float, float, float, float]", vector: Vector) -> Vector:
     return add(vector, scale(2.0 / square, change))
 
 
-def _coriolis_check(omega: Vector, relative: Vector, found: Vector) -> tuple[Check, ...]:
+def _coriolis_check(omega: Vector, relative: Vector, coriolis: Vector) -> tuple[Check, ...]:
     """That the Coriolis term is square to ω and to v_rel."""
     if not single(*omega, *relative):
         return ()
-    size = plain(norm(found)) * max(plain(norm(omega)), plain(norm(relative)))
-    apart = max(abs(plain(dot(found, omega))), abs(plain(dot(found, relative))))
+    size = plain(norm(coriolis)) * max(plain(norm(omega)), plain(norm(relative)))
+    apart = max(abs(plain(dot(coriolis, omega))), abs(plain(dot(coriolis, relative))))
     # lengths of different kinds: each product is a share of its own size
-    allowed = 1e-12 * max(size, plain(norm(found)) * plain(norm(omega)), plain(norm(found)) * plain(norm(relative)))
+    allowed = 1e-12 * max(
+        size, plain(norm(coriolis)) * plain(norm(omega)), plain(norm(coriolis)) * plain(norm(relative))
+    )
     return (Check("Coriolis term perpendicular to ω and v_rel", apart <= allowed, apart, allowed),)

@@ -61,17 +61,17 @@ def carry_out(
             raise UsageError("a PDF is written to a file", parameter="output", hint="for example: --output report.pdf")
     digits = _digits(options.get("digits", ""))
     title = options.get("title") or "Calculations"
-    made: list[Calculation] = []
+    calculations: list[Calculation] = []
     for source in _named([one for name in words for one in _read(name, terminal)]):
         task = _task(source.document, families, find)
         again = _again(source, task, terminal)
-        made.append(Calculation(len(made) + 1, source, again, task, tuple(made)))
-        made[-1].digits = digits
-    pictures = _drawn(made, terminal)
-    blocks = front(title, _facts(options), made, pictures.pop(0, []))
-    for one in made:
+        calculations.append(Calculation(len(calculations) + 1, source, again, task, tuple(calculations)))
+        calculations[-1].digits = digits
+    pictures = _drawn(calculations, terminal)
+    blocks = front(title, _facts(options), calculations, pictures.pop(0, []))
+    for one in calculations:
         blocks += section(one, pictures.get(one.section, ()))
-    blocks += appendices(made)
+    blocks += appendices(calculations)
     if form == "pdf":
         from dynamics_cli.report.typst import pdf
 
@@ -122,12 +122,12 @@ def _again(source: Source, task: "Task | None", terminal: "Terminal") -> Again:
     return calculate(task, source.document, folder, terminal)
 
 
-def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
+def _drawn(calculations: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
     """The pictures of each section, and of the first page (0) one of them and the intervals of the findings.
 
     There are none where they cannot be drawn.
     """
-    pictured = [(one, picture) for one in made if (picture := own_picture(one)) is not None]
+    pictured = [(one, picture) for one in calculations if (picture := own_picture(one)) is not None]
     chosen = next((pair for pair in pictured if pair[1].scene), pictured[-1] if pictured else None)
     drawn: dict[int, list[Image]] = {}
     try:
@@ -145,7 +145,7 @@ def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, li
                 width = SMALL if columns == 1 else 0.0
                 part = Picture(rest, "", columns, width=width)
                 drawn[one.section] = [_image(one, picture, part, 0.36 if width else 0.85)]
-        spread = intervals(made, FRONT)
+        spread = intervals(calculations, FRONT)
         if spread is not None:
             image = Image(draw(spread, "svg", "si"), "What was found, with intervals and limits", description(spread))
             drawn.setdefault(0, []).append(image)
@@ -179,22 +179,22 @@ def _read(name: str, terminal: "Terminal") -> "list[tuple[str, Document, str]]":
     text = decode(data, name)
     digest = entry_of(name, data)["sha256"]
     try:
-        found = [_parsed(text)]
+        documents = [_parsed(text)]
     except ValueError:
         try:
-            found = [_parsed(line) for line in text.split("\n") if line.strip()]
+            documents = [_parsed(line) for line in text.split("\n") if line.strip()]
         except ValueError as error:
             raise UsageError(f"{name!r} is not JSON: {error}", code="json") from None
-    for document in found:
+    for document in documents:
         if not _is_document(document):
             raise UsageError(
                 f"{name!r} holds no result document",
                 code="schema",
                 hint="write one with --json --output FILE",
             )
-    if not found:
+    if not documents:
         raise UsageError(f"{name!r} is empty", code="json")
-    return [(name, document, digest) for document in found]
+    return [(name, document, digest) for document in documents]
 
 
 def _parsed(text: str) -> "Any":

@@ -57,19 +57,19 @@ def calculate(task: "Task", document: "Document", folder: str, terminal: "Termin
     """Calculate a document's task again from its inputs."""
     try:
         if "sweep" in document["inputs"]:
-            made, picture = _sweep(task, document, _gathered(document, folder, terminal))
+            recalculated, picture = _sweep(task, document, _gathered(document, folder, terminal))
         else:
             asked = _settings(task, document)
-            made, _, picture = answered_case(task, _gathered(document, folder, terminal), Settings(asked, {}))
-            shown = _units(made["results"])
+            recalculated, _, picture = answered_case(task, _gathered(document, folder, terminal), Settings(asked, {}))
+            shown = _units(recalculated["results"])
             to = [f"{name}={unit}" for name, unit in _units(document["results"]).items() if shown.get(name) != unit]
             if to:
                 settings = Settings({**asked, "to": to}, {})
-                made, _, picture = answered_case(task, _gathered(document, folder, terminal), settings)
+                recalculated, _, picture = answered_case(task, _gathered(document, folder, terminal), settings)
     except DynamicsError as error:
         return Again(f"not calculated again: {'; '.join(one.message for one in error.all())}")
-    words, short = _compared(document, made)
-    return Again(words, made, picture, short=short)
+    words, short = _compared(document, recalculated)
+    return Again(words, recalculated, picture, short=short)
 
 
 def _gathered(document: "Document", folder: str, terminal: "Terminal") -> Gathered:
@@ -105,8 +105,8 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
     told = _part(document, "numerics", "uncertainty")
     if told:
         asked |= {"seed": str(told.get("seed", 1)), "coverage": repr(told.get("coverage"))}
-    made, _ = sweep(task, gathered, Settings(asked, {}))
-    return made, of_sweep(made, task)
+    recalculated, _ = sweep(task, gathered, Settings(asked, {}))
+    return recalculated, of_sweep(recalculated, task)
 
 
 def _part(node: "Any", *keys: str) -> "Document":
@@ -149,16 +149,16 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
 
 def _units(node: "Any", address: str = "") -> "dict[str, str]":
     """The unit of every result that has one, of columns and rows as well."""
-    made: dict[str, str] = {}
+    units: dict[str, str] = {}
     if isinstance(node, list):
         for item in node:
-            made |= _units(item, address)
+            units |= _units(item, address)
     elif isinstance(node, dict):
         if isinstance(node.get("unit"), str) and node["unit"] and "value" in node:
-            made[address] = node["unit"]
+            units[address] = node["unit"]
         for key, item in node.items():
-            made |= _units(item, f"{address}.{key}" if address else key)
-    return made
+            units |= _units(item, f"{address}.{key}" if address else key)
+    return units
 
 
 def _coverage(node: "Any") -> "Any":
@@ -166,7 +166,7 @@ def _coverage(node: "Any") -> "Any":
     if isinstance(node, dict) and "interval" in node:
         return node.get("coverage")
     items = node.values() if isinstance(node, dict) else node if isinstance(node, list) else ()
-    return next((found for found in map(_coverage, items) if found is not None), None)
+    return next((coverage for coverage in map(_coverage, items) if coverage is not None), None)
 
 
 def _written(node: "Document") -> str:
@@ -186,16 +186,16 @@ def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
         words, short = f"calculated again by {version}, these differ: {_told(apart, old, new)}", "not the same"
     elif sampled:
         words += f", but for sampled figures that agree within the accuracy stated: {'; '.join(sampled)}"
-    claimed, found = _claims(before), _claims(after)
+    claimed, now = _claims(before), _claims(after)
     if "explanation" not in before:
-        found = {name: node for name, node in found.items() if not name.startswith("explanation")}
+        now = {name: node for name, node in now.items() if not name.startswith("explanation")}
     hashes = {file["name"]: file["sha256"] for file in after.get("files", ())}
     for name, digest in read_files(before):
         if name in hashes:
-            claimed[f"SHA-256 of {name}"], found[f"SHA-256 of {name}"] = digest, hashes[name]
-    others = _apart(claimed, found)
+            claimed[f"SHA-256 of {name}"], now[f"SHA-256 of {name}"] = digest, hashes[name]
+    others = _apart(claimed, now)
     if others:
-        words += f". The file also says otherwise of these: {_told(others, claimed, found)}"
+        words += f". The file also says otherwise of these: {_told(others, claimed, now)}"
         short = "not the same" if apart else "results the same, claims differ"
     return words, short
 

@@ -235,8 +235,8 @@ def _examine(
             measurement.weight,
             measurement.grade,
         )
-        found = friction_advice(friction, "the friction found", "check pull, weight and their units")
-        return checks, found + grade_advice(measurement.grade)
+        advice = friction_advice(friction, "the friction found", "check pull, weight and their units")
+        return checks, advice + grade_advice(measurement.grade)
     return (), drag_advice(measurement.friction, measurement.grade, measurement.braking)
 
 

@@ -40,12 +40,12 @@ def advice_of(
     `leaves`: the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring
     surges; None without its mass. Returns the advice.
     """
-    found = []
+    advice = []
     force: Any = Torque if load.arm else Force
     if low.value < 0.0:
         needed = (load.preload - low.value) / load.spring_radius
         stays = bool(leaves and leaves.value)
-        found.append(
+        advice.append(
             Advice(
                 "follower-leaves",
                 worded(
@@ -61,7 +61,7 @@ def advice_of(
             )
         )  # fmt: skip
     elif leaves is not None and 0.0 < leaves.value < 1.2 * omega:
-        found.append(
+        advice.append(
             Advice(
                 "near-jump",
                 worded(
@@ -73,12 +73,12 @@ def advice_of(
             )
         )  # fmt: skip
     if leaves is None:
-        found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
+        advice.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
     if order is not None and order < SURGE_ORDER:
         message = worded(
             "the spring surges at {order} times the shaft's speed: harmonics of the cam up to the twelfth excite it",
             order=(order, Ratio),
         )
         remedy = "take a lighter or a stiffer spring"
-        found.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
-    return tuple(found)
+        advice.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
+    return tuple(advice)

@@ -25,7 +25,7 @@ def durations(
     `lifts`: lifts above the lowest [m]. Returns one for every time a lift is passed upwards; a note for every lift that
     never is.
     """
-    found = []
+    durations_above = []
     missed = []
     least = motion.stroke[0]
     for lift in lifts:
@@ -41,8 +41,8 @@ def durations(
             closes = min((angle if angle > opens else angle + TURN) for angle in downs)
             span = closes - opens
             speeds = [motion.at(angle, 1)[1] * omega for angle in (opens, closes)]
-            found.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
-    return tuple(found), tuple(missed)
+            durations_above.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
+    return tuple(durations_above), tuple(missed)
 
 
 def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omega: float) -> "tuple[Ramp, ...] | None":
@@ -64,14 +64,14 @@ def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omeg
     )
     least = motion.stroke[0]
     low, high = crossings(motion, least + lash), crossings(motion, least + top)
-    found = []
+    ramps_between = []
     for angle, up in high:
         side = [other for other, way in low if way == up]
         if side:
             span = min((angle - other if up else other - angle) % TURN for other in side)
             mean = (top - lash) / span * abs(omega) * (1.0 if up else -1.0)
-            found.append(Ramp("opening" if up else "closing", lash, top, span, mean))
-    return tuple(found)
+            ramps_between.append(Ramp("opening" if up else "closing", lash, top, span, mean))
+    return tuple(ramps_between)
 
 
 def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":

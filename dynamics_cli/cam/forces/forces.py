@@ -186,12 +186,12 @@ def _contact(
     return Survey(motion, touching.enclosed().normal).extremes(0), pressed
 
 
-def _ends(found: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
-    return (None, None, None, None) if found is None else (*_fields(found[0]), *_fields(found[1]))
+def _ends(pair: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
+    return (None, None, None, None) if pair is None else (*_fields(pair[0]), *_fields(pair[1]))
 
 
-def _fields(found: "Found | None") -> "tuple[float | None, float | None]":
-    return (None, None) if found is None else (found.value, found.at)
+def _fields(extreme: "Found | None") -> "tuple[float | None, float | None]":
+    return (None, None) if extreme is None else (extreme.value, extreme.at)
 
 
 def _bounds(
@@ -200,22 +200,22 @@ def _bounds(
 ) -> "tuple[ErrorBound, ...]":  # fmt: skip
     name = "arm_torque" if arm else "force"
     # power is torque times speed, with one more rounding
-    power = max(abs(found.value) for found in torque) * omega
-    error = max(found.error for found in torque) * omega + 2.0**-52 * power
+    power = max(abs(extreme.value) for extreme in torque) * omega
+    error = max(extreme.error for extreme in torque) * omega + 2.0**-52 * power
     bounds = [
         *_both(name, force_),
         *(() if normal is None else _both("contact_force", normal)),
         *_both("torque", torque),
         *_bound("greatest_power", power, error, relative=True),
     ]
-    for title, found in (("jump_speed", leaves), ("stress", stress)):
-        if found is not None:
-            bounds += _bound(title, found.value, found.error, relative=True)
+    for title, extreme in (("jump_speed", leaves), ("stress", stress)):
+        if extreme is not None:
+            bounds += _bound(title, extreme.value, extreme.error, relative=True)
     return tuple(bounds)
 
 
-def _both(name: str, found: "tuple[Found, Found]") -> "list[ErrorBound]":
-    low, high = found
+def _both(name: str, pair: "tuple[Found, Found]") -> "list[ErrorBound]":
+    low, high = pair
     return [
         *_bound(f"least_{name}", low.value, low.error, relative=False),
         *_bound(f"greatest_{name}", high.value, high.error, relative=high.value > 1e-3 * abs(low.value)),

@@ -37,11 +37,11 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
     drop = dropping(motion)
     if drop is not None:
         return Found(0.0, drop, 0.0)
-    found = survey.greatest_quotient(falling, held)
-    if found.value <= 0.0:
+    quotient = survey.greatest_quotient(falling, held)
+    if quotient.value <= 0.0:
         return None
-    speed = 1.0 / sqrt(found.value)
-    return Found(speed, found.at, (0.5 * found.error / found.value + EXACT) * speed if speed else 0.0)
+    speed = 1.0 / sqrt(quotient.value)
+    return Found(speed, quotient.at, (0.5 * quotient.error / quotient.value + EXACT) * speed if speed else 0.0)
 
 
 def asked_jump(
@@ -81,8 +81,8 @@ def asked_jump(
         code="slack",
         hint="raise the preload",
     )
-    found = jump(motion, load)
-    return (None, None, 0.0) if found is None else (found.value, found.at, found.error)
+    jumping = jump(motion, load)
+    return (None, None, 0.0) if jumping is None else (jumping.value, jumping.at, jumping.error)
 
 
 def dropping(motion: "Motion") -> float | None:

@@ -50,14 +50,14 @@ class Load:
         """The same load for discs, including the rounding of its constants."""
         from dynamics_cli.numerics.discs import Disc
 
-        made = Load.__new__(Load)
+        enclosed = Load.__new__(Load)
         for name in self.__slots__:
-            setattr(made, name, getattr(self, name))
+            setattr(enclosed, name, getattr(self, name))
         # k r r, m ω ω and P + L
         for name in ("rate", "inertial", "steady"):
             value = getattr(self, name)
-            setattr(made, name, Disc(value, 2.0**-51 * abs(value)))
-        return made
+            setattr(enclosed, name, Disc(value, 2.0**-51 * abs(value)))
+        return enclosed
 
 
 def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:

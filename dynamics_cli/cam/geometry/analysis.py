@@ -46,18 +46,18 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     try:
         with np.errstate(all="ignore"):
-            made = Cover(motion, functions)
+            cover = Cover(motion, functions)
     except ValueError:
         refuse_size()
         raise
-    found = made.ends()
+    ends = cover.ends()
     require(
-        found[1].error < inf,
+        ends[1].error < inf,
         "the pressure angle passes 180 deg: the cam would have to pull the follower through",
         code="pulled",
         hint="take another base circle, or let an arm start farther from the line of pivot and axis",
     )
-    return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+    return Analysis(ends[0], ends[1], ends[2] if geometry.flat else None)
 
 
 def refuse_size() -> None:
@@ -70,12 +70,12 @@ def refuse_size() -> None:
     )
 
 
-def runs_forward(geometry: Geometry, found: Analysis) -> bool:
+def runs_forward(geometry: Geometry, analysis: Analysis) -> bool:
     """Whether the cam's curve provably never stops or runs backwards within the zones of the motion.
 
     1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
     """
-    bend = found.curvature
+    bend = analysis.curvature
     if geometry.flat:
         return bend.smallest()[0] > bend.error
     tightest = bend.largest()[0] if geometry.side > 0.0 else -bend.smallest()[0]
@@ -97,9 +97,9 @@ def start_slip(geometry: Geometry) -> float:
     return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
 
 
-def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
+def pressure_bounds(analysis: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
-    own = found.pressure
+    own = analysis.pressure
     return tuple(
         ErrorBound(name, error / abs(value))
         for name, value, error in (

@@ -74,10 +74,10 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     backward = curve.backward(forward=forward)
     arcs = curve.forward(backward)
     size = max((max(abs(arc.first), abs(arc.last)) for arc in arcs), default=0.0)
-    found = _uncovered(curve.geometry, curve.motion, crossings(curve, arcs, size), size)
-    if not backward and not found:
+    corners = _uncovered(curve.geometry, curve.motion, crossings(curve, arcs, size), size)
+    if not backward and not corners:
         return None
-    whole = [_corner(curve, crossing) for crossing in found] + _cusps(curve, backward, found, size)
+    whole = [_corner(curve, crossing) for crossing in corners] + _cusps(curve, backward, corners, size)
     loops = _loops(whole, backward, arcs)
     main = [loop for loop in loops if _winds(loop, arcs)]
     edge = tuple(main[0]) if main else ()
@@ -92,11 +92,11 @@ def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tu
     return wrapped
 
 
-def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size: float) -> "list[Crossing]":
+def _uncovered(geometry: Geometry, motion: "Any", crossings_met: "list[Crossing]", size: float) -> "list[Crossing]":
     """The crossings that no position of the follower covers, certified."""
-    if not found:
+    if not crossings_met:
         return []
-    points = np.array([crossing.point for crossing in found])[:, None, None]
+    points = np.array([crossing.point for crossing in crossings_met])[:, None, None]
     starts = np.array([zone.start for zone in motion.zones])
     widths = np.array([zone.end for zone in motion.zones]) - starts
 
@@ -109,7 +109,7 @@ def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size:
     interpolants = proxies(depth, np.zeros(count), np.ones(count))
     return [
         crossing
-        for index, crossing in enumerate(found)
+        for index, crossing in enumerate(crossings_met)
         if extremes(interpolants, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
     ]
 
@@ -144,12 +144,12 @@ def _corner(curve: Envelope, crossing: Crossing) -> Corner:
 
 
 def _cusps(
-    curve: Envelope, backward: "list[tuple[float, float]]", found: "list[Crossing]", size: float
+    curve: Envelope, backward: "list[tuple[float, float]]", crossings_met: "list[Crossing]", size: float
 ) -> "list[Corner]":
     """Backward stretches too short for a corner: the curve stops there."""
     cusps = []
     for low, high in backward:
-        if any(crossing.first <= low and high <= crossing.second for crossing in found):
+        if any(crossing.first <= low and high <= crossing.second for crossing in crossings_met):
             continue
         ends = []
         for place in (low, high):

@@ -40,7 +40,7 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
     others are halved, to 1e-12 of the size at most. The result depends on sampling only for the turning of an arc,
     which is increased by a quarter.
     """
-    found: list[Crossing] = []
+    points: list[Crossing] = []
     stack = [(arcs[i], arcs[j]) for i, j in _pairs(arcs, len(curve.parts), size)]
     while stack:
         one, two = stack.pop()
@@ -50,14 +50,14 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
         short, point = length <= TINY * size, length <= CLOSE * size
         crossing = _newton(curve, one, two, size) if not point and (short or _cross_once(one, two)) else None
         if crossing is not None:
-            found.append(crossing)
+            points.append(crossing)
         elif short:
             middles = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
-            found.append(_made(curve, one, middles[0], two, middles[1], exact=False))
+            points.append(_made(curve, one, middles[0], two, middles[1], exact=False))
         else:
             tiny = TINY * size
             stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
-    return _distinct(found)
+    return _distinct(points)
 
 
 def _pairs(arcs: "list[Arc]", parts: int, size: float) -> "list[tuple[int, int]]":
@@ -169,10 +169,10 @@ def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex
     return complex(point[0]), complex(velocity[0])
 
 
-def _distinct(found: "list[Crossing]") -> "list[Crossing]":
+def _distinct(points: "list[Crossing]") -> "list[Crossing]":
     """Merge crossings found twice at the common end of neighbouring arcs."""
     kept: list[Crossing] = []
-    for crossing in sorted(found, key=lambda one: (one.first, one.second)):
+    for crossing in sorted(points, key=lambda one: (one.first, one.second)):
         if not any(
             abs(other.first - crossing.first) <= 1e-11 and abs(other.second - crossing.second) <= 1e-11
             for other in kept[-4:]

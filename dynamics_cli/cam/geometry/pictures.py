@@ -82,11 +82,11 @@ def check_picture(
 def size_picture(result: "Any", scene: Program, program: str = "", follower: "Any" = None, **given: "Any") -> Picture:
     """The cam from `cam size` (the first of a pair), with its limits."""
     kind = getattr(followers, type(follower).__name__.removeprefix("Conjugate"))
-    found = {}
+    limits = {}
     for name in kind.fields:
         value = getattr(result, name, None)
-        found[name] = getattr(follower, name) if value is None else value
-    return check_picture(None, scene, program, kind(**found), **given)
+        limits[name] = getattr(follower, name) if value is None else value
+    return check_picture(None, scene, program, kind(**limits), **given)
 
 
 def _title(template: str, follower: "Any", scene: Program, program: str) -> str:

@@ -272,13 +272,13 @@ def _trimmed(loss: "Loss") -> Advice:
 
 def _bounds(body: Plate, weight: "float | None") -> tuple[ErrorBound, ...]:
     """Bounds of the quadrature."""
-    made = [ErrorBound("area", body.area_error), ErrorBound("perimeter", body.perimeter_error)]
+    bounds = [ErrorBound("area", body.area_error), ErrorBound("perimeter", body.perimeter_error)]
     off = body.centroid_error
-    made += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
+    bounds += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
     if weight is not None:
         away = hypot(body.x, body.y)
         about = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
-        made.append(ErrorBound("mass", body.area_error + UNIT))
-        made.append(ErrorBound("inertia", body.polar_error + UNIT))
-        made.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
-    return tuple(one for one in made if one.bound < inf)
+        bounds.append(ErrorBound("mass", body.area_error + UNIT))
+        bounds.append(ErrorBound("inertia", body.polar_error + UNIT))
+        bounds.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
+    return tuple(one for one in bounds if one.bound < inf)

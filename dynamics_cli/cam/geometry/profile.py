@@ -245,29 +245,29 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
     )
 
 
-def convex(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, float | None]":
+def convex(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
     """Minimum radius of curvature of the cam where the pitch curve is convex, and where."""
     if geometry.flat:
-        return found.curvature.smallest()
-    value, place = found.curvature.largest()
+        return analysis.curvature.smallest()
+    value, place = analysis.curvature.largest()
     return (1.0 / value - geometry.side * geometry.roller, place) if value > 0.0 else (None, None)
 
 
-def concave(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, float | None]":
+def concave(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
     """Minimum radius of curvature of the cam where the pitch curve is concave, and where."""
     if geometry.flat:
         return None, None
-    value, place = found.curvature.smallest()
+    value, place = analysis.curvature.smallest()
     return (geometry.side * geometry.roller - 1.0 / value, place) if value < -1e-12 else (None, None)
 
 
-def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, ...]:
+def radius_bounds(geometry: "Geometry", analysis: "Analysis") -> tuple[ErrorBound, ...]:
     """Proved bounds of the minimum radii of curvature: the error of 1/κ from that of κ, and two roundings."""
-    bend = found.curvature
-    made = []
+    bend = analysis.curvature
+    bounds = []
     for name, radius, value, error in (
-        ("least_convex_radius", convex(geometry, found)[0], bend.greatest, bend.greatest_error),
-        ("least_concave_radius", concave(geometry, found)[0], bend.least, bend.least_error),
+        ("least_convex_radius", convex(geometry, analysis)[0], bend.greatest, bend.greatest_error),
+        ("least_concave_radius", concave(geometry, analysis)[0], bend.least, bend.least_error),
     ):
         if radius is None:
             continue
@@ -276,8 +276,8 @@ def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, 
             left = abs(value) - error
             off = error / (abs(value) * left) + 2.0 * UNIT / abs(value) if left > 0.0 else inf
         if off < inf:
-            made.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
-    return tuple(made)
+            bounds.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
+    return tuple(bounds)
 
 
 def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
@@ -289,7 +289,7 @@ def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
     return (Check("normals are of unit length", worst <= size, worst, size),)
 
 
-def _advice(geometry: "Geometry", found: "Analysis", loss: "Loss | None", jumps: int) -> tuple[Advice, ...]:
+def _advice(geometry: "Geometry", analysis: "Analysis", loss: "Loss | None", jumps: int) -> tuple[Advice, ...]:
     advice: list[Advice] = []
     if jumps:
         advice.append(
@@ -301,7 +301,7 @@ def _advice(geometry: "Geometry", found: "Analysis", loss: "Loss | None", jumps:
             )
         )
     if loss is not None:
-        least, _ = convex(geometry, found)
+        least, _ = convex(geometry, analysis)
         message = "the cam is undercut: its curve cuts itself"
         if least is not None and geometry.side > 0.0 and least <= 0.0:
             message = worded(

@@ -95,8 +95,8 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
             # half the angle by its tangent: nothing cancels where the roller is small beside the arm
             inner, outer = (roller - (arm - far)) * (roller + (arm - far)), (arm + far - roller) * (arm + far + roller)
             opening = 2.0 * np.arctan2(np.sqrt(inner), np.sqrt(outer))
-        found = level + opening - start if drives > 0.0 else start - (level - opening)
-    return np.where(np.isnan(found), -np.inf, found)
+        lift = level + opening - start if drives > 0.0 else start - (level - opening)
+    return np.where(np.isnan(lift), -np.inf, lift)
 
 
 def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float) -> "tuple[float, float, float]":
@@ -149,8 +149,8 @@ def _steep(geometry: Geometry, theta: float, point: complex, step: float) -> flo
     rests = seat(geometry, np.full(4, theta), moved.real, moved.imag)
     # where it slips past, its seat is at minus infinity
     with np.errstate(invalid="ignore"):
-        found = float(np.hypot(rests[0] - rests[1], rests[2] - rests[3])) / (2.0 * step)
-    return found if isfinite(found) else inf
+        slope = float(np.hypot(rests[0] - rests[1], rests[2] - rests[3])) / (2.0 * step)
+    return slope if isfinite(slope) else inf
 
 
 def _reach(geometry: Geometry) -> float:
@@ -187,7 +187,7 @@ def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: 
 
 def _gone(curve: Envelope, loop: "tuple[Corner, ...]") -> "tuple[list[tuple[int, float, float]], Any]":
     """Lengths of zones whose contact is gone, as zone, first share and span, with the corner rested on in each."""
-    found: list[tuple[int, float, float]] = []
+    zones: list[tuple[int, float, float]] = []
     points: list[complex] = []
     for corner in loop:
         over = len(curve.parts) if corner.returns < corner.leaves else 0
@@ -195,6 +195,6 @@ def _gone(curve: Envelope, loop: "tuple[Corner, ...]") -> "tuple[list[tuple[int,
             zone = curve.parts[part % len(curve.parts)]
             low, high = max(corner.leaves - part, 0.0), min(corner.returns + over - part, 1.0)
             if isinstance(zone, int) and low < high:
-                found.append((zone, low, high - low))
+                zones.append((zone, low, high - low))
                 points.append(corner.point)
-    return found, np.array(points)
+    return zones, np.array(points)

@@ -122,16 +122,16 @@ class Mixed:
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
         tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
-        found = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
+        derivatives_at = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
         for amplitude, w, start in self.waves:
             factor = amplitude
             for order, wave in enumerate(_waves(w * tau, start, start + derivatives)):
                 part = factor * wave
-                found[order] = part if found[order] is None else found[order] + part
+                derivatives_at[order] = part if derivatives_at[order] is None else derivatives_at[order] + part
                 factor = factor * w
         if self.backwards:
-            found[1::2] = [None if value is None else -value for value in found[1::2]]
-        return [0.0 * tau if value is None else value for value in found]
+            derivatives_at[1::2] = [None if value is None else -value for value in derivatives_at[1::2]]
+        return [0.0 * tau if value is None else value for value in derivatives_at]
 
 
 class Beta:
@@ -213,17 +213,17 @@ class FourthPowerOfSine:
         """The value and its derivatives with respect to t."""
         u = math.pi * t
         versed = 0.5 * _wave(1, u)
-        found = [versed * versed]
+        orders = [versed * versed]
         sine = _wave(2, u)
         if derivatives >= 1:
-            found.append(math.pi * sine * versed)
+            orders.append(math.pi * sine * versed)
         if derivatives >= 2:
-            found.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
+            orders.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
         if derivatives >= 3:
-            found.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
+            orders.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
         if derivatives >= 4:
-            found.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
-        return found
+            orders.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
+        return orders
 
 
 class EndOfDoubleHarmonic:
@@ -239,13 +239,13 @@ class EndOfDoubleHarmonic:
         left = 0.5 * _wave(1, u)
         sine = _wave(2, u)
         cosine = _wave(3, u)
-        found = [left * (2.0 - left)]
+        orders = [left * (2.0 - left)]
         if derivatives >= 1:
-            found.append(math.pi * sine * (1.0 - left))
+            orders.append(math.pi * sine * (1.0 - left))
         if derivatives >= 2:
-            found.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
+            orders.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
         if derivatives >= 3:
-            found.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
+            orders.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
         if derivatives >= 4:
-            found.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
-        return found
+            orders.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
+        return orders

@@ -97,10 +97,10 @@ class Law:
 
     def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
         """F and its derivatives from one piece, t measured from the end that the piece is measured from."""
-        found = piece.shape(t, derivatives)
+        orders = piece.shape(t, derivatives)
         if piece.far:
-            found = [self.total - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
-        return found
+            orders = [self.total - orders[0]] + [-g if order % 2 else g for order, g in enumerate(orders[1:])]
+        return orders
 
 
 def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool = True) -> Law:

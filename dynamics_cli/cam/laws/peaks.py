@@ -58,7 +58,7 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
     values = [slope(t) for t in grid]
     # reversed: cells are taken from the end
     cells = list(zip(grid, grid[1:], values, values[1:], strict=False))[::-1]
-    found = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
+    turning = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
     # adjacent cells whose sign is within rounding: together they contain one extremum or none
     flat: list[list[float]] = []
     while cells:
@@ -75,19 +75,19 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
             else:
                 flat.append([start, end, a, b])
         elif _one_sign(shape, order + 2, start, end, room * bent[1] + slips[1]):
-            if a == 0.0 and start > low and start not in found:
-                found.append(start)
+            if a == 0.0 and start > low and start not in turning:
+                turning.append(start)
             if changes:
-                found.append(_settled(piece, order, _bisected(slope, start, end, a)))
+                turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
         else:
             middle = 0.5 * (start + end)
             here = slope(middle)
             cells += [(middle, end, here, b), (start, middle, a, here)]
     for start, end, a, b in flat:
         root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
-        if a * b < 0.0 and root not in found:
-            found.append(root)
-    return sorted(found)
+        if a * b < 0.0 and root not in turning:
+            turning.append(root)
+    return sorted(turning)
 
 
 def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:

@@ -97,11 +97,11 @@ def _solve(rows: "list[list[Fraction]]") -> "list[Fraction] | None":
 
 def _about(coefficients: "list[Fraction]", place: "Fraction") -> "list[Fraction]":
     """The coefficients in powers of x − place, by repeated synthetic division."""
-    found = list(coefficients)
-    for start in range(len(found)):
-        for i in range(len(found) - 2, start - 1, -1):
-            found[i] = found[i] + place * found[i + 1]
-    return found
+    shifted = list(coefficients)
+    for start in range(len(shifted)):
+        for i in range(len(shifted) - 2, start - 1, -1):
+            shifted[i] = shifted[i] + place * shifted[i + 1]
+    return shifted
 
 
 def spline(

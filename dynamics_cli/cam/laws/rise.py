@@ -214,9 +214,9 @@ def _bounds(
             if piece.low <= x <= piece.high:
                 t = rest if piece.far else x
                 # the quotient counts two roundings, of a difference and its own
-                found = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
+                errors = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
                 sizes = [abs(value) for value in piece.shape(t, 4)]
-                for order, (error, value) in enumerate(zip(found, values, strict=True)):
+                for order, (error, value) in enumerate(zip(errors, values, strict=True)):
                     # a value below its change over the rounding of the angle is shown as zero
                     still = 2.0 * ROUNDING * x * sizes[order + 1] if order and not value else 0.0
                     scaled = (error + still) * lift / span**order + (2.0 * order + 4.0) * UNIT * abs(value)
@@ -288,10 +288,10 @@ def _ways_down(law: Law, way: str) -> "tuple[Advice, ...]":
 
 
 def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "tuple[Advice, ...]":
-    found: list[Advice] = []
+    advice: list[Advice] = []
     for order, (value, place) in enumerate(zip(peaks, places, strict=True), 1):
         if value is None:
-            found.append(
+            advice.append(
                 Advice(
                     code="infinite-" + DERIVATIVES[order],
                     message=worded(
@@ -305,4 +305,4 @@ def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "
                     result="peak_" + DERIVATIVES[order],
                 )
             )
-    return tuple(found)
+    return tuple(advice)

@@ -34,14 +34,14 @@ def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -
     >>> decimal_step([0.25, 0.5, 0.125]), decimal_step([0.1, 1 / 3])
     (0.001, 0.0)
     """
-    found = 0.0
+    largest = 0.0
     for unit in units:
         for decimals in range(MOST_DECIMALS + 1):
             counts = [value / unit * 10.0**decimals for value in values]
             if all(abs(count - floor(count + 0.5)) <= 1e-5 for count in counts):
-                found = max(found, unit / 10.0**decimals)
+                largest = max(largest, unit / 10.0**decimals)
                 break
-    return found
+    return largest
 
 
 def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, float, float]":
@@ -93,9 +93,9 @@ def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
         return ()
     place_step, lift_step = law.steps
     # places with as few digits as the lifts are rounded too; others were chosen
-    found = effects(law, place_step if place_step <= lift_step else 0.0, lift_step)
+    changes = effects(law, place_step if place_step <= lift_step else 0.0, lift_step)
     peaks = [max(abs(value) for _, value in extremes(law, order)) for order in (1, 2, 3)]
-    shares = [change / top if top else 0.0 for change, top in zip(found, peaks, strict=True)]
+    shares = [change / top if top else 0.0 for change, top in zip(changes, peaks, strict=True)]
     if max(shares[:2]) < SMALL:
         return ()
     v, a, j = ((share, Fraction) for share in shares)

@@ -99,10 +99,10 @@ def _area_checks(law: Law) -> "tuple[Check, ...]":
         half = 0.5 * (end - start)
         for node, weight in GAUSS:
             for t in (start + half * (1.0 - node), start + half * (1.0 + node)):
-                found = law.upright(piece, t, 2)
-                area = [area[0] + weight * half * found[1], area[1] + weight * half * found[2]]
-                way += weight * half * abs(found[1])
-                size += weight * half * abs(found[2])
+                orders = law.upright(piece, t, 2)
+                area = [area[0] + weight * half * orders[1], area[1] + weight * half * orders[2]]
+                way += weight * half * abs(orders[1])
+                size += weight * half * abs(orders[2])
     gain = law.at(1.0, 1, -1)[1] - law.at(0.0, 1)[1]
     # a law that returns to its start has zero lift: the total distance covered is its size
     scale = max(abs(law.total) if law.monotone else max(abs(law.total), way), 1e-300)

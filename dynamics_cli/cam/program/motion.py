@@ -79,14 +79,14 @@ class Motion:
         inside: list[int] = []
         low = start
         for piece in span.law.pieces:
-            made = Part(span, index, piece)
+            part = Part(span, index, piece)
             if piece.low in span.law.breaks:
                 self._zone_pieces.append(inside)
                 zones.append(Zone(low, self._edges[-1], index, False))
                 low, inside = self._edges[-1], []
             inside.append(len(self._pieces))
-            self._pieces.append(made)
-            edge = end - piece.ends[0] * made.span if piece.far else start + piece.high * made.span
+            self._pieces.append(part)
+            edge = end - piece.ends[0] * part.span if piece.far else start + piece.high * part.span
             self._edges.append(end if piece.high == 1.0 else edge)
         zones.append(Zone(low, end, index, False))
         self._zone_pieces.append(inside)

@@ -79,11 +79,11 @@ class Part:
 
     def negated(self) -> "Part":
         """The same piece of the motion upside down."""
-        made = Part.__new__(Part)
+        negative = Part.__new__(Part)
         for name in self.__slots__:
-            setattr(made, name, getattr(self, name))
-        made.base, made.scales = -self.base, [-scale for scale in self.scales]
-        return made
+            setattr(negative, name, getattr(self, name))
+        negative.base, negative.scales = -self.base, [-scale for scale in self.scales]
+        return negative
 
     def local(self, theta: "Any") -> "Any":
         """Distance from the end of the segment this piece is measured from, as a share of the segment."""
@@ -108,8 +108,8 @@ class Part:
         if self.law_piece is None:
             still = 0.0 * t
             return [still + self.base] + [still] * derivatives
-        found = self.law_piece.shape(t, derivatives)
-        lift = self.scales[0] * found[0]
+        orders = self.law_piece.shape(t, derivatives)
+        lift = self.scales[0] * orders[0]
         out = [self.base + lift if self.base else lift]
-        out.extend(self.scales[order] * found[order] for order in range(1, derivatives + 1))
+        out.extend(self.scales[order] * orders[order] for order in range(1, derivatives + 1))
         return out

@@ -42,14 +42,14 @@ def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") 
     motion = motion_of(scene, program)
     angles, columns = sampled(motion)
     axes = SWINGS if motion.swing else LENGTHS
-    found: tuple[Any, ...] = (result.lift, result.velocity, result.acceleration, result.jerk)
+    extremes: tuple[Any, ...] = (result.lift, result.velocity, result.acceleration, result.jerk)
     if result.swing is not None:
-        found = _of_swing(motion)
+        extremes = _of_swing(motion)
     symbols = SWING_SYMBOLS if motion.swing else SYMBOLS
     panels = []
     for order, (name, kind) in enumerate(axes):
         items: list[Band | Curve | Mark] = [*bands(motion, order), Curve(angles, columns[order])]
-        ends = found[order]
+        ends = extremes[order]
         if ends is not None:
             items += extreme_mark(ends.greatest_at, ends.greatest, kind, ABOVE)
             items += extreme_mark(ends.least_at, ends.least, kind, BELOW)

@@ -259,7 +259,7 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
 
 def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
     """Errors of levels against the sums of the given lifts, which are doubles, and of lifts against the levels."""
-    found, lifts = [0.0], [0.0]
+    offs, lifts = [0.0], [0.0]
     for step, level in zip(steps, levels[1:], strict=True):
         amount = step.segment.swing if swing else step.segment.lift
         if amount is None:
@@ -267,8 +267,8 @@ def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[
             lifts = [level] if step.segment.move != "dwell" else lifts
         else:
             lifts.append(amount if step.segment.move == "rise" else -amount)
-        found.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
-    return found
+        offs.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
+    return offs
 
 
 def _level(level: float, swing: bool) -> "tuple[float, Any]":

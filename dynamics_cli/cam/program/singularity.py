@@ -68,12 +68,12 @@ class Form:
 
     def _value_at(self, angle: float) -> "list[float]":
         """Derivatives of the terms so far just after an angle."""
-        found = [0.0] * 3
+        derivatives = [0.0] * 3
         for factor, index, place in self.terms:
             for order in range(index):
                 power = index - 1 - order
-                found[order] += factor * (angle - place) ** power / factorial(power)
-        return found
+                derivatives[order] += factor * (angle - place) ** power / factorial(power)
+        return derivatives
 
     def _step(self, angle: float, steps: "list[float]") -> None:
         size = max((abs(factor) for factor, _, _ in self.terms), default=0.0)

@@ -97,9 +97,9 @@ def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
         mean, off = _mean_square(span.law, order)
         total += width * scale * scale * mean
         slipped += width * scale * scale * off
-    found = sqrt(total / TURN)
+    value = sqrt(total / TURN)
     # weights, sums and factors, of the square
-    return found, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * found) * (1.0 + 2.0**-40)
+    return value, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * value) * (1.0 + 2.0**-40)
 
 
 def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
@@ -130,7 +130,7 @@ def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
     """
     zones = motion.zones
     sizes = [max(abs(one.least), abs(one.greatest)) for one in (extreme(motion, order) for order in range(4))]
-    found = []
+    boundaries = []
     for index, zone in enumerate(zones):
         before = zones[index - 1]
         left = motion.in_zone((index - 1) % len(zones), 1.0)
@@ -144,15 +144,15 @@ def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
             words = f"{_name(motion, before.segment)} to {words}"
         else:
             words = f"within {words}"
-        found.append((zone.start, words, steps))
-    return found
+        boundaries.append((zone.start, words, steps))
+    return boundaries
 
 
 def _name(motion: "Motion", segment: int) -> str:
     return f"{motion.segments[segment].name} {segment + 1}"
 
 
-def order_of_continuity(found: "list[tuple[float, str, list[float]]]") -> int:
+def order_of_continuity(boundaries: "list[tuple[float, str, list[float]]]") -> int:
     """The highest derivative that is continuous together with all lower ones; -1 if the lift itself jumps."""
-    first = min((next((i for i, step in enumerate(steps) if step), inf) for _, _, steps in found), default=inf)
+    first = min((next((i for i, step in enumerate(steps) if step), inf) for _, _, steps in boundaries), default=inf)
     return 3 if first == inf else int(first) - 1

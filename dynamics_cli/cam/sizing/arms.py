@@ -98,13 +98,13 @@ def _pressed(
     return sure_about(pressed, 1.0, start, 1e-6)
 
 
-def require_reach(found: Reach, start: float) -> None:
+def require_reach(allowed: Reach, start: float) -> None:
     """Refuse an arm that would have to start beyond what the other limit allows."""
     require(
-        start <= found.most,
+        start <= allowed.most,
         "no base circle keeps both limits: the {binding} needs the arm at {start:6} or more, the other limit at "
         "{most:6} or less",
-        binding=found.binding, start=(start, Angle), most=(found.most, Angle),
+        binding=allowed.binding, start=(start, Angle), most=(allowed.most, Angle),
         code="limits-clash", hint="widen the limits, shorten the arm or move the pivot",
     )  # fmt: skip
 
@@ -159,12 +159,12 @@ def moved(arm: float, pivot: float, angle: float, error: float) -> float:
     return min(lever, arm + pivot) * error + 8.0 * UNIT * radius
 
 
-def require_round(found: Reach, start: float) -> None:
+def require_round(allowed: Reach, start: float) -> None:
     """Refuse a curvature that needs the arm beyond the range that the pressure angles allow."""
     require(
-        start <= found.most,
+        start <= allowed.most,
         "the limit of curvature needs the arm at {start:6}, beyond the {most:6} that the pressure angle allows",
-        start=(start, Angle), most=(found.most, Angle),
+        start=(start, Angle), most=(allowed.most, Angle),
         code="limits-clash", hint="allow a smaller radius of curvature or a larger pressure angle",
     )  # fmt: skip
 

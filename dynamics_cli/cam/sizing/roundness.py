@@ -75,10 +75,10 @@ class Round:
         """That curvature and the bound of its error."""
         geometry = Geometry(followers.KnifeEdge(hypot(e, d), self.turn * e), "clockwise" if self.turn < 0.0 else "ccw")
         geometry.start = d
-        found = analyse(geometry, self.motion).curvature
+        curvature = analyse(geometry, self.motion).curvature
         if self.side > 0.0:
-            return found.greatest, found.greatest_error
-        return -found.least, found.least_error
+            return curvature.greatest, curvature.greatest_error
+        return -curvature.least, curvature.least_error
 
     def slip(self, e: float, d: float) -> float:
         """Error bound of a height that just keeps the curvature: certainly violated below and kept above."""
@@ -222,10 +222,12 @@ def best_offset(
         for k in range(2 * GRID + 1)
         if costs[k] <= 1.05 * least and costs[k] <= min(costs[max(k - 1, 0)], costs[min(k + 1, 2 * GRID)])
     ]
-    found = [_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips]
-    best = min(cost for cost, _ in found)
+    candidates = [_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips]
+    best = min(cost for cost, _ in candidates)
     # a candidate that is a corner lies where its two sides meet
-    ends = [_met(fine, place, 4.0 * FINEST * reach) for cost, place in found if cost <= best + 4.0 * FINEST * reach]
+    ends = [
+        _met(fine, place, 4.0 * FINEST * reach) for cost, place in candidates if cost <= best + 4.0 * FINEST * reach
+    ]
     cost, place, loose = min(ends)
     # where a circle binds, all offsets are equivalent
     return (0.0 if fine(0.0) <= cost * (1.0 + ALIKE) else place), loose

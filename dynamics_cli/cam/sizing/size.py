@@ -100,13 +100,13 @@ def size(
         code="flank",
         hint="leave --flank out; the second cam of a conjugate pair takes the place of an outer flank",
     )
-    made = _sized(motion, follower, (rise_limit, return_limit), least_radius, rotation, flank)
+    answer = _sized(motion, follower, (rise_limit, return_limit), least_radius, rotation, flank)
     jumps = joint_jumps(motion)[0]
     if not jumps:
-        return made
+        return answer
     message = f"the follower's velocity jumps at {jumps} joints: no base circle keeps the cam from an edge there"
     remedy = "choose laws whose velocities join; `dynamics cam check` gives the lift that an edge costs"
-    return CamSize(**{**vars(made), "advice": (*made.advice, Advice("velocity-jump", message, "serious", remedy))})
+    return CamSize(**{**vars(answer), "advice": (*answer.advice, Advice("velocity-jump", message, "serious", remedy))})
 
 
 def _sized(

@@ -66,15 +66,15 @@ def _fitting(formulas: "tuple[str, ...]", numbers: "dict[str, str]") -> str:
 
 
 def _symbols(formula: str) -> "list[str]":
-    made: dict[str, str] = {}
+    symbols: dict[str, str] = {}
     for piece in formula.split("{")[1:]:
         address, _, symbol = piece.partition("}")[0].partition("|")
         words = address.removeprefix("inputs.").removeprefix("results.").replace("_", " ")
         table, point, column = words.partition(".")
         plural = point and table.endswith("s")
         words = f"{column} of each {table[:-1]}" if plural else words.replace(".", " ")
-        made.setdefault(f"{symbol} is {words}", symbol)
-    return list(made)
+        symbols.setdefault(f"{symbol} is {words}", symbol)
+    return list(symbols)
 
 
 def _grouped(text: str) -> str:
@@ -83,13 +83,13 @@ def _grouped(text: str) -> str:
 
 def _defaults(task: "Task") -> "dict[str, str]":
     """The numbers of parameters that were not given."""
-    made: dict[str, str] = {}
+    defaults: dict[str, str] = {}
     for name, option in task.options.items():
         if isinstance(option.default, float) and option.leaf is not None:
             kind = option.leaf.kind
             text = default_text(option.default, kind) if kind.unit else f"{option.default:g}"
-            made[name.replace("-", "_")] = _grouped(text)
-    return made
+            defaults[name.replace("-", "_")] = _grouped(text)
+    return defaults
 
 
 def _numbers(document: "dict[str, Any]") -> "dict[str, str]":

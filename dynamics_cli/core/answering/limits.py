@@ -53,15 +53,15 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
     kinds = {name: kind for name, (kind, _) in there.items()}
     if not kinds:
         raise UsageError(f"{task.path} has no result that a limit can be applied to", parameter="limit")
-    found = []
+    limits = []
     for name, text in settings.limit:
         if name and name not in kinds:
             known = any(field.key == name for field in task.specification.result.fields)
             why = f"{name!r} has no value here" if known else f"there is no result {name!r}"
             raise UsageError(why, parameter="limit", hint=f"results are {', '.join(kinds)}", code="unknown-result")
         key, limit = _limited(text, {name: kinds[name]} if name else kinds)
-        found.append((key, kinds[key], plain(there[key][1]), limit))
-    return found
+        limits.append((key, kinds[key], plain(there[key][1]), limit))
+    return limits
 
 
 def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":

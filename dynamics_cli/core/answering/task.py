@@ -135,18 +135,18 @@ class Task:
     def specification(self) -> Specification:
         """The specification read from the first model's signature."""
         if self._specification is None:
-            made = specification(self.models[0].call())
-            named = options(made.fields)
+            spec = specification(self.models[0].call())
+            named = options(spec.fields)
             taken = sorted(set(named) & set(UNIVERSAL))
             if taken:
                 raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
             if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
                 raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
-            nodes = [getattr(field.node, "item", field.node) for field in made.result.fields]
+            nodes = [getattr(field.node, "item", field.node) for field in spec.result.fields]
             drawn = any(getattr(node, "kind", None) is DRAWING for node in nodes)
             if drawn and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
                 raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
-            self._specification = made
+            self._specification = spec
         return self._specification
 
     @property

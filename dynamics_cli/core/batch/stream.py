@@ -324,15 +324,15 @@ class _Stream:
         groups = self._groups.uniform(lines)
         if groups is None:
             groups = self._groups.sorted(lines)
-        made: list[bytes | None] = [None] * len(lines)
+        rows: list[bytes | None] = [None] * len(lines)
         for group in groups:
             whole = range(len(lines)) if group.rows is None else group.rows
             for places, text in self._group([lines[row] for row in whole], group):
                 if len(places) == len(lines):
                     return text
                 for place, one in zip(places, text.split(b"\n"), strict=False):
-                    made[whole[place]] = one + b"\n"
-        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, made, strict=True)])
+                    rows[whole[place]] = one + b"\n"
+        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)])
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], bytes]]":
         """The rows of a group that could be answered together: their indices in it, and their text."""
@@ -368,9 +368,9 @@ class _Stream:
             return lines
         return group.echoes if places is None else [group.echoes[place] for place in places]
 
-    def _agrees(self, lines: "list[bytes]", made: bytes) -> bool:
+    def _agrees(self, lines: "list[bytes]", text: bytes) -> bool:
         """Whether the first and the last row are the same as from a single call."""
-        rows = made.split(b"\n")
+        rows = text.split(b"\n")
         return all(self._as_single(lines[place]) == rows[place] for place in (0, len(lines) - 1))
 
     def _as_single(self, line: bytes) -> bytes:

@@ -64,11 +64,11 @@ class _Points(Case):
 
     def places(self, index: int) -> "list[int]":
         """Index of a point on each axis; the first axis varies slowest."""
-        made = []
+        places = []
         for axis in reversed(self.axes):
             index, place = divmod(index, axis.count)
-            made.append(place)
-        return made[::-1]
+            places.append(place)
+        return places[::-1]
 
     def point(self, index: int) -> "Raw":
         """The raw input of one point."""
@@ -106,14 +106,14 @@ class _Failures:
 
     def warnings(self) -> "list[dict[str, Any]]":
         """One warning for each reason: how many points, and where first."""
-        made = []
+        warnings = []
         for count, index, error in self._found.values():
             places = zip(self._points.axes, self._points.places(index), strict=True)
             where = ", ".join(f"{axis.name} = {axis.text(place)}" for axis, place in places)
             message = f"{count} of {self._points.count} points have no answer, first at {where}: {error.message}"
             warning = {"code": error.code, "severity": "caution", "message": message, "count": count, "first": index}
-            made.append({**warning, "remedy": error.hint} if error.hint else warning)
-        return made
+            warnings.append({**warning, "remedy": error.hint} if error.hint else warning)
+        return warnings
 
     def __bool__(self) -> bool:
         return bool(self._found)
@@ -219,13 +219,13 @@ def _tokens(points: _Points) -> "list[list[bytes]]":
     """The numbers of every point, axis by axis."""
     after = points.count
     before = 1
-    made = []
+    tokens = []
     for axis in points.axes:
         after //= axis.count
         own = [axis.number(place).encode() for place in range(axis.count)]
-        made.append([token for token in own for _ in range(after)] * before)
+        tokens.append([token for token in own for _ in range(after)] * before)
         before *= axis.count
-    return made
+    return tokens
 
 
 def _document(
@@ -281,11 +281,11 @@ def _column(part: Part, column: "list[Any]") -> "dict[str, Any]":
 
 
 def _notes(notes: "list[str]", models: "dict[str, tuple[Any, str]]") -> "list[dict[str, Any]]":
-    made: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
+    warnings: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
     if len(models) > 1:
         message = f"the points were answered by several models: {'; '.join(models)}"
-        made.append({"code": "several-models", "severity": "note", "message": message})
-    return made
+        warnings.append({"code": "several-models", "severity": "note", "message": message})
+    return warnings
 
 
 def _copied(raw: "Any") -> "Any":

@@ -235,7 +235,7 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str 
 
 
 def _universal_options(task: Task) -> "list[TyperOption]":
-    made = []
+    parameters = []
     known = {
         "format": FORMATS,
         "units": SYSTEMS,
@@ -249,15 +249,15 @@ def _universal_options(task: Task) -> "list[TyperOption]":
             continue
         decls = [variable("setting", name), f"--{name}"]
         if how == "flag":
-            made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
+            parameters.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
             complete = result_completer(task) if name in ("to", "limit") else completer_of(known.get(name, ()))
-            made.append(
+            parameters.append(
                 TyperOption(
                     param_decls=decls, multiple=True, type=str, metavar=metavar, help=text, autocompletion=complete
                 )
             )
-    return made
+    return parameters
 
 
 def _version_option(terminal: "Terminal") -> TyperOption:

@@ -60,9 +60,9 @@ class Reader(Context):
         known: set[str] = set()
         for field in fields:
             known.update(_keys(field))
-            made = self._field(field, raw, address)
-            if made is not None:
-                bound[field.name] = made
+            member = self._field(field, raw, address)
+            if member is not None:
+                bound[field.name] = member
         for key in raw:
             if key not in known:
                 self._unknown(key, known, address)
@@ -254,8 +254,8 @@ class Reader(Context):
         if not items and field.place != "words":
             self._fail(own, f"{self.spell(own)} is empty", code="missing")
             return None
-        made = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
-        kept = [item for item in made if item is not None]
+        items_read = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
+        kept = [item for item in items_read if item is not None]
         if node.single and isinstance(node.item, Leaf) and len(kept) == 1 and not isinstance(value, list):
             return kept[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None

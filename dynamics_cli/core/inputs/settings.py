@@ -246,16 +246,16 @@ def _unknown(name: str, read: str, known: "tuple[str, ...]") -> UsageError:
 
 
 def _pairs(option: str, given: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
-    made: dict[str, str] = {}
+    pairs: dict[str, str] = {}
     for item in given.get(option, ()):  # type: ignore[union-attr]
         name, equals, value = item.partition("=")
         key = name.strip().replace("-", "_")
         if not equals or not key or not value.strip():
             raise UsageError(f"read {item!r}, wanted NAME=VALUE", parameter=option, hint=UNIVERSAL_OPTIONS[option][2])
-        if key in made:
+        if key in pairs:
             raise UsageError(f"{key} is given twice", parameter=option)
-        made[key] = value.strip()
-    return made
+        pairs[key] = value.strip()
+    return pairs
 
 
 def read_coverage(text: str, parameter: str = "coverage") -> float:

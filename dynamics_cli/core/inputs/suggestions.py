@@ -115,11 +115,11 @@ MOST = 3
 
 def _meant(word: str) -> "list[str]":
     """The synonyms of a word; of a body's parameter, `first-exit-angle`, those of the parameter."""
-    found = SYNONYMS.get(word, "").split()
+    synonyms = SYNONYMS.get(word, "").split()
     for body in ("first-", "second-"):
         if word.startswith(body):
-            found += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
-    return found
+            synonyms += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
+    return synonyms
 
 
 def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":

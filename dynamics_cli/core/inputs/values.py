@@ -160,8 +160,8 @@ class Fields(Bound):
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """The record, or a dictionary of parameters."""
-        made = {name: bound.assemble(values) for name, bound in self.fields.items()}
-        return made if self.cls is None else self.cls(**made)
+        members = {name: bound.assemble(values) for name, bound in self.fields.items()}
+        return members if self.cls is None else self.cls(**members)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """Every number below."""
@@ -188,15 +188,15 @@ class Several(Bound):
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """A tuple of items, or columns."""
-        made = tuple(item.assemble(values) for item in self.items)
+        items = tuple(item.assemble(values) for item in self.items)
         if self.columns is None:
-            return made
+            return items
         import numpy as np
 
         from dynamics_cli.records import Columns
 
         names = self.columns.fields  # type: ignore[attr-defined]
-        return Columns(self.columns, **{name: np.array([getattr(row, name) for row in made]) for name in names})
+        return Columns(self.columns, **{name: np.array([getattr(row, name) for row in items]) for name in names})
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """Every number below."""

@@ -53,10 +53,10 @@ def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[st
 
 def _grid(table: "Any", digits: int) -> "list[list[str]]":
     """Header rows (names, units) and cells as text."""
-    made = columns(table)
-    body = [[number(value, digits) for value in values] for _, _, values in made]
-    units = [unit for _, unit, _ in made]
-    head = [[name for name, _, _ in made]] + ([units] if any(units) else [])
+    table_columns = columns(table)
+    body = [[number(value, digits) for value in values] for _, _, values in table_columns]
+    units = [unit for _, unit, _ in table_columns]
+    head = [[name for name, _, _ in table_columns]] + ([units] if any(units) else [])
     return head + [list(row) for row in zip(*body, strict=True)]
 
 
@@ -159,7 +159,7 @@ def to_csv(document: "Document", table: str) -> str:
     if not plain and not node:
         node = next((item for item in results.values() if is_table(item)), None)
     if node:
-        made = columns(node)
+        node_columns = columns(node)
     else:
         if "uncertainty" in document["numerics"]:
             from dynamics_cli.core.output.uncertainty import with_spreads
@@ -168,9 +168,9 @@ def to_csv(document: "Document", table: str) -> str:
         inputs = _split_lists(_input_cells(document["inputs"]))
         taken = {name for name, _, _ in inputs}
         named = [(_free(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
-        made = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
-    lines = [",".join(header(name, unit) for name, unit, _ in made)]
-    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
+        node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
+    lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
+    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
     return "\n".join(lines) + "\n"
 
 
@@ -235,10 +235,10 @@ def to_markdown(document: "Document", digits: int) -> str:
 def _markdown_table(table: "Any", digits: int) -> "list[str]":
     from dynamics_cli.markup import markdown
 
-    made = columns(table)
-    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in made]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(made)]
-    rows = zip(*(values for _, _, values in made), strict=True)
+    table_columns = columns(table)
+    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in table_columns]
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(table_columns)]
+    rows = zip(*(values for _, _, values in table_columns), strict=True)
     return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
 
 

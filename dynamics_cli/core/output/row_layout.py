@@ -61,26 +61,26 @@ class Part:
 
     def value(self, record: "Any") -> "Any":
         """The result as it is shown: a number, a list for compound units, a flag, a word or None."""
-        found = self.of(record)
-        if found is None:
+        value = self.of(record)
+        if value is None:
             return None
-        if isinstance(found, Quantity):
-            return self._of_quantity(found)
+        if isinstance(value, Quantity):
+            return self._of_quantity(value)
         if self.how == "measured":
             show = self.display
-            return found if show is None or isinstance(found, tuple) else show.of_measured(self.address, found)
+            return value if show is None or isinstance(value, tuple) else show.of_measured(self.address, value)
         if self.how == "number":
-            number = plain(found)
+            number = plain(value)
             return number if self.shown is None else self.shown.value(float(number))
-        return str(found) if self.how == "word" else found
+        return str(value) if self.how == "word" else value
 
     def _of_quantity(self, quantity: Quantity) -> Measured:
         assert self.display is not None
         shown = self.display.of(self.address, quantity.kind)
         value = quantity.value
         several = isinstance(value, tuple)
-        made = [shown.value(float(plain(number))) for number in (value if several else (value,))]
-        return Measured(tuple(made) if several else made[0], shown.text)  # type: ignore[arg-type]
+        numbers = [shown.value(float(plain(number))) for number in (value if several else (value,))]
+        return Measured(tuple(numbers) if several else numbers[0], shown.text)  # type: ignore[arg-type]
 
     @property
     def names(self) -> "list[tuple[str, str]]":
@@ -274,18 +274,18 @@ class Layout:
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
         """The results as an object, results that do not exist left out."""
-        made: dict[str, Any] = {}
+        results: dict[str, Any] = {}
         for part, value in zip(self.parts, values, strict=True):
             if value is None:
                 continue
-            inner = made
+            inner = results
             for key in part.keys[:-1]:
                 inner = inner.setdefault(key, {})
             if isinstance(part, SpreadPart):
                 part.add_to(inner[part.keys[-1]], value)
             else:
                 _place(inner, part, value)
-        return made
+        return results
 
 
 def _use(parts: "Iterator[Part]") -> None:

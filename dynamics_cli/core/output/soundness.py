@@ -17,22 +17,22 @@ _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 def _fields_to_check(spec: Record) -> "list[tuple[str, str, str, Any]]":
     known = _CHECKED.get(id(spec))
     if known is None:
-        made: list[tuple[str, str, str, Any]] = []
+        fields: list[tuple[str, str, str, Any]] = []
         for field in spec.fields:
             node = field.node
             item = node.item if isinstance(node, Many) else None
             if isinstance(node, Record):
                 if node.cls is not Numerics:
-                    made.append((field.name, field.key, "record", node))
+                    fields.append((field.name, field.key, "record", node))
             elif isinstance(item, Record) and item.cls is Check:
-                made.append((field.name, field.key, "checks", None))
+                fields.append((field.name, field.key, "checks", None))
             elif isinstance(item, Record):
                 if item.cls is not Advice:
-                    made.append((field.name, field.key, "records", item))
+                    fields.append((field.name, field.key, "records", item))
             elif not (isinstance(node, Leaf) and (node.choice is not None or node.kind.form in ("text", "flag"))):
-                made.append((field.name, field.key, "number", None))
+                fields.append((field.name, field.key, "number", None))
         # The specification is kept with its entry, so that its id is not reused.
-        _CHECKED[id(spec)] = known = (spec, made)
+        _CHECKED[id(spec)] = known = (spec, fields)
     return known[1]
 
 

@@ -24,14 +24,14 @@ def _spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, A
 
 def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
     """The text beside an uncertain result: the interval and its probability, and the deviation."""
-    made = {}
+    tails = {}
     for address, node in _spreads(results):
         low, high = (number(end, digits) for end in node["interval"])
         chance = f"{100.0 * node['coverage']:.6g} %"
         chance += " each" if isinstance(node["value"], list) else ""
         deviation = f", σ {number(node['std'], 3)}" if node["std"] is not None else ""
-        made[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
-    return made
+        tails[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
+    return tails
 
 
 def _lean(node: "dict[str, Any]") -> str:

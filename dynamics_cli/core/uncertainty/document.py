@@ -66,24 +66,26 @@ def add_uncertainty(
     more = {"limits": wanted, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
     more["partly"] = bool(settings.time_limit) and not settings.plot
     only = _chosen(task, settings, kinds, {*wanted, *asked})
-    made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only)
+    propagation = spread_of(
+        task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only
+    )
     shown = {name: display.of(name.partition("[")[0], kind) for name, kind in kinds.items()}
-    _add_results(document["results"], made, shown)
-    document["numerics"]["uncertainty"] = _method_entry(made)
-    if drivers := _sensitivity(made, shown):
+    _add_results(document["results"], propagation, shown)
+    document["numerics"]["uncertainty"] = _method_entry(propagation)
+    if drivers := _sensitivity(propagation, shown):
         document["sensitivity"] = drivers
-    if made.correlation is not None:
-        document["covariance"] = _covariance(made, shown)
+    if propagation.correlation is not None:
+        document["covariance"] = _covariance(propagation, shown)
     if limits:
-        document["limits"] = limit_entries(limits, made, shown)
+        document["limits"] = limit_entries(limits, propagation, shown)
     if levels:
-        document["quantiles"] = level_entries(levels, made, shown)
-    document["warnings"] += _warnings(made)
+        document["quantiles"] = level_entries(levels, propagation, shown)
+    document["warnings"] += _warnings(propagation)
     if not settings.plot:
         return None
     from dynamics_cli.core.uncertainty.pictures import of_spread
 
-    return of_spread(task, document["inputs"], made, kinds, wanted)
+    return of_spread(task, document["inputs"], propagation, kinds, wanted)
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
@@ -113,7 +115,7 @@ def spread_of(
     asked = read_correlations(settings.correlate, list(distributions))
     come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
     come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
-    made = propagate(
+    propagation = propagate(
         sampled,
         distributions,
         {**come, **asked},
@@ -125,9 +127,9 @@ def spread_of(
         shares=shares,
         **(more or {}),
     )
-    for spread in made.spreads.values():
-        drop_moments(spread, made.coverage)
-    return made
+    for spread in propagation.spreads.values():
+        drop_moments(spread, propagation.coverage)
+    return propagation
 
 
 def read_method(text: str) -> str:
@@ -152,10 +154,10 @@ def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | 
     return made or None
 
 
-def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
+def _add_results(results: "dict[str, Any]", propagation: Propagation, shown: "Mapping[str, Shown]") -> None:
     """Put its distribution beside every result that varies; for a vector, in lists like its value."""
-    vary = made.varying()
-    for name, spread in made.spreads.items():
+    vary = propagation.varying()
+    for name, spread in propagation.spreads.items():
         stem, *steps = name.replace("]", "").split("[")
         indices = [int(step) for step in steps]
         node: Any = results
@@ -171,35 +173,35 @@ def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[s
             "std": unit.width(spread.std) if math.isfinite(spread.std) else None,
         }
         if not indices:
-            node |= {**figures, "interval": [low, high], "coverage": made.coverage}
+            node |= {**figures, "interval": [low, high], "coverage": propagation.coverage}
             continue
         for key, figure in figures.items():
             nested(node.setdefault(key, []), indices).append(figure)
         for end, figure in zip(node.setdefault("interval", [[], []]), (low, high), strict=True):
             nested(end, indices).append(figure)
-        node["coverage"] = made.coverage
+        node["coverage"] = propagation.coverage
 
 
 def _finite(value: "Any") -> "Any":
     return value if isinstance(value, list) or math.isfinite(value) else None
 
 
-def _method_entry(made: Propagation) -> "dict[str, Any]":
+def _method_entry(propagation: Propagation) -> "dict[str, Any]":
     """Method and error estimate (in standard deviations) of every result; the method of the shares."""
     results = {}
-    for name, spread in made.spreads.items():
+    for name, spread in propagation.spreads.items():
         if spread.varies:
             entry: dict[str, Any] = {"method": spread.method, "estimate": _two_digits(spread.estimate)}
             if spread.admissible < 1.0 - 1e-12:
                 entry["admissible"] = spread.admissible
             results[name] = entry
-    out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
-    if made.correlated:
-        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in made.correlated.items()}
-    if made.shares_method:
-        out["shares"] = {"method": made.shares_method}
-        if math.isfinite(made.shares_error):
-            out["shares"]["estimate"] = _two_digits(made.shares_error)
+    out: dict[str, Any] = {"results": results, "seed": propagation.seed, "evaluations": propagation.points}
+    if propagation.correlated:
+        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in propagation.correlated.items()}
+    if propagation.shares_method:
+        out["shares"] = {"method": propagation.shares_method}
+        if math.isfinite(propagation.shares_error):
+            out["shares"]["estimate"] = _two_digits(propagation.shares_error)
     return out
 
 
@@ -211,15 +213,15 @@ def _share(value: float) -> float:
     return float(f"{value:.4f}") + 0.0
 
 
-def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+def _sensitivity(propagation: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
     """For every result the inputs ranked by share of the variance, the range each gives alone, and the corners."""
     out = {}
-    for name, spread in made.spreads.items():
+    for name, spread in propagation.spreads.items():
         if not spread.first or not spread.varies:
             continue
         unit = shown[name]
         rows = []
-        for index, leaf in enumerate(made.inputs):
+        for index, leaf in enumerate(propagation.inputs):
             row: dict[str, Any] = {"input": leaf, "share": _share(spread.first[index])}
             if spread.total[index] != spread.first[index]:
                 row["total"] = _share(spread.total[index])
@@ -240,16 +242,16 @@ def _number(unit: "Shown", si: float) -> "Any":
     return unit.value(si) if math.isfinite(si) else None
 
 
-def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+def _covariance(propagation: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
     """Correlation and covariance of the results that vary and are not copies of one another, in the units shown."""
-    assert made.correlation is not None
-    names = list(made.spreads)
+    assert propagation.correlation is not None
+    names = list(propagation.spreads)
     kept: list[int] = []
     same: dict[str, str] = {}
     for i, name in enumerate(names):
-        spread = made.spreads[name]
+        spread = propagation.spreads[name]
         if spread.std > 0.0:
-            twin = next((names[j] for j in kept if _same(spread, made.spreads[names[j]])), "")
+            twin = next((names[j] for j in kept if _same(spread, propagation.spreads[names[j]])), "")
             if twin:
                 same[name] = twin
             else:
@@ -257,8 +259,8 @@ def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, A
     copies = {"same": same} if same else {}
     if len(kept) < 2:
         return {"results": [names[i] for i in kept], **copies}
-    correlation = made.correlation[np.ix_(kept, kept)]
-    widths = np.array([shown[names[i]].width(made.spreads[names[i]].std) for i in kept])
+    correlation = propagation.correlation[np.ix_(kept, kept)]
+    widths = np.array([shown[names[i]].width(propagation.spreads[names[i]].std) for i in kept])
     return {
         "results": [names[i] for i in kept],
         **copies,
@@ -272,9 +274,9 @@ def _same(one: Spread, other: Spread) -> bool:
     return one.interval == other.interval and one.median == other.median
 
 
-def _warnings(made: Propagation) -> "list[dict[str, Any]]":
+def _warnings(propagation: Propagation) -> "list[dict[str, Any]]":
     out = []
-    fractions = {s.admissible for s in made.spreads.values() if s.admissible < 1.0 - 1e-9}
+    fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-9}
     if fractions:
         share = 1.0 - min(fractions)
         out.append(
@@ -284,7 +286,7 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are for the rest",
             }
         )
-    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
+    rough = [s for s in propagation.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:
         names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
         listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
@@ -299,11 +301,12 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "remedy": "raise --samples",
             }
         )
-    if made.stopped:
-        message = f"the time limit was reached: {len(made.spreads)} of {len(made.stopped)} results have a distribution"
+    if propagation.stopped:
+        done, every = len(propagation.spreads), len(propagation.stopped)
+        message = f"the time limit was reached: {done} of {every} results have a distribution"
         remedy = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": remedy})
-    elif made.inputs and not any(s.varies for s in made.spreads.values()):
+    elif propagation.inputs and not any(s.varies for s in propagation.spreads.values()):
         out.append(
             {
                 "code": "nothing-varies",
@@ -311,17 +314,17 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "message": "only tables depend on the uncertain inputs; they hold the values at the means",
             }
         )
-    return out + _no_deviations(made)
+    return out + _no_deviations(propagation)
 
 
-def _no_deviations(made: Propagation) -> "list[dict[str, Any]]":
+def _no_deviations(propagation: Propagation) -> "list[dict[str, Any]]":
     """Results whose distribution has no standard deviation."""
     out: list[dict[str, Any]] = []
-    if long := [s.name for s in made.spreads.values() if s.tails]:
+    if long := [s.name for s in propagation.spreads.values() if s.tails]:
         message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
         remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"
         out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": remedy})
-    if any(s.varies and not s.tails and not math.isfinite(s.std) for s in made.spreads.values()):
+    if any(s.varies and not s.tails and not math.isfinite(s.std) for s in propagation.spreads.values()):
         out.append(
             {
                 "code": "no-deviation",

@@ -118,17 +118,17 @@ class TaskModel:
         args, kwargs = arguments(self.task, self.bound, values)
         with Drawing():
             record = self.function(*args, **kwargs)
-        found = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
-        return {name: found.get(name, np.nan) for name in self.names}
+        numbers = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
+        return {name: numbers.get(name, np.nan) for name in self.names}
 
     def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
         refused = np.ones(count, dtype=bool)
         refused[kept] = False
-        made = {}
+        arrays = {}
         for name, value in results.items():
-            made[name] = np.full(count, np.nan)
-            made[name][kept] = value
-        return made, refused
+            arrays[name] = np.full(count, np.nan)
+            arrays[name][kept] = value
+        return arrays, refused
 
     def _outside(self, arrays: "dict[str, Array]", count: int) -> "Any":
         """Rows with inputs outside their kind's bounds (a negative friction) or undefined, or None."""
@@ -154,7 +154,7 @@ class TaskModel:
         self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", count: int, refused: "Any"
     ) -> "tuple[dict[str, Any], Any]":
         bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
-        made = {name: np.full(count, np.nan) for name in self.names}
+        results = {name: np.full(count, np.nan) for name in self.names}
         columns = {name: array.tolist() for name, array in arrays.items()}
         for row in np.nonzero(~bad)[0].tolist():
             values = {**inputs, **{name: column[row] for name, column in columns.items()}}
@@ -166,6 +166,6 @@ class TaskModel:
                 bad[row] = True
                 continue
             for name, _, value in result_numbers(record, self.spec):
-                if name in made:
-                    made[name][row] = value
-        return made, bad if bad.any() else None
+                if name in results:
+                    results[name][row] = value
+        return results, bad if bad.any() else None

@@ -20,12 +20,12 @@ MOST_DRIVERS = 12
 def of_spread(
     task: "Task",
     inputs: "dict[str, Any]",
-    made: "Propagation",
+    propagation: "Propagation",
     kinds: "Mapping[str, Kind]",
     limits: "Mapping[str, list[float]]",
 ) -> "Picture | None":
     """The distribution of the first result that varies (the limited one, if any) and its tornado."""
-    varying = [spread for spread in made.spreads.values() if spread.interval[0] < spread.interval[1]]
+    varying = [spread for spread in propagation.spreads.values() if spread.interval[0] < spread.interval[1]]
     varying.sort(key=lambda spread: spread.name not in limits)
     if not varying:
         return None
@@ -33,9 +33,9 @@ def of_spread(
     names = body_names(inputs)
     label = with_name(dict(task.headline).get(spread.name) or in_words(spread.name), names)
     axis = Axis(label, kinds[spread.name])
-    panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
+    panels = [_density(spread, axis, propagation.coverage, limits.get(spread.name, []))]
     if spread.tornado:
-        panels.append(_tornado(made, spread, axis, names))
+        panels.append(_tornado(propagation, spread, axis, names))
     return Picture(tuple(panels), f"dynamics {task.path}: {axis.title}", distributions=len(panels))
 
 
@@ -57,9 +57,9 @@ def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]
     return Panel(axis, Axis("relative density, probability"), tuple(items))
 
 
-def _tornado(made: "Propagation", spread: "Spread", axis: Axis, names: "dict[str, str]") -> Panel:
+def _tornado(propagation: "Propagation", spread: "Spread", axis: Axis, names: "dict[str, str]") -> Panel:
     rows = []
-    for name, (a, b), share in zip(made.inputs, spread.tornado, spread.total or spread.first, strict=True):
+    for name, (a, b), share in zip(propagation.inputs, spread.tornado, spread.total or spread.first, strict=True):
         if math.isfinite(a) and math.isfinite(b):
             rows.append(
                 (abs(b - a), f"{with_name(in_words(name), names)} ({100.0 * share:.0f} %)", min(a, b), max(a, b))

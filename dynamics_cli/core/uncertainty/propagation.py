@@ -139,33 +139,35 @@ def propagate(
     score = -normal.quantile(tail)
     p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
     goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed, curve=curve)
-    made = Propagation(space, coverage, seed)
-    made.correlated = dict(correlation or {})
+    propagation = Propagation(space, coverage, seed)
+    propagation.correlated = dict(correlation or {})
     if space.size == 0:
-        _certain(space, made)
-        return made
+        _certain(space, propagation)
+        return propagation
     try:
         probe = _probe(space, seed)
         stand_in = None
         if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
             stand_in = StandIn(space, seed, goal.accuracy)
-        _distribute(space, made, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in)
+        _distribute(
+            space, propagation, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in
+        )
         if shares and space.results:
-            _add_shares(space, made, seed, stand_in)
-            add_corners(space, made.spreads, made.coverage)
+            _add_shares(space, propagation, seed, stand_in)
+            add_corners(space, propagation.spreads, propagation.coverage)
     except Reached:
         if not partly:
             raise
         stop()
-        made.stopped = space.results
-    made.points = space.points
-    return made
+        propagation.stopped = space.results
+    propagation.points = space.points
+    return propagation
 
 
-def _certain(space: Space, made: Propagation) -> None:
+def _certain(space: Space, propagation: Propagation) -> None:
     values = space.evaluate(np.zeros((0, 1)))[:, 0]
     for name, value in zip(space.results, values.tolist(), strict=True):
-        made.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
+        propagation.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
 
 
 def _probe(space: Space, seed: int) -> "Array":
@@ -180,7 +182,7 @@ def _probe(space: Space, seed: int) -> "Array":
 
 def _distribute(
     space: Space,
-    made: Propagation,
+    propagation: Propagation,
     goal: Goal,
     method: str,
     samples: int,
@@ -194,16 +196,16 @@ def _distribute(
     straight = Straight(space, probe, goal.seed)
     for row, name in enumerate(space.results):
         # A curve is drawn for the limited results, or for the first that varies.
-        curve = goal.curve and (name in limits if limits else not made.varying())
+        curve = goal.curve and (name in limits if limits else not propagation.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
         twin, scale, shift = straight.of(row)
         more = {name, twin} & (limits.keys() | levels.keys())
         if twin and not more and not curve:
-            made.spreads[name] = _copy(made.spreads[twin], name, scale, shift)
+            propagation.spreads[name] = _copy(propagation.spreads[twin], name, scale, shift)
         elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
-            made.spreads[name] = _constant(name, float(probe[row, 0]), own)
+            propagation.spreads[name] = _constant(name, float(probe[row, 0]), own)
         elif sample is not None:
-            made.spreads[name] = _sampled(name, row, sample, own)
+            propagation.spreads[name] = _sampled(name, row, sample, own)
         else:
             best = _stood_in(stand_in, name, row, own, probe) if stand_in is not None and name not in more else None
             # Where the polynomials are accurate enough, further points of the model would add nothing.
@@ -211,7 +213,7 @@ def _distribute(
             if best is None or not (near or best.estimate <= FAIR):
                 other = _integrated(space, name, row, own, method, probe, slopes.get(name))
                 best = other if best is None or other.estimate < best.estimate else best
-            made.spreads[name] = best
+            propagation.spreads[name] = best
 
 
 def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
@@ -227,42 +229,42 @@ def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array"
 
 def _copy(spread: Spread, name: str, scale: float, shift: float) -> Spread:
     """The distribution of scale · x + shift."""
-    made = Spread.__new__(Spread)
-    made.__dict__.update(spread.__dict__, name=name)
+    copied = Spread.__new__(Spread)
+    copied.__dict__.update(spread.__dict__, name=name)
     if (scale, shift) != (1.0, 0.0):
         low, high = sorted(scale * end + shift for end in spread.interval)
-        made.interval = (low, high)
-        made.median, made.mean = scale * spread.median + shift, scale * spread.mean + shift
-        made.std = abs(scale) * spread.std
-    return made
+        copied.interval = (low, high)
+        copied.median, copied.mean = scale * spread.median + shift, scale * spread.mean + shift
+        copied.std = abs(scale) * spread.std
+    return copied
 
 
 def _constant(name: str, value: float, goal: Goal) -> Spread:
-    made = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
-    made.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in goal.limits]
-    made.levels = [(level, value) for level in goal.levels]
-    return made
+    spread = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
+    spread.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in goal.limits]
+    spread.levels = [(level, value) for level in goal.levels]
+    return spread
 
 
 def _sampled(name: str, row: int, sample: Sample, goal: Goal) -> Spread:
     plain, admissible, ordered = sample.plain(row, goal)
     if ordered.size < 2:
         raise InadmissibleError("almost no case within the inputs' uncertainty is admissible", hint="check the inputs")
-    made = _of_plain(name, plain, goal)
-    made.admissible = admissible
-    made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
+    spread = _of_plain(name, plain, goal)
+    spread.admissible = admissible
+    spread.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
     if goal.curve:
-        values = across_range(made.interval)
+        values = across_range(spread.interval)
         below = np.searchsorted(ordered, values, side="right") / ordered.size
-        made.cumulative = (values.tolist(), below.tolist())
-    return made
+        spread.cumulative = (values.tolist(), below.tolist())
+    return spread
 
 
 def _of_plain(name: str, plain: Plain, goal: Goal) -> Spread:
-    made = Spread(name, plain.method, plain.quantiles[goal.main].tolist(), plain.mean, plain.std)
-    made.levels = goal.at_levels(plain.quantiles)
-    made.estimate = plain.estimate
-    return made
+    spread = Spread(name, plain.method, plain.quantiles[goal.main].tolist(), plain.mean, plain.std)
+    spread.levels = goal.at_levels(plain.quantiles)
+    spread.estimate = plain.estimate
+    return spread
 
 
 def _integrated(
@@ -280,8 +282,8 @@ def _integrated(
     spread.estimate, spread.admissible = outcome.estimate, outcome.admissible
     spread.levels = goal.at_levels(outcome.quantiles)
     if goal.limits:
-        found = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
-        spread.beyond = list(zip(goal.limits, found.tolist(), strict=True))
+        chances = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
+        spread.beyond = list(zip(goal.limits, chances.tolist(), strict=True))
     if goal.curve and spread.interval[0] < spread.interval[1]:
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
@@ -316,20 +318,20 @@ def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Sprea
     return made
 
 
-def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | None) -> None:
+def _add_shares(space: Space, propagation: Propagation, seed: int, stand_in: StandIn | None) -> None:
     """Shares of the variance of every result, and the results' correlation."""
-    variances = np.nan_to_num([made.spreads[name].std ** 2 for name in space.results], posinf=0.0)
+    variances = np.nan_to_num([propagation.spreads[name].std ** 2 for name in space.results], posinf=0.0)
     missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
     if stand_in is not None and missed < MOST_MISSED:
         space = stand_in.space
     else:
         missed = 0.0
-    admissible = min(spread.admissible for spread in made.spreads.values())
-    found: Shares = variance_shares(space, variances, seed, admissible)
+    admissible = min(spread.admissible for spread in propagation.spreads.values())
+    shares: Shares = variance_shares(space, variances, seed, admissible)
     for row, name in enumerate(space.results):
-        if made.spreads[name].varies and np.isfinite(found.first[row]).all():
-            made.spreads[name].first = found.first[row].tolist()
-            made.spreads[name].total = found.total[row].tolist()
-    made.shares_method, made.shares_error = found.method, found.error + missed
-    if sum(spread.std > 0.0 for spread in made.spreads.values()) > 1:
-        made.correlation = found.covariance()
+        if propagation.spreads[name].varies and np.isfinite(shares.first[row]).all():
+            propagation.spreads[name].first = shares.first[row].tolist()
+            propagation.spreads[name].total = shares.total[row].tolist()
+    propagation.shares_method, propagation.shares_error = shares.method, shares.error + missed
+    if sum(spread.std > 0.0 for spread in propagation.spreads.values()) > 1:
+        propagation.correlation = shares.covariance()

@@ -37,15 +37,17 @@ class Space:
 
     def __init__(self, model: "Model", distributions: "Mapping[str, Distribution]", correlation: "Correlation") -> None:
         self.model = model
-        self.fixed = {name: made.mean for name, made in distributions.items() if made.std == 0.0}
+        self.fixed = {
+            name: distribution.mean for name, distribution in distributions.items() if distribution.std == 0.0
+        }
         self.names = [name for name in distributions if name not in self.fixed]
         self.distributions = [distributions[name] for name in self.names]
         self.factor = factor(self.names, correlation, set(distributions))
-        self.smooth = all(made.smooth for made in self.distributions)
-        self.stepped = any(made.name == "empirical" for made in self.distributions)
+        self.smooth = all(distribution.smooth for distribution in self.distributions)
+        self.stepped = any(distribution.name == "empirical" for distribution in self.distributions)
         # Without a finite variance of an input (Student's t of two or three readings) the result has usually none
         # either.
-        self.heavy = any(made.std == np.inf for made in self.distributions)
+        self.heavy = any(distribution.std == np.inf for distribution in self.distributions)
         self.results: list[str] = []
         # error of the values, by result
         self.noise: Mapping[str, float] = getattr(model, "noise", {})
@@ -69,10 +71,10 @@ class Space:
 
     def inputs_of(self, scores: "Array") -> "dict[str, Any]":
         """The inputs from their own (possibly correlated) normal scores."""
-        made: dict[str, Any] = dict(self.fixed)
+        inputs: dict[str, Any] = dict(self.fixed)
         for name, distribution, score in zip(self.names, self.distributions, scores, strict=True):
-            made[name] = distribution.at(score)
-        return made
+            inputs[name] = distribution.at(score)
+        return inputs
 
     def evaluate(self, z: "Array") -> "Array":
         """Every result at points z (inputs, n): an array (results, n), NaN where inadmissible."""
@@ -83,12 +85,12 @@ class Space:
         if self._known is None:
             return self.evaluate_inputs(self.inputs(z), count)
         key = z.tobytes()
-        made = self._known.get(key)
-        if made is None:
-            made = self.evaluate_inputs(self.inputs(z), count)
+        known = self._known.get(key)
+        if known is None:
+            known = self.evaluate_inputs(self.inputs(z), count)
             if len(self._known) < MOST_KNOWN:
-                self._known[key] = made
-        return made
+                self._known[key] = known
+        return known
 
     def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
         """Every result at given cases of the inputs."""
@@ -128,10 +130,10 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
             matrix[i, j] = matrix[j, i] = rho
     if not (matrix - np.eye(len(names))).any():
         return None
-    made = _cholesky(matrix)
-    if made is None:
+    lower = _cholesky(matrix)
+    if lower is None:
         _refuse(names, matrix)
-    return made
+    return lower
 
 
 def positive(matrix: "Array") -> bool:
@@ -163,11 +165,11 @@ def _cholesky(matrix: "Array") -> "Array | None":
                 elif rest > _PIVOT:
                     row[j] = rest.sqrt()
             rows.append(row)
-    made = np.zeros_like(matrix)
+    lower = np.zeros_like(matrix)
     for i, row in enumerate(rows):
         for j, value in row.items():
-            made[i, j] = float(value)
-    return made
+            lower[i, j] = float(value)
+    return lower
 
 
 def _refuse(names: "Sequence[str]", matrix: "Array") -> None:

@@ -30,10 +30,10 @@ def factors(text: str) -> list[tuple[str, int]]:
     if len(text) > LONGEST:
         raise UsageError(f"a unit of {len(text)} characters is too long", code="unit-syntax", hint="example: kg*m^2")
     reader = _Reader(text)
-    found = reader.product(0)
+    read = reader.product(0)
     if reader.at < len(text):
         reader.fail("')' has no '('" if reader.peek() == ")" else f"{show(reader.peek())} cannot stand in a unit")
-    return found
+    return read
 
 
 def joined_name(words: "list[str]") -> str:
@@ -86,7 +86,7 @@ class _Reader:
 
     def product(self, depth: int) -> list[tuple[str, int]]:
         """Factors with their powers, of products and quotients."""
-        found = self.operand(depth, first=True)
+        factors_read = self.operand(depth, first=True)
         divided = False
         while operator := self.operator():
             operand = self.operand(depth)
@@ -99,8 +99,8 @@ class _Reader:
                     "use parentheses: kg/(m*s) for kg over both, or put the division last: kg*s/m",
                     "ambiguous-unit",
                 )
-            found += operand
-        return found
+            factors_read += operand
+        return factors_read
 
     def operator(self) -> str:
         """Consume an operator: "/", "*", " " between two names side by side, or nothing at the end."""

@@ -137,12 +137,12 @@ def all_units() -> "Iterator[tuple[str, tuple[str, ...], Unit, str]]":
 def _kinds(unit: Unit) -> str:
     """Kind of a unit, all of them where its text has several readings."""
     try:
-        found = candidates(unit.text)
+        readings = candidates(unit.text)
     except UsageError:
-        found = [unit]
-    if not any(other.dimension == unit.dimension for other in found):
-        found = [unit]
-    return " or ".join(dict.fromkeys(kind_name(other) for other in found))
+        readings = [unit]
+    if not any(other.dimension == unit.dimension for other in readings):
+        readings = [unit]
+    return " or ".join(dict.fromkeys(kind_name(other) for other in readings))
 
 
 def _named(unit: Unit) -> str:

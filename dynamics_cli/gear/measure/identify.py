@@ -205,7 +205,7 @@ class _Readings:
 
 def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
     """Candidates, best first: deviation, name, module as a fraction, and pressure angle in degrees."""
-    found = []
+    candidates_fitting = []
     mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
         angle = degrees * pi / 180.0
@@ -220,10 +220,10 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]
                 continue
             off, _ = _disagreement(read, module, angle, degrees, shift, error)
             if off < 1e4:
-                found.append((sqrt(off), name, (size[0], size[1]), degrees))
+                candidates_fitting.append((sqrt(off), name, (size[0], size[1]), degrees))
     # among equal ones the size listed first
     order = {name: place for place, (name, *_) in enumerate(sizes)}
-    return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
+    return sorted(candidates_fitting, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
 def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:

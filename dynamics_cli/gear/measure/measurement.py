@@ -166,9 +166,9 @@ def measure(
     advice += _advice(gear, spanned, face_width)
     from_chord = None if measured_chord is None else _found(gear, shift_from_chord(gear, measured_chord))
     read = _from_span(gear, spanned, measured_span), _from_pins(gear, pin, measured_pins), from_chord
-    for found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
-        if found is not None:
-            _require_cut(made, found.profile_shift, size, name, tip_diameter, root_radius_factor)
+    for shift_found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
+        if shift_found is not None:
+            _require_cut(made, shift_found.profile_shift, size, name, tip_diameter, root_radius_factor)
     return Measurements(
         normal_thickness=_thickness(gear),
         span=spanned,
@@ -244,10 +244,10 @@ def _from_pins(gear: "Toothing", pin: float | None, measured: float | None) -> S
 
 
 def _require_cut(
-    made: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
+    gear: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
 ) -> None:
     """Refuse a reading whose profile shift makes the gear impossible."""
-    own = with_shift(made, -shift if made.internal else shift)
+    own = with_shift(gear, -shift if gear.internal else shift)
     try:
         require_circles(own)
         toothing(own, tip_diameter=tip_diameter, fillet=fillet_of(own, radius))
@@ -259,7 +259,7 @@ def _require_cut(
             name=name,
             size=(size, Size),
             shift=(shift, Ratio),
-            teeth=abs(made.teeth),
+            teeth=abs(gear.teeth),
             reason=error.message,
             code="measured",
             hint="check the reading, the number of teeth spanned, the module and the tip diameter",

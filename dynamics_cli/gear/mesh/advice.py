@@ -42,21 +42,21 @@ def advice(
     first: ToothForm,
 ) -> tuple[Advice, ...]:
     """Faults of a mesh, and contact that ends elsewhere than at the tips."""
-    found = []
+    advices = []
     if ratio < 1.0:
         text = worded(
             "the contact ratio is {ratio:6}: between one pair of teeth and the next there is no contact",
             ratio=(ratio, Ratio),
         )
         remedy = "bring the gears closer together, or give them longer teeth"
-        found.append(Advice("open-mesh", text, "serious", remedy))
+        advices.append(Advice("open-mesh", text, "serious", remedy))
     if backlash < -EXACT:
         text = worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size))
-        found.append(Advice("jam", text, "serious", "raise the centre distance, or lower the profile shifts"))
+        advices.append(Advice("jam", text, "serious", "raise the centre distance, or lower the profile shifts"))
     for where, gap in gaps.items():
         if gap < -OVERLAP * first.module:
             text = worded("{where}: the profiles overlap by {gap:6}", where=where, gap=(-gap, Size))
-            found.append(Advice("interference", text, "serious", "shorten the tips"))
+            advices.append(Advice("interference", text, "serious", "shorten the tips"))
     for which, clearance in zip(("gear 1", "gear 2"), clearances, strict=True):
         if clearance < 0.0:
             text = worded(
@@ -64,14 +64,14 @@ def advice(
                 which=which,
                 clearance=(-clearance, Size),
             )
-            found.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
+            advices.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
     for lost, where in (
         (path.start - path.tip_start, "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's"),
         (path.tip_end - path.end, "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's"),
     ):
         if lost > EXACT:
-            found.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))
-    return tuple(found)
+            advices.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))
+    return tuple(advices)
 
 
 def tips_meet(overlap: float) -> tuple[Advice, ...]:

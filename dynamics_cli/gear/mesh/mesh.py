@@ -247,18 +247,18 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         0.0, -_beside(first, second, apart, bare(known.play)) - jammed, -tips_pass(first, second, apart) - EXACT
     )
     trims = trimmed > TRIMS * first.module or tips_pass(first, second, apart) < -EXACT
-    found = {name: bare(value) for name, value in known.results.items()}
+    numbers = {name: bare(value) for name, value in known.results.items()}
     gaps = {"gear 1 in the root of gear 2": known.inward, "gear 2 in the root of gear 1": known.outward}
     overlaps = {where: bare(gap) for where, gap in gaps.items() if gap is not None}
-    clearances = found["first_tip_clearance"], found["second_tip_clearance"]
+    clearances = numbers["first_tip_clearance"], numbers["second_tip_clearance"]
     room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
-    runs = found["contact_ratio"] >= 1.0 and found["backlash"] >= -EXACT * apart and room and not trims
+    runs = numbers["contact_ratio"] >= 1.0 and numbers["backlash"] >= -EXACT * apart and room and not trims
     picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
     path = _points(first, second, plain, lengths[picks], error[picks])
     shares = len(lengths) - 1, picks.tolist()
     notes = tip_notes(first, second, apart) if bare_tips else ()
     return MeshProof(
-        **found,
+        **numbers,
         begins_at="tip of gear 2" if plain.start == plain.tip_start else "form circle of gear 1",
         ends_at="tip of gear 1" if plain.end == plain.tip_end else "form circle of gear 2",
         transmission_error=worst,
@@ -268,7 +268,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         runs=runs,
         path=path,
         checks=(Check("conjugate action", worst <= turned, worst, turned),),
-        advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
+        advice=advice(plain, numbers["contact_ratio"], numbers["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
         numerics=mesh_numerics(known, exact, worst, path.arrays, shares),

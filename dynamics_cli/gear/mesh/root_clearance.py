@@ -184,12 +184,12 @@ def root_gap(
     from the start of the flank, if an involute of `first` reaches it. Negative ones are overlaps.
     """
     path, curve = TipPath(first, second, distance, play), RootCurve(second)
-    found = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
+    gaps = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
     if touch is not None:
-        found.append(touch)
-    least = min(found, key=bare)
+        gaps.append(touch)
+    least = min(gaps, key=bare)
     # whichever of nearly equal ones is the minimum, their common bound holds
-    worst = max(error_of(one) for one in found if bare(one - least) <= error_of(one))
+    worst = max(error_of(one) for one in gaps if bare(one - least) <= error_of(one))
     return with_error(least, worst)  # type: ignore[no-any-return]
 
 
@@ -204,10 +204,10 @@ def least_places(first: ToothForm, second: ToothForm, distance: float, play: flo
     path, curve = TipPath(first, second, distance, play, math), RootCurve(second, math)
     # without backlash one side is the mirror image of the other
     sides = (-1.0, 1.0) if play > 0.0 else (1.0,)
-    found = [place for side in sides for place in _places(both, path, curve, side)]
-    gaps = [_distance(path, curve, *place) for place in found]
+    places = [place for side in sides for place in _places(both, path, curve, side)]
+    gaps = [_distance(path, curve, *place) for place in places]
     nearly = min(gaps, default=0.0) + 1e-9 * second.module
-    return tuple(place for place, gap in zip(found, gaps, strict=True) if gap <= nearly)
+    return tuple(place for place, gap in zip(places, gaps, strict=True) if gap <= nearly)
 
 
 def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> float:

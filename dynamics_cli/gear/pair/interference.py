@@ -56,17 +56,19 @@ def verdicts(
     first, second = mesh.first, mesh.second
     clearance = mesh.centre_distance - 0.5 * (first.tip_diameter + second.root_diameter)
     other = mesh.centre_distance - 0.5 * (second.tip_diameter + first.root_diameter)
-    found = [
+    verdicts_of_pair = [
         ("involute: the second's tip against the first's base circle", path.nominal_start),
         ("root: the second's tip against the first's root form circle", path.nominal_start - path.first_form),
         ("tip clearance of the first in the second", clearance),
         ("tip clearance of the second in the first", other),
     ]
-    found[2:2] = _profiles(mesh, path, backlash, cut, root_radius_factor)
+    verdicts_of_pair[2:2] = _profiles(mesh, path, backlash, cut, root_radius_factor)
     if path.second_form is not None:
         reach = mesh.line - path.nominal_end
-        found.insert(1, ("involute: the first's tip against the second's base circle", reach))
-        found.insert(3, ("root: the first's tip against the second's root form circle", reach - path.second_form))
+        verdicts_of_pair.insert(1, ("involute: the first's tip against the second's base circle", reach))
+        verdicts_of_pair.insert(
+            3, ("root: the first's tip against the second's root form circle", reach - path.second_form)
+        )
     else:
         corner = _Corner(mesh)
         own = _Corner(_bare(mesh))
@@ -74,11 +76,12 @@ def verdicts(
         running, pushing = (
             _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
         )
-        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
-        found.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
+        verdicts_of_pair.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
+        verdicts_of_pair.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
     room = {PROFILES: -OVERLAP * plain(first.module)}
     return tuple(
-        Verdict(kind, plain(margin) >= room.get(kind.partition(":")[0], 0.0), margin) for kind, margin in found
+        Verdict(kind, plain(margin) >= room.get(kind.partition(":")[0], 0.0), margin)
+        for kind, margin in verdicts_of_pair
     )
 
 

@@ -137,9 +137,9 @@ def pair(
     cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
     course = path(mesh)
     load = _torque(torque, power, speed)
-    found = verdicts(mesh, course, play, cut, root_radius_factor)
+    interference = verdicts(mesh, course, play, cut, root_radius_factor)
     forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
-    return _result(mesh, course, tip_change, found, forces, load, speed, friction, face_width,
+    return _result(mesh, course, tip_change, interference, forces, load, speed, friction, face_width,
                    (first, second), (first_bearings, second_bearings), pitch, play)  # fmt: skip
 
 
@@ -164,7 +164,7 @@ def _result(
     mesh: Engagement,
     course: Path,
     tip_change: float | None,
-    found: tuple[Verdict, ...],
+    interference: tuple[Verdict, ...],
     forces: ToothForces | None,
     torque: float | None,
     speed: float | None,
@@ -222,8 +222,8 @@ def _result(
         second_generating_shift=generating_shift(two, thinned[1]),
         circumferential_backlash=backlash,
         normal_backlash=backlash * cos(mesh.angle) * cos(one.base_helix_angle),
-        first_tip_clearance=found[-2 if not two.internal else -4].margin,
-        second_tip_clearance=found[-1 if not two.internal else -3].margin,
+        first_tip_clearance=interference[-2 if not two.internal else -4].margin,
+        second_tip_clearance=interference[-1 if not two.internal else -3].margin,
         loss_factor=losses,
         efficiency=1.0 - friction * losses,
         common_factor=common,
@@ -235,9 +235,9 @@ def _result(
         forces=forces,
         bearings=_bearings(forces, working, spans),
         points=tuple(_points(mesh, course, working[0], speed)),
-        verdicts=found,
+        verdicts=interference,
         checks=_checks(mesh),
-        advice=pair_advice(mesh, transverse, backlash, found, thinned) + module_advice(pitch, module),
+        advice=pair_advice(mesh, transverse, backlash, interference, thinned) + module_advice(pitch, module),
     )
 
 

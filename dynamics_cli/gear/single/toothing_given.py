@@ -109,7 +109,7 @@ def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = I
         form = _internal_form(0.5 * absolute(gear.base_diameter), own_root, fillet * gear.module)
     else:
         form = root(gear.cutter).form_radius * gear.module
-    made = Toothing(
+    teeth_of_gear = Toothing(
         abs(gear.teeth),
         gear.internal,
         gear.module,
@@ -120,8 +120,8 @@ def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = I
         own_root,
         form,
     )
-    require_teeth(made, form)
-    return made
+    require_teeth(teeth_of_gear, form)
+    return teeth_of_gear
 
 
 def require_teeth(gear: Toothing, form: float) -> None:

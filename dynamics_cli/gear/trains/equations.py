@@ -56,9 +56,9 @@ class Known:
         taken = [self.driver, self.driven, *self.fixed, *(one.name for one in self.shafts if one.speed is not None)]
 
         def left_over(*names: str) -> str:
-            found = next((name for name in names if name not in taken), "")
-            taken.append(found)
-            return found
+            remaining = next((name for name in names if name not in taken), "")
+            taken.append(remaining)
+            return remaining
 
         # a shaft with a given speed may still be the driver or the driven one
         self.driver = self.driver or left_over("sun", "carrier", "ring")
@@ -98,20 +98,23 @@ class Known:
 
     def speeds(self, speed: float | None) -> "dict[str, Pair | None]":
         """Shafts whose speed is given; None for a driver that turns by one."""
-        found: dict[str, Pair | None] = {}
+        speeds_known: dict[str, Pair | None] = {}
         for one in self.shafts:
             if one.speed is not None:
                 require(
                     one.name not in self.fixed, "{name} is fixed and has a speed", name=one.name, code="fixed-speed"
                 )
-                require(one.name not in found, "{name} has two speeds", name=one.name, code="two-speeds")
-                found[one.name] = exact(one.speed)
+                require(one.name not in speeds_known, "{name} has two speeds", name=one.name, code="two-speeds")
+                speeds_known[one.name] = exact(one.speed)
         if speed is not None:
             require(
-                self.driver not in found, "the driver {driver} has two speeds", driver=self.driver, code="two-speeds"
+                self.driver not in speeds_known,
+                "the driver {driver} has two speeds",
+                driver=self.driver,
+                code="two-speeds",
             )
-            found[self.driver] = exact(speed)
-        return found or {self.driver: None}
+            speeds_known[self.driver] = exact(speed)
+        return speeds_known or {self.driver: None}
 
 
 def _require_mesh(mesh: Mesh) -> None:
@@ -227,17 +230,17 @@ class Motion:
 
     def advice(self) -> tuple[Advice, ...]:
         """Advice on undetermined motion, and on a driven shaft that stands still."""
-        found = []
+        advices = []
         driven = self.relative(self.known.driven) if self.known.driven else None
         if driven is not None and driven[0] == 0:
             message = worded("{driven} stands still whatever the driver does", driven=self.known.driven)
-            found.append(Advice("driven-stands", message, "serious", result="ratio"))
+            advices.append(Advice("driven-stands", message, "serious", result="ratio"))
         loose = [name for name in self._names if self.terms(name) is None]
         if loose:
-            found.append(
+            advices.append(
                 Advice("loose-shafts", worded("the motion of {names} is not determined", names=", ".join(loose)))
             )
-        return tuple(found)
+        return tuple(advices)
 
 
 def rolling_speed(mesh: Mesh, motion: Motion) -> "Pair | None":

@@ -126,8 +126,8 @@ def ratio(
     else:
         search = Pairs(wanted, drivers, driven, stages, limits)
     search.require_reach()
-    found, rejected = search.best(count)
-    best = [_shown(train, wanted) for train in found]
+    trains, rejected = search.best(count)
+    best = [_shown(train, wanted) for train in trains]
     return RatioFound(
         best=tuple(best),
         considered=search.considered,

@@ -54,10 +54,10 @@ def require_between(target: "Pair", least: "Pair", most: "Pair", stages: int) ->
     )
 
 
-def require_found(found: object, rejected: int) -> None:
+def require_found(trains: object, rejected: int) -> None:
     """Refuse when no train keeps the limits."""
     require(
-        bool(found),
+        bool(trains),
         "none of the {rejected} nearest ratios can be made within the constraints",
         rejected=rejected,
         code="constraints",

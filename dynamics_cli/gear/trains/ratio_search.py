@@ -81,17 +81,17 @@ class Pairs:
         """Every ratio whose relative error is at most `reach`, with its train of fewest teeth."""
         aim = nearest(self.target)
         low, high = aim * (1.0 - reach - HIDDEN), aim * (1.0 + reach + HIDDEN)
-        found: dict[Pair, Train] = {}
+        trains: dict[Pair, Train] = {}
         for short, long in self._halves:
             sizes = [size for size, _ in long]
             for size, train in short:
                 for place in range(bisect_left(sizes, low / size), bisect_right(sizes, high / size)):
                     whole = tuple(sorted(train + long[place][1]))
                     value = lowest(prod(b for _, b in whole), prod(a for a, _ in whole))
-                    known = found.get(value)
+                    known = trains.get(value)
                     if known is None or (_teeth(whole), whole) < (_teeth(known), known):
-                        found[value] = whole
-        return found
+                        trains[value] = whole
+        return trains
 
     def best(self, count: int) -> "tuple[list[Train], int]":
         """The trains of the `count` best ratios; pairs that violate a limit are not listed at all."""

@@ -40,7 +40,7 @@ class Stages:
 
     def meshes(self) -> tuple[Mesh, ...]:
         """The meshes in order."""
-        found: list[Mesh] = []
+        meshes: list[Mesh] = []
         shaft = 1
         text = self.stages.replace("×", ":").replace("x", ":").replace(" ", "").replace(";", ",")
         for stage in text.split(","):
@@ -52,9 +52,9 @@ class Stages:
                 code="stage",
             )
             for one, other in pairwise(teeth):
-                found.append(_external_first(str(shaft), one, str(shaft + 1), other))
+                meshes.append(_external_first(str(shaft), one, str(shaft + 1), other))
                 shaft += 1
-        return tuple(found)
+        return tuple(meshes)
 
 
 def _whole(word: str, stage: str) -> int:

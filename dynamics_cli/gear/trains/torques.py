@@ -27,22 +27,22 @@ class Forces:
     def _given(self, torque: float | None, power: float | None) -> "dict[str, Pair]":
         known = self.known
         require(torque is None or power is None, "give the torque or the power of the driver, not both", code="torque")
-        found = {one.name: exact(one.torque) for one in known.shafts if one.torque is not None}
+        given = {one.name: exact(one.torque) for one in known.shafts if one.torque is not None}
         if torque is None and power is None:
-            return found
+            return given
         require(
-            known.driver not in found, "the driver {driver} has two torques", driver=known.driver, code="two-torques"
+            known.driver not in given, "the driver {driver} has two torques", driver=known.driver, code="two-torques"
         )
         if torque is not None:
-            found[known.driver] = exact(torque)
-            return found
+            given[known.driver] = exact(torque)
+            return given
         speed = self.motion.speed(known.driver)
         require(speed is not None, "power needs the speed of the driver", code="speed", hint="give --speed")
         assert speed is not None
         assert power is not None
         require(speed[0] != 0, "a driver at rest takes no power", code="speed", hint="give --torque")
-        found[known.driver] = product(exact(power), (speed[1], speed[0]))
-        return found
+        given[known.driver] = product(exact(power), (speed[1], speed[0]))
+        return given
 
     def _solve(self) -> None:
         known = self.known
@@ -62,13 +62,13 @@ class Forces:
             code="torque",
             hint="name the driven shaft, or give fewer torques",
         )
-        found = {name: self._value(solved.terms(column)) for name, column in columns.items()}
+        torques = {name: self._value(solved.terms(column)) for name, column in columns.items()}
         forces = [self._value(solved.terms(column)) for column in range(len(known.meshes))]
-        self.open = tuple(name for name, value in found.items() if value is None)
+        self.open = tuple(name for name, value in torques.items() if value is None)
         if self.open or None in forces:
             self.open = self.open or ("the meshes",)
             return
-        self._values = {name: value for name, value in found.items() if value is not None}
+        self._values = {name: value for name, value in torques.items() if value is not None}
         self._mesh_forces = [value for value in forces if value is not None]
 
     def _value(self, terms: "tuple[Pair, ...] | None") -> "Pair | None":

@@ -34,14 +34,14 @@ def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse
         given = getattr(scene, side)
         if given.rest is not None and course.rest_position is not None:
             gaps.append(_place(name, course.rest_position, given.rest))
-        for what, link, found, recorded in (
+        for what, link, value, recorded in (
             ("speed into the impact", "momentum", course.approach_speed, given.recorded_speed),
             ("ΔV", "momentum", course.delta_v.magnitude, given.recorded_delta_v),
         ):
             if recorded is not None:
-                gap = found - recorded
+                gap = value - recorded
                 entry = Agreement(f"{what} of {name}", link, "record", gap, None, _normalised(gap))
-                gaps.append(Gap(entry, RoadSpeed, found, recorded))
+                gaps.append(Gap(entry, RoadSpeed, value, recorded))
     return gaps
 
 

@@ -34,9 +34,11 @@ def verdicts(
             links.append(_by_friction(f"slide of {name}", slide.speed, grip))
     for name, body in zip(names, (meeting.first, meeting.second), strict=True):
         if body.determined is not None:
-            found = body.determined
+            verdict = body.determined
             links.append(
-                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading or "", None, found.heading_tolerance)
+                LinkVerdict(
+                    f"impact, {name}", verdict.verdict, verdict.worst_heading or "", None, verdict.heading_tolerance
+                )
             )
     for name, way in zip(names, ways, strict=True):
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]

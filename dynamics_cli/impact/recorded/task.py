@@ -84,8 +84,8 @@ def head_on(
         speed = lone + closing
         velocity = speed * inward[0], speed * inward[1]
         other = (speed, lone + speeds[0], lone + speeds[1])
-    found = Found(inward, restitutions[0], closing, speeds, velocity, other, in_line=True)
-    return answer(crash, found, tolerance, final_change, pdof_zero)
+    values = Found(inward, restitutions[0], closing, speeds, velocity, other, in_line=True)
+    return answer(crash, values, tolerance, final_change, pdof_zero)
 
 
 def by_restitution(
@@ -163,8 +163,8 @@ def by_restitution(
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
     others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
     velocity = speed * course[0], speed * course[1]
-    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others))
-    return answer(crash, found, tolerance, final_change, pdof_zero)
+    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others))
+    return answer(crash, values, tolerance, final_change, pdof_zero)
 
 
 def by_headings(
@@ -255,11 +255,11 @@ def by_headings(
         lone = dot(relative, inward) + speed * dot(course, inward)
         facing = dot(course, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing)
+    values = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing)
     stated = (
         None if least_restitution is None or greatest_restitution is None else (least_restitution, greatest_restitution)
     )
-    return answer(crash, found, tolerance, final_change, pdof_zero, stated)
+    return answer(crash, values, tolerance, final_change, pdof_zero, stated)
 
 
 def in_line(*, second: Partner, **_: object) -> str | None:

@@ -67,11 +67,11 @@ def residual(row: Vector, vector: Vector, given: float) -> float:
 
 def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
     """Products and their rounding errors: the sum of all is that of the exact products."""
-    found = []
+    products = []
     for a, b in pairs:
         product = a * b
-        found += [product, fused(a, b, -product)]
-    return found
+        products += [product, fused(a, b, -product)]
+    return products
 
 
 def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:

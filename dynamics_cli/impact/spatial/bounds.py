@@ -108,20 +108,20 @@ def beside(answer: SpatialImpact, whole: SpatialImpact) -> SpatialImpact:
     more = {bound.result: bound for bound in whole.numerics.bounds}
     values, others = dict(numbers(answer)), dict(numbers(whole))
     vectors: dict[str, float] = {}
-    found = []
+    errors = []
     for bound in answer.numerics.bounds:
         name = bound.result
         if name not in values:
             # a vector's stands after those of its parts
-            found.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
+            errors.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
             continue
         size = abs(values[name])
         error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - others[name])
         error += more[name].bound * (abs(others[name]) if more[name].relative else 1.0)
-        found.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
+        errors.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
         vector = name.partition("[")[0]
         vectors[vector] = max(error, vectors.get(vector, 0.0))
-    numerics = Numerics(answer.numerics.method, tuple(found))
+    numerics = Numerics(answer.numerics.method, tuple(errors))
     return SpatialImpact(**{**answer.__dict__, "numerics": numerics})
 
 

@@ -185,8 +185,8 @@ def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
 def _pdof(impulse: Vector, nose: tuple[float, float]) -> float:
     """Angle from the nose, clockwise seen from above, to where the force came from, in (−π, π]."""
     x, y = 0 - impulse[0], 0 - impulse[1]
-    found = angle(fused(x, nose[1], -(y * nose[0])), fused(x, nose[0], y * nose[1]))
-    return found if found > -PI else PI
+    direction = angle(fused(x, nose[1], -(y * nose[0])), fused(x, nose[0], y * nose[1]))
+    return direction if direction > -PI else PI
 
 
 State = tuple[SolidInSpace, AfterSpatial]

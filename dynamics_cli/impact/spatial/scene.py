@@ -103,10 +103,10 @@ def _answered(
     """The answer of a smaller model; if it neglects effects of rounding size, its bounds include them."""
     from dynamics_cli.impact.spatial.bounds import answered, beside
 
-    found = answered(solver, scene, gravity, *more, advice=advice)
-    if advice or found.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
-        return found
-    return beside(found, answered(_in_space, scene, gravity))
+    answer = answered(solver, scene, gravity, *more, advice=advice)
+    if advice or answer.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
+        return answer
+    return beside(answer, answered(_in_space, scene, gravity))
 
 
 def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:

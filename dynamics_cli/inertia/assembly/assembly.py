@@ -130,12 +130,12 @@ def _first_number(tree: "Any") -> "Any":
     if is_carrier(tree):
         return tree
     if isinstance(tree, tuple):
-        found = map(_first_number, tree)
+        carried = map(_first_number, tree)
     elif hasattr(tree, "fields"):
-        found = map(_first_number, (getattr(tree, name) for name in tree.fields))
+        carried = map(_first_number, (getattr(tree, name) for name in tree.fields))
     else:
         return None
-    return next((number for number in found if number is not None), None)
+    return next((number for number in carried if number is not None), None)
 
 
 def _has_mesh(parts: "tuple[Part, ...]") -> bool:

@@ -114,7 +114,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
     angle, advice = _angle(a, b)
     tilt = None if angle is None or in_many_digits(a.spread.axes) else _turn_error(scene, a, b, angle)
     first, second = a.lump.mass, b.lump.mass
-    found = {
+    results = {
         "first_mass": first,
         "second_mass": second,
         "mass_difference": second - first,
@@ -123,7 +123,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
         "tensor_distance": _distance(rows),
     }
     bounds: list[ErrorBound] = []
-    scalars = found if a.sloped else {name: stated(name, value, bounds) for name, value in found.items()}
+    scalars = results if a.sloped else {name: stated(name, value, bounds) for name, value in results.items()}
     if tilt is not None and tilt < 0.5:
         bounds.append(ErrorBound("axes_angle", tilt, relative=False))
     return Compared(

@@ -218,16 +218,16 @@ def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
         return first
     whole = _sum(_pieces(group, base, frame))
     matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
-    found = principal(matrix)  # type: ignore[arg-type]
-    seconds = found.seconds
+    axes = principal(matrix)  # type: ignore[arg-type]
+    seconds = axes.seconds
     if not any(is_tracked(x) for row in whole.second for x in row):
-        return Spread(seconds, product(found.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, found.vectors)
+        return Spread(seconds, product(axes.axes, frame), first.degeneracy)
+    seconds = bounded(whole.second, seconds, axes.vectors)
     # axes that are not exactly orthonormal change every eigenvalue by no more than this factor (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
-    found = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
-    words = found.degeneracy if determined(first.degeneracy) else first.degeneracy
+    axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
+    words = axes.degeneracy if determined(first.degeneracy) else first.degeneracy
     # the product with the frame rounds every component
-    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, found.axes, stretch))
-    return Spread(seconds, product(found.axes, frame), words, tilts)
+    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, axes.axes, stretch))
+    return Spread(seconds, product(axes.axes, frame), words, tilts)

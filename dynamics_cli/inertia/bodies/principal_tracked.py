@@ -74,12 +74,12 @@ def spread_of(second: "Matrix") -> Spread:
         precise = principal_of_many_digits(second)
         return Spread(precise.seconds, precise.axes, precise.degeneracy)
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
-    found = principal(matrix)  # type: ignore[arg-type]
+    axes = principal(matrix)  # type: ignore[arg-type]
     if not any(is_tracked(x) for row in second for x in row):
-        return Spread(found.seconds, found.axes, found.degeneracy)
-    seconds = bounded(second, found.seconds, found.vectors)
-    found = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
-    return Spread(seconds, found.axes, found.degeneracy, tilts_of(second, found.axes))
+        return Spread(axes.seconds, axes.axes, axes.degeneracy)
+    seconds = bounded(second, axes.seconds, axes.vectors)
+    axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
+    return Spread(seconds, axes.axes, axes.degeneracy, tilts_of(second, axes.axes))
 
 
 def error_of(x: float) -> float:

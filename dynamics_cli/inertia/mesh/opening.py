@@ -79,9 +79,9 @@ def _by_trimesh(name: str, ending: str) -> "Source":
         vertex=int(faces.max()) + 1,
         count=len(vertices),
     )
-    made = Corners(name, ending.upper(), vertices, faces)
-    made.unit = unit
-    return made
+    corners = Corners(name, ending.upper(), vertices, faces)
+    corners.unit = unit
+    return corners
 
 
 def _packed_unit(name: str) -> str:

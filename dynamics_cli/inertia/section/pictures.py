@@ -32,9 +32,9 @@ def _shape(
     pieces: "tuple[Piece, ...]",
     holes: "tuple[Hole, ...]",
 ) -> Panel:
-    found, unit = contours(polygon, pieces, holes)
+    shapes, unit = contours(polygon, pieces, holes)
     items: list[Curve | Mark | Arrow] = []
-    for contour in found:
+    for contour in shapes:
         points = [(x / unit, y / unit) for x, y in contour.corners]
         if contour.diameter:
             (x0, y0), r = points[0], 0.5 * (contour.diameter / unit)

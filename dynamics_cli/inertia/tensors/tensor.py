@@ -232,8 +232,8 @@ def require_tensor(
     """
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
     # the least moment of a needle is a small difference of the tensor's elements
-    found = eigen(bare).refined()  # type: ignore[arg-type]
-    least, middle, most = values = found.values[::-1]
+    eigenvalues = eigen(bare).refined()  # type: ignore[arg-type]
+    least, middle, most = values = eigenvalues.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="moments of inertia are positive")
     room = plain(tolerance) * most
     other = _other_sign(bare, room)  # type: ignore[arg-type]
@@ -264,7 +264,7 @@ def require_tensor(
         return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[return-value]
     if not any(is_tracked(x) for row in matrix for x in row):
         return values, own.axes, own.degeneracy
-    moments = bounded(matrix, values, found.vectors[::-1])
+    moments = bounded(matrix, values, eigenvalues.vectors[::-1])
     own = principal(second_of(bare), each(error_of, moments))  # type: ignore[arg-type]
     return moments, own.axes, own.degeneracy
 

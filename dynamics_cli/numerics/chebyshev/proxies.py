@@ -141,13 +141,13 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
         values = function(middle[:, None] + half[:, None] * nodes, origin)
         if not np.isfinite(values).all():
             raise ValueError("the function is not finite inside a piece")
-        made = values @ matrix
-        size = np.abs(made).sum(axis=2)
-        tail = np.abs(made[:, :, -4:]).sum(axis=2)
+        coefficients = values @ matrix
+        size = np.abs(coefficients).sum(axis=2)
+        tail = np.abs(coefficients[:, :, -4:]).sum(axis=2)
         worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
         hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
         good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
-        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
+        done.append((low[good], high[good], coefficients[:, good], 2.0 * tail[:, good], origin[good]))
         if good.all():
             break
         bad = ~good
@@ -167,13 +167,13 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
+def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
     """Find the maximum and the minimum of one of the functions, or every stationary point.
 
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
 
-    `made`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum; `margin`:
+    `proxy`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum; `margin`:
     how far below the maximum or above the minimum a place may lie and still be returned, by pieces. Returns ends of
     pieces and places where the function turns.
 
@@ -193,7 +193,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
     (True, True)
     """
-    whole = made.coefficients[which]
+    whole = proxy.coefficients[which]
     count = whole.shape[1]
     t, basis, first, second = _basis(count)
     k = np.arange(count, dtype=float)
@@ -255,22 +255,22 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     turns, slope = _refined(c, at[0], at[1], at[2])
     np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
     place = np.concatenate([turns, *(part[1] for part in calm)])
-    half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
+    half, middle = 0.5 * (proxy.ends - proxy.starts), 0.5 * (proxy.ends + proxy.starts)
     inner = (moving[row] * np.cos(k[1:] * place[:, None])).sum(axis=1) + mean[row]
-    places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
+    places = np.concatenate((proxy.starts, proxy.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
     about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
     units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
-    owners = made.owner[rows]
+    owners = proxy.owner[rows]
     order = np.lexsort((places, owners))
     # a piece below the maximum by more than its error does not contribute to the maximum's error
     room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
+        float(max(np.max(proxy.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
     )  # fmt: skip
 
 

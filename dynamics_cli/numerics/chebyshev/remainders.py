@@ -88,12 +88,12 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
         slip = slip + np.minimum(steep * (moved / np.where(half > 0.0, half, 1.0)), 2.0 * wide)
     slip = np.where(np.isfinite(slip), slip, np.inf)
     away = values - middle[:, :, None]
-    made = away @ matrix
-    made[:, :, 0] += middle
+    coefficients = away @ matrix
+    coefficients[:, :, 0] += middle
     rounded = LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
     error, steep = left_out + rounded, (COUNT + 2.0) ** 2 * (spectral + rounded)
     error, steep = (np.where(np.isfinite(part), part * UP, np.inf) for part in (error, steep))
-    return Proxies(origin, low, high, made, error, True, steep)
+    return Proxies(origin, low, high, coefficients, error, True, steep)
 
 
 def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":

@@ -75,11 +75,11 @@ def quantiles(z: "Array", freedom: float) -> "Array":
     total = table[_DEGREE][piece]
     for k in range(_DEGREE - 1, -1, -1):
         total = total * own + table[k][piece]
-    made = z * np.exp(total)
+    t = z * np.exp(total)
     far = x > _REACH
     if far.any():
-        made[far] = [quantile(value, freedom) for value in z[far].tolist()]
-    return made  # type: ignore[no-any-return]
+        t[far] = [quantile(value, freedom) for value in z[far].tolist()]
+    return t  # type: ignore[no-any-return]
 
 
 def _solve(z: float, freedom: float, guess: float) -> float:
@@ -87,12 +87,12 @@ def _solve(z: float, freedom: float, guess: float) -> float:
     wanted = normal.upper(z)
     t = guess
     for _ in range(100):
-        found = upper(t, freedom)
+        tail = upper(t, freedom)
         if z < 1.0:
-            step = (found - wanted) / density(t, freedom)
+            step = (tail - wanted) / density(t, freedom)
         else:
-            slope = t * density(t, freedom) / found
-            step = t * math.expm1(max(min(math.log(found / wanted) / slope, 2.0), -2.0))
+            slope = t * density(t, freedom) / tail
+            step = t * math.expm1(max(min(math.log(tail / wanted) / slope, 2.0), -2.0))
         t = max(t + step, 0.25 * t)
         if abs(step) <= 4e-16 * t:
             break
@@ -121,17 +121,17 @@ def _table(freedom: float) -> "Array":
 def powers_of(chebyshev: "Array") -> "Array":
     """The same polynomials by powers."""
     count = len(chebyshev)
-    made = np.zeros_like(chebyshev)
+    powers = np.zeros_like(chebyshev)
     before, now = np.zeros(count), np.zeros(count)
     before[0] = 1.0
     now[1] = 1.0
-    made += np.outer(before, chebyshev[0])
+    powers += np.outer(before, chebyshev[0])
     for k in range(1, count):
-        made += np.outer(now, chebyshev[k])
+        powers += np.outer(now, chebyshev[k])
         after = -before
         after[1:] += 2.0 * now[:-1]
         before, now = now, after
-    return made
+    return powers
 
 
 def _at_zero(freedom: float) -> float:

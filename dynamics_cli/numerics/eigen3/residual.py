@@ -56,11 +56,11 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
     if errors is not None and not all(error < inf for row in errors for error in row):
         return inf, inf, inf
     seen = _Seen(matrix, values, vectors, errors)
-    found = []
+    bounds = []
     for k, spread in enumerate(_spreads(seen.quotients, seen.beside, seen.blur)):
         known = abs(seen.quotients[k]) + seen.blur[k] + spread
-        found.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
-    return _back(_paired(values, found, seen.size), seen.size)
+        bounds.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
+    return _back(_paired(values, bounds, seen.size), seen.size)
 
 
 def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
@@ -91,7 +91,7 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
         return inf, inf, inf
     seen = _Seen(matrix, (0.0, 0.0, 0.0), vectors, errors)
     spreads = _spreads(seen.quotients, seen.beside, seen.blur)
-    found = []
+    bounds = []
     for k, others in enumerate(_OTHERS):
         gap = min(
             abs(seen.quotients[k] - seen.quotients[j]) * (1.0 - _CLOSE) - seen.blur[k] - seen.blur[j] - spreads[j]
@@ -99,8 +99,8 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
         )
         off = hypot(*(seen.residual(k, j) for j in others))
         known = off < gap
-        found.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
-    return found[0], found[1], found[2]
+        bounds.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
+    return bounds[0], bounds[1], bounds[2]
 
 
 class _Seen:

@@ -20,9 +20,9 @@ class Constant(float):
         value = float(factors[0])
         for factor in factors[1:]:
             value *= float(factor)
-        made = super().__new__(cls, value)
-        made._factors = factors
-        return made
+        constant = super().__new__(cls, value)
+        constant._factors = factors
+        return constant
 
     def __mul__(self, other: "Any") -> "Any":
         if isinstance(other, float):
@@ -39,9 +39,9 @@ class Constant(float):
 
     @classmethod
     def _of(cls, value: float, factors: "tuple[str | float, ...]") -> "Constant":
-        made = super().__new__(cls, value)
-        made._factors = factors
-        return made
+        constant = super().__new__(cls, value)
+        constant._factors = factors
+        return constant
 
     def ratio(self) -> "tuple[int, int]":
         """The constant to all its given digits, as a ratio of integers."""

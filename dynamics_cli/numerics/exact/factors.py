@@ -188,12 +188,12 @@ class Decimals:
             for power in (self.power, *range(len(TENS))):
                 ten = TENS[power]
                 whole = np.rint(values * ten)
-                found = (whole / ten == values) & (np.abs(whole) < TENS[DECIMAL_DIGITS])
-                lost = found.size - int(np.count_nonzero(found))
+                mask = (whole / ten == values) & (np.abs(whole) < TENS[DECIMAL_DIGITS])
+                lost = mask.size - int(np.count_nonzero(mask))
                 if best is None or lost < missing:
-                    best, missing = (whole, power, found), lost
+                    best, missing = (whole, power, mask), lost
                 if lost == 0:
                     break
         assert best is not None
-        whole, self.power, found = best
-        return whole, self.power, ~found if missing else None
+        whole, self.power, mask = best
+        return whole, self.power, ~mask if missing else None

@@ -51,14 +51,14 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
     >>> parse("3*t^2 - sin(t)")(t=2.0)
     11.090702573174319
     """
-    made = begin(text)
-    if made.end < len(text.rstrip()):
-        rest = text[made.end :]
-        at = made.end + len(rest) - len(rest.lstrip())
+    formula = begin(text)
+    if formula.end < len(text.rstrip()):
+        rest = text[formula.end :]
+        at = formula.end + len(rest) - len(rest.lstrip())
         _refuse(text, at, f"{rest.strip()[:20]!r} cannot follow here in the formula")
     if variables is not None:
-        check_names(made, variables)
-    return made
+        check_names(formula, variables)
+    return formula
 
 
 def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:

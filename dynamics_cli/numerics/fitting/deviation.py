@@ -140,9 +140,9 @@ def _block(
     width = (nodes[after] - theta) * UP
     steps = np.abs(place[after] - place[: theta.size]) * UP + bent[3]
     second = (width * width * bend[cell] + bent[2][owner] * steps * steps) * (0.125 * UP)
-    found = np.maximum(near[: theta.size], near[after]) + second + SLIVER * (1.0 + np.abs(theta)) * fast[cell]
+    errors = np.maximum(near[: theta.size], near[after]) + second + SLIVER * (1.0 + np.abs(theta)) * fast[cell]
     bounds = np.zeros(chosen.size)
-    np.maximum.at(bounds, owner, np.where(np.isfinite(found), found, np.inf))
+    np.maximum.at(bounds, owner, np.where(np.isfinite(errors), errors, np.inf))
     return bounds * UP
 
 

@@ -46,15 +46,15 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
     Höllig, M. Sabin, High accuracy geometric Hermite interpolation, Comput. Aided Geom. Des. 4 (1987) 269 (there
     with curvature in place of two inner points).
     """
-    made = []
+    fits = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
         if path.still[index] and form == "arcs":
             count = max(1, int(np.ceil((end - start) / pi - 1e-9)))
             places = np.linspace(start, end, count + 1)
-            made.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
+            fits.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
-        made.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
-    return made
+        fits.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
+    return fits
 
 
 def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
@@ -205,11 +205,11 @@ def controls(path: "OnPiece", places: "Any", handles: "Any", chosen: "Any" = sli
     """Control points of the chosen cubics, (n, 4) for each coordinate."""
     x, y, tx, ty, _ = path.at(places)
     a, b = handles[chosen, 0], handles[chosen, 1]
-    made = []
+    points = []
     for start, end, early, late in ((x[:-1], x[1:], tx[:-1], tx[1:]), (y[:-1], y[1:], ty[:-1], ty[1:])):
         start, end, early, late = start[chosen], end[chosen], early[chosen], late[chosen]
-        made.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
-    return made[0], made[1]
+        points.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
+    return points[0], points[1]
 
 
 def _cubics(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":

@@ -248,10 +248,10 @@ def _whole(off: float) -> float:
     return float(round(value / 6.283185307179586))
 
 
-def nearest(found: Angles, near: Vector) -> Vector:
+def nearest(angles: Angles, near: Vector) -> Vector:
     """Of both triples and their whole turns, the angles nearest to the given ones."""
-    one = tuple(wrapped(angle, beside) for angle, beside in zip(found.angles, near, strict=True))
-    two = tuple(wrapped(angle, beside) for angle, beside in zip(found.alternative, near, strict=True))
+    one = tuple(wrapped(angle, beside) for angle, beside in zip(angles.angles, near, strict=True))
+    two = tuple(wrapped(angle, beside) for angle, beside in zip(angles.alternative, near, strict=True))
     far = [sum(abs(angle - beside) for angle, beside in zip(triple, near, strict=True)) for triple in (one, two)]
     nearer = far[0] <= far[1]
     return tuple(where(nearer, p, q) for p, q in zip(one, two, strict=True))  # type: ignore[return-value]

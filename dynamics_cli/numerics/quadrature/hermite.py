@@ -109,7 +109,7 @@ def polynomials(z: "Array", degree: int) -> "Array":
     ----------
     NIST Digital Library of Mathematical Functions, section 18.9: the three-term recurrence, normalised.
     """
-    made = [np.ones_like(z), z]
+    rows = [np.ones_like(z), z]
     for k in range(2, degree + 1):
-        made.append((z * made[-1] - math.sqrt(k - 1) * made[-2]) / math.sqrt(k))
-    return np.array(made[: degree + 1])
+        rows.append((z * rows[-1] - math.sqrt(k - 1) * rows[-2]) / math.sqrt(k))
+    return np.array(rows[: degree + 1])

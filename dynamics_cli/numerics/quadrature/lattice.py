@@ -35,14 +35,14 @@ def uniforms(seed: int, count: int) -> "list[float]":
     ----------
     G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
     """
-    made = []
+    numbers = []
     state = (seed * 0xD1342543DE82EF95 + 0x2545F4914F6CDD1D) & _MASK
     for _ in range(count):
         state = (state + _GOLDEN) & _MASK
         mixed = ((state ^ (state >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
         mixed = ((mixed ^ (mixed >> 27)) * 0x94D049BB133111EB) & _MASK
-        made.append(((mixed ^ (mixed >> 31)) + 0.5) / 2.0**64)
-    return made
+        numbers.append(((mixed ^ (mixed >> 31)) + 0.5) / 2.0**64)
+    return numbers
 
 
 def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED) -> "Array":

@@ -92,12 +92,12 @@ def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", 
     else:
         assert end is not None
         speed, order = end, range(len(phases) - 1, -1, -1)
-    found: list[Any] = [None] * len(phases)
+    chain: list[Any] = [None] * len(phases)
     for index in order:
         leg = _leg(phases, index, speed, gravity, forward=start is not None)
         speed = leg.end if start is not None else leg.start
-        found[index] = leg
-    return found
+        chain[index] = leg
+    return chain
 
 
 def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, *, forward: bool) -> Leg:

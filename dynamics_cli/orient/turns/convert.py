@@ -173,9 +173,9 @@ def _all_sequences(read: Orientation) -> tuple[SequenceAngles, ...]:
     bare = _bare(read)
     rows = []
     for order in ORDERS:
-        found = bare.angles(sequence_of(order))
-        first, second, third = found.angles
-        rows.append(SequenceAngles(order, order[::-1].upper(), first, second, third, found.distance))
+        angles = bare.angles(sequence_of(order))
+        first, second, third = angles.angles
+        rows.append(SequenceAngles(order, order[::-1].upper(), first, second, third, angles.distance))
     return tuple(rows)
 
 

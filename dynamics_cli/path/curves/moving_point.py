@@ -180,8 +180,8 @@ def over_plain(tree: "Any") -> "Any":
     return over_parts(tree, over_plain) if isinstance(tree, tuple) or hasattr(tree, "fields") else plain(tree)
 
 
-def _numbers(made: Bend) -> "list[Any]":
-    values = [getattr(made, name) for name in ("speed", "tangential", "normal", "curvature", "torsion")]
+def _numbers(motion: Bend) -> "list[Any]":
+    values = [getattr(motion, name) for name in ("speed", "tangential", "normal", "curvature", "torsion")]
     return [value for value in values if is_tracked(value)]
 
 

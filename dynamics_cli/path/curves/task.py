@@ -134,7 +134,7 @@ def curve(
     state = motion.sharp(now)
     made = state.bend
     lengths: tuple[float | None, float] = (None, 0.0)
-    found: tuple[Event, ...] = ()
+    events_met: tuple[Event, ...] = ()
     rows: tuple[Point, ...] = ()
     if not is_many(now) and drawing() and last > first:
         arcs, doubt = arc_lengths(motion.plainly(), [first, last])
@@ -144,7 +144,7 @@ def curve(
         times = [first + (last - first) * i / steps for i in range(steps)] + [last]
         arcs, doubt = arc_lengths(plainly, times)
         rows = tuple(_row(plainly.sharp(time), time, arc, plainly.flat) for time, arc in zip(times, arcs, strict=True))
-        found = events(plainly, first, last)
+        events_met = events(plainly, first, last)
         lengths = (arcs[-1], doubt)
     return CurveMotion(
         time=now,
@@ -160,7 +160,7 @@ def curve(
         torsion=None if motion.flat else made.torsion,
         jerk_size=_size(state),
         arc_length=lengths[0],
-        events=found or None,
+        events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
         checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
@@ -213,11 +213,11 @@ def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, flo
 
 
 def _row(state: State, time: float, arc: float, flat: bool) -> Point:
-    made = state.bend
+    motion = state.bend
     size = math.hypot(*state.position)
     x, y, z = (_without_dust(part, size) for part in state.position)
-    tangential = None if made.tangential is None else _without_dust(made.tangential, made.magnitude)
-    return Point(time, x, y, None if flat else z, made.speed, tangential, made.normal, made.curvature, arc)
+    tangential = None if motion.tangential is None else _without_dust(motion.tangential, motion.magnitude)
+    return Point(time, x, y, None if flat else z, motion.speed, tangential, motion.normal, motion.curvature, arc)
 
 
 def _without_dust(part: float, size: float) -> float:
@@ -276,10 +276,10 @@ def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tup
     return (Check("velocity is the difference of positions", apart <= allowed, apart, allowed),)
 
 
-def _advice(made: Bend, flat: bool) -> tuple[Advice, ...]:
-    names = ["radius_of_curvature"] if made.reason else []
-    if made.reason and not flat:
+def _advice(motion: Bend, flat: bool) -> tuple[Advice, ...]:
+    names = ["radius_of_curvature"] if motion.reason else []
+    if motion.reason and not flat:
         names.append("torsion")
-    if made.reason == "rest":
+    if motion.reason == "rest":
         names += ["tangential", "normal", "curvature"]
-    return advice_of(made, *names)
+    return advice_of(motion, *names)

@@ -120,7 +120,7 @@ def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | Non
     require(bool(parts), "without speed or acceleration it does not move", code="not-reached")
     last = parts[-1]
     position, velocity, _ = last.at(last.length)
-    made = Run(parts, last.start + last.length, stop)
+    stopped = Run(parts, last.start + last.length, stop)
     what = "{wanted_distance}" if distance is not None else "{wanted_speed}"
     require(
         False,
@@ -130,13 +130,13 @@ def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | Non
         hint="give a time, or another end",
         wanted_distance=(distance or 0.0, Length),
         wanted_speed=(wanted, Speed),
-        turn=(made.at(stop)[0] if stop is not None else 0.0, Length),
+        turn=(stopped.at(stop)[0] if stop is not None else 0.0, Length),
         stop=(stop or 0.0, Time),
-        time=(made.end, Time),
+        time=(stopped.end, Time),
         position=(position, Length),
         velocity=(velocity, Speed),
     )  # fmt: skip
-    return made
+    return stopped
 
 
 def estimate(value: float, again: float) -> float:

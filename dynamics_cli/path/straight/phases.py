@@ -75,28 +75,28 @@ def solutions(phase: Phase) -> list[Solution]:
         missing=missing,
     )
     first = tuple(given)[:3]
-    found = [one for one in _SOLVERS[first](*(given[name] for name in first)) if one is not None]
-    later = [one for one in found if plain(one.time) >= 0.0]
+    motions = [one for one in _SOLVERS[first](*(given[name] for name in first)) if one is not None]
+    later = [one for one in motions if plain(one.time) >= 0.0]
     if not later:
         require(
             False,
             "the motion would have to end {time} before it starts",
             code="negative-time",
             hint="check the signs of speed, acceleration and distance",
-            time=(-plain(found[0].time), Time),
+            time=(-plain(motions[0].time), Time),
         )
     later = _agreeing(later, given, first)
     return sorted(later, key=lambda one: plain(one.time))
 
 
-def _agreeing(found: list[Solution], given: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
+def _agreeing(motions: list[Solution], given: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
     """Those that have the fourth and fifth number too, where more than three were given."""
     for name in given:
         if name in used:
             continue
         kind = {"time": Time, "distance": Length, "acceleration": Acceleration}.get(name, Speed)
         wanted = plain(given[name])
-        near = [one for one in found if _near(one, name, wanted)]
+        near = [one for one in motions if _near(one, name, wanted)]
         require(
             bool(near),
             "the numbers contradict each other: from {names} the {name} is {value:6}, not {wanted:6}",
@@ -104,11 +104,11 @@ def _agreeing(found: list[Solution], given: "dict[str, Any]", used: tuple[str, .
             hint="leave out one of them",
             names=", ".join(WORDS[one] for one in used),
             name=WORDS[name],
-            value=(plain(getattr(found[0], name)), kind),
+            value=(plain(getattr(motions[0], name)), kind),
             wanted=(wanted, kind),
         )
-        found = near
-    return found
+        motions = near
+    return motions
 
 
 def _near(one: Solution, name: str, wanted: float) -> bool:

@@ -194,23 +194,23 @@ def rectilinear_law(
     only_in_doubles(*numbers)
     plainly = Phase(plain(one.start_speed), plain(one.end_speed), None, plain(one.distance), plain(one.time))
     function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit) for each in let))  # type: ignore[arg-type]
-    made, again = run(function, plainly), run(function, plainly, halved=True)
-    distance, speed, rate = made.at(made.end)
-    stop = made.stop
+    motion, again = run(function, plainly), run(function, plainly, halved=True)
+    distance, speed, rate = motion.at(motion.end)
+    stop = motion.stop
     return Straight(
         start_speed=plainly.start_speed,  # type: ignore[arg-type]
         end_speed=speed,
         acceleration=None,
         distance=distance,
-        time=made.end,
-        mean_speed=distance / made.end,
+        time=motion.end,
+        mean_speed=distance / motion.end,
         stop_time=stop,
-        stop_distance=made.at(stop)[0] if stop is not None else None,
+        stop_distance=motion.at(stop)[0] if stop is not None else None,
         end_acceleration=rate,
         alternatives=None,
-        motion=tuple(_rows(made, steps)),
-        numerics=_numerics(made, again),
-        checks=_work(made, function),
+        motion=tuple(_rows(motion, steps)),
+        numerics=_numerics(motion, again),
+        checks=_work(motion, function),
     )
 
 
@@ -251,9 +251,9 @@ def _table(chosen: "list[Solution]", steps: int) -> "list[Moment]":
     return rows
 
 
-def _rows(made: Run, steps: int) -> "list[Moment]":
-    times = [made.end * step / steps for step in range(steps)] + [made.end]
-    return [Moment(1, time, *made.at(time)) for time in times]
+def _rows(motion: Run, steps: int) -> "list[Moment]":
+    times = [motion.end * step / steps for step in range(steps)] + [motion.end]
+    return [Moment(1, time, *motion.at(time)) for time in times]
 
 
 def _energy(chosen: "list[Solution]") -> tuple[Check, ...]:
@@ -281,24 +281,24 @@ def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
     return (Advice("two-motions", message, "note"),)
 
 
-def _numerics(made: Run, again: Run) -> Numerics:
-    here, there = made.at(made.end), again.at(again.end)
-    bounds = [("time", made.end, again.end), ("distance", here[0], there[0]), ("end_speed", here[1], there[1])]
-    if made.stop is not None and again.stop is not None:
-        bounds.append(("stop_time", made.stop, again.stop))
+def _numerics(motion: Run, again: Run) -> Numerics:
+    here, there = motion.at(motion.end), again.at(again.end)
+    bounds = [("time", motion.end, again.end), ("distance", here[0], there[0]), ("end_speed", here[1], there[1])]
+    if motion.stop is not None and again.stop is not None:
+        bounds.append(("stop_time", motion.stop, again.stop))
     return Numerics(
         "Taylor series of order 18; errors estimated with half the steps",
         tuple(ErrorBound(name, estimate(*values), relative=False) for name, *values in bounds),
     )
 
 
-def _work(made: Run, law: "Any") -> tuple[Check, ...]:
+def _work(motion: Run, law: "Any") -> tuple[Check, ...]:
     """The law at the end beside the slope of the series there."""
-    distance, speed, rate = made.at(made.end)
+    distance, speed, rate = motion.at(motion.end)
     try:
-        wanted = float(law(t=made.end, x=distance, v=speed))
+        wanted = float(law(t=motion.end, x=distance, v=speed))
     except (ArithmeticError, ValueError):
         return ()
-    size = max(abs(wanted), abs(made.at(0.0)[2]), abs(speed / made.end))
+    size = max(abs(wanted), abs(motion.at(0.0)[2]), abs(speed / motion.end))
     apart = abs(rate - wanted) / size if size else 0.0
     return (Check("acceleration at the end is that of the law", apart <= TOLERANCE, apart, TOLERANCE),)

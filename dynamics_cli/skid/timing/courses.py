@@ -69,7 +69,7 @@ def changes(
     """
     ends = {piece.end for course in (first, second) for piece in course.stretches}
     corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
-    found: list[tuple[Any, bool]] = []
+    times: list[tuple[Any, bool]] = []
     for low, high in pairwise(corners):
         pieces = (first.on(0.5 * (low + high)), second.on(0.5 * (low + high)))
         whole = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
@@ -80,10 +80,10 @@ def changes(
         for root in roots_between([plain(part) for part in whole], 0.0, high - low):
             steep = plain(value(slope, root))
             # a root at a corner belongs to both pieces
-            again = found and abs(plain(found[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
+            again = times and abs(plain(times[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
             if steep != 0.0 and not again:
-                found.append((low + _settled(whole, root, steep), steep > 0.0))
-    return found
+                times.append((low + _settled(whole, root, steep), steep > 0.0))
+    return times
 
 
 def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":

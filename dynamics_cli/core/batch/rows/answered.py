@@ -62,12 +62,12 @@ def shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "A
     if factor is None:
         return _mapped(values, part.shown, good)
     with np.errstate(all="ignore"):
-        made = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
-    lost = np.isnan(made)
+        column = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
+    lost = np.isnan(column)
     if lost.any():
         good &= ~lost
-        made[lost] = 0.0
-    return made
+        column[lost] = 0.0
+    return column
 
 
 def _one_by_one(shown: Shown) -> "Any":
@@ -81,13 +81,13 @@ def _one_by_one(shown: Shown) -> "Any":
 
 
 def _mapped(values: "Array", shown: Shown, good: "Mask") -> "Any":
-    made = np.empty(len(values), dtype=object)
+    mapped = np.empty(len(values), dtype=object)
     one = _one_by_one(shown)
     for row in np.flatnonzero(good).tolist():
-        made[row] = one(float(values[row]))
-        if made[row] != made[row]:
+        mapped[row] = one(float(values[row]))
+        if mapped[row] != mapped[row]:
             good[row] = False
-    return made
+    return mapped
 
 
 def shown_factor(shown: "Shown | None") -> "Factor | None":

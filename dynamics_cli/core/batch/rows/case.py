@@ -165,11 +165,11 @@ class Case:
             )
         from dynamics_cli.core.uncertainty.document import spread_of
 
-        made = spread_of(self.task, model, bound, record, self.reader, self.settings)
-        vary = made.varying()
+        spreads = spread_of(self.task, model, bound, record, self.reader, self.settings)
+        vary = spreads.varying()
         for place, part in enumerate(self.layout.parts):
             if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:
-                values[place] = part.shown_value(made.spreads[part.of_result].number(part.which))
+                values[place] = part.shown_value(spreads.spreads[part.of_result].number(part.which))
         return values
 
     def words(self, words: "list[str]") -> "Raw":

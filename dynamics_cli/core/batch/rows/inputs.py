@@ -220,14 +220,14 @@ class CsvInput(Input):
             return self.unread(line)
         if len(cells) != len(self.columns):
             return self.unread(line)
-        made: Raw = {}
+        object_: Raw = {}
         for index, (column, cell) in enumerate(zip(self.columns, cells, strict=True)):
-            if cell.strip() and index not in self.errors and not (index not in self._order and column.name in made):
+            if cell.strip() and index not in self.errors and not (index not in self._order and column.name in object_):
                 if column.path:
-                    nest(made, column.path, column.raw(cell))
+                    nest(object_, column.path, column.raw(cell))
                 else:
-                    made[column.name] = f"{without_guard(cell)} {column.unit}".strip()
-        return compact(made)[:-1].encode()
+                    object_[column.name] = f"{without_guard(cell)} {column.unit}".strip()
+        return compact(object_)[:-1].encode()
 
 
 def _is_error(column: Column) -> bool:
@@ -316,12 +316,12 @@ class JsonInput(Input):
     def csv(self, line: bytes) -> bytes:
         """The cells of the first row's columns; a unit that differs from the header's stays with its number."""
         try:
-            found = {name: (value, unit) for name, value, unit in self._flat(line)}
+            flat = {name: (value, unit) for name, value, unit in self._flat(line)}
         except UsageError:
             return self.unread_cells(line)
         cells = []
         for name, unit in self.units.items():
-            value, own = found.get(name, (None, ""))
+            value, own = flat.get(name, (None, ""))
             text = "" if value is None else value if isinstance(value, str) else compact(value)
             cells.append(csv_cell(f"{text} {own}" if own and own != unit else text))
         return ",".join(cells).encode(errors="replace")

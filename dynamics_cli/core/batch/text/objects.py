@@ -58,17 +58,17 @@ class JsonGroups(Groups):
                 tries += not self._learn(line)
                 index, match = self._shape(line)
             if match is not None and self.shapes[index].plan is not None and readable(line):
-                rows, found = groups.setdefault(index, ([], []))
+                rows, chosen = groups.setdefault(index, ([], []))
                 rows.append(row)
-                found.append(match.groups())
+                chosen.append(match.groups())
         made: list[Group] = []
-        for index, (rows, found) in sorted(groups.items(), key=lambda item: -len(item[1][0])):
+        for index, (rows, chosen) in sorted(groups.items(), key=lambda item: -len(item[1][0])):
             if len(rows) < SMALLEST_GROUP:
                 break
             self.recent = self.recent if made else self.shapes[index]
             made += (
                 self._group(
-                    self.shapes[index], [lines[row] for row in rows], list(map(list, zip(*found, strict=True))), rows
+                    self.shapes[index], [lines[row] for row in rows], list(map(list, zip(*chosen, strict=True))), rows
                 )
                 or []
             )

@@ -56,7 +56,7 @@ class _Joiner:
 
     def joined(self, lines: "list[bytes]") -> "Lines":
         """The records that these lines complete."""
-        waiting, made = deque(lines), list[bytes | None]()
+        waiting, records = deque(lines), list[bytes | None]()
         while waiting:
             line = waiting.popleft()
             self.held.append(line)
@@ -66,20 +66,20 @@ class _Joiner:
             first, *others = self.held
             self.held = []
             if whole:
-                made.append(b"\n".join((first, *others)))
+                records.append(b"\n".join((first, *others)))
             else:
-                made.append(first)
+                records.append(first)
                 waiting.extendleft(reversed(others))
-        return made
+        return records
 
     def rest(self) -> "Lines":
         """Lines still waiting at the end: the first one as it is, the others as records."""
-        made: Lines = []
+        records: Lines = []
         while self.held:
             first, *others = self.held
             self.held = []
-            made += [first, *self.joined(others)]
-        return made
+            records += [first, *self.joined(others)]
+        return records
 
 
 def _whole(lines: "list[bytes]") -> bool | None:

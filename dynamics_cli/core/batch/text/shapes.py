@@ -74,7 +74,7 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
     """Where each member of the object begins (at its key) and ends."""
     depth = 0
     name, start = "", -1
-    found: dict[str, tuple[int, int]] = {}
+    spans: dict[str, tuple[int, int]] = {}
     for match in _TOKEN.finditer(line):
         text = match[0]
         if text in b"{[":
@@ -84,20 +84,20 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
         elif depth == 1 and text not in b":," and start < 0:
             name, start = _unescaped(text), match.start()
         if start >= 0 and ((depth == 1 and text == b",") or depth == 0):
-            found[name] = (start, match.start())
+            spans[name] = (start, match.start())
             start = -1
-    return found
+    return spans
 
 
 def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
     """The object without some members and without its closing brace; the text before the first of them unchanged."""
-    found = members(line)
-    kept = list(found)
+    spans = members(line)
+    kept = list(spans)
     while kept and kept[-1] in names:
         kept.pop()
-    head = line[: found[kept[-1]][1]].rstrip() if kept else b"{"
+    head = line[: spans[kept[-1]][1]].rstrip() if kept else b"{"
     if names and any(name in names for name in kept):
-        parts = [line[start:end].rstrip() for name, (start, end) in found.items() if name not in names]
+        parts = [line[start:end].rstrip() for name, (start, end) in spans.items() if name not in names]
         return b"{" + b",".join(parts)
     return head
 
@@ -199,12 +199,12 @@ def _is_number(text: bytes) -> bool:
 
 def _address(path: Path, pairs: "set[Path]", skipped: int, whole: Path) -> str:
     """`first.mass` of a path of keys; the `value` of a value with its unit has the address of both."""
-    made = ""
+    address = ""
     for index, step in enumerate(path):
         if step == "value" and whole[: index + skipped] in pairs:
             continue
-        made += f"[{step}]" if isinstance(step, int) else f".{step}"
-    return made.lstrip(".")
+        address += f"[{step}]" if isinstance(step, int) else f".{step}"
+    return address.lstrip(".")
 
 
 def shape_of(line: bytes, names: "set[str]", numeric: "set[str] | None" = None) -> "Shape | None":

@@ -118,12 +118,12 @@ def _finite_token(text: str) -> Token:
 
 
 def _unique(pairs: "list[tuple[str, Any]]") -> "dict[str, Any]":
-    made: dict[str, Any] = {}
+    object_: dict[str, Any] = {}
     for name, value in pairs:
-        if name in made:
+        if name in object_:
             raise UsageError(f"the name {name!r} is given twice", code="json", parameter=name)
-        made[name] = value
-    return made
+        object_[name] = value
+    return object_
 
 
 def _plain(value: "Any") -> "Any":

@@ -33,13 +33,13 @@ def split_address(address: str) -> "list[str | int]":
 
 def _near_results(raw: "Any", address: str) -> "str | None":
     """The results of a document with similar names, else all of them."""
-    found = raw.get("results") if isinstance(raw, dict) else None
-    if not isinstance(found, dict) or not found:
+    results = raw.get("results") if isinstance(raw, dict) else None
+    if not isinstance(results, dict) or not results:
         return "a result document is wanted, as --json writes it"
     from dynamics_cli.core.documents import flatten
     from dynamics_cli.core.units.near_names import nearest_words
 
-    known = [name for name, _, unit in flatten(found) if unit] or list(found)
+    known = [name for name, _, unit in flatten(results) if unit] or list(results)
     near = nearest_words(address, known)
     return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(known)}"
 

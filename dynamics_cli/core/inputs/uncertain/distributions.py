@@ -202,8 +202,8 @@ class Truncated(Distribution):
         below = normal.lower(self._a) + part * (np.where(z < 0.0, t, 1.0 - t))
         score = np.where(above <= 0.5, -_quantile(np.minimum(above, 0.5)), _quantile(np.minimum(below, 0.5)))
         score = np.clip(score, self._a, self._b)
-        made = self.centre + self.width * (-score if self._mirrored else score)
-        return np.clip(made, self.low, self.high)
+        quantile = self.centre + self.width * (-score if self._mirrored else score)
+        return np.clip(quantile, self.low, self.high)
 
     def parameters(self) -> "dict[str, Any]":
         """The normal distribution before it was cut, and the bounds."""

@@ -305,7 +305,7 @@ def _number(value: "Any") -> str:
 
 def read_correlations(texts: "list[str]", known: "list[str]") -> "dict[tuple[str, str], float]":
     """`distance,friction=0.3`: two uncertain inputs by address, and the correlation of their normal scores."""
-    made: dict[tuple[str, str], float] = {}
+    correlations: dict[tuple[str, str], float] = {}
     for text in texts:
         names, equals, value = text.rpartition("=")
         pair = [name.strip().replace("-", "_") for name in names.split(",")]
@@ -313,15 +313,15 @@ def read_correlations(texts: "list[str]", known: "list[str]") -> "dict[tuple[str
             hint = "for example --correlate distance,friction=0.3"
             raise UsageError(f"read {text!r}, wanted A,B=RHO", parameter="correlate", hint=hint)
         one, other = (_address(name, known) for name in pair)
-        if (one, other) in made or (other, one) in made:
+        if (one, other) in correlations or (other, one) in correlations:
             raise UsageError(f"{one} and {other} are correlated twice", parameter="correlate")
         try:
             reading = read_scalar(value.strip(), Kind("correlation", "", low=-1.0, high=1.0, example="0.3"))
         except UsageError as error:
             error.parameter = "correlate"
             raise
-        made[one, other] = reading.si
-    return made
+        correlations[one, other] = reading.si
+    return correlations
 
 
 def _address(name: str, known: "list[str]") -> str:

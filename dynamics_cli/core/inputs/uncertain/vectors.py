@@ -31,8 +31,8 @@ class UncertainVector(VectorValue):
 
     def echo(self) -> "Any":
         """The JSON form, which reads back: nominal value, unit, and the distribution of every uncertain component."""
-        made = [part.echo() if isinstance(part, UncertainValue) else None for part in self._parts]
-        return {**super().echo(), "distributions": made}
+        echoes = [part.echo() if isinstance(part, UncertainValue) else None for part in self._parts]
+        return {**super().echo(), "distributions": echoes}
 
 
 def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":

@@ -58,8 +58,8 @@ def files_of(
     if form in task.writers:
         writer = load(task.writers[form])
         words, options = given if writer.__code__.co_argcount > 1 else ([], {})
-        made = writer(record, *words, **options)
-        data = made.encode() if isinstance(made, str) else bytes(made)
+        text = writer(record, *words, **options)
+        data = text.encode() if isinstance(text, str) else bytes(text)
         entry: dict[str, Any] = {**entry_of(name, data), "written": True}
     else:
         data, entry = _drawn(_gathered(task, record), form, name, units)
@@ -68,12 +68,12 @@ def files_of(
 
 def drawing_fields(task: "Task") -> "list[Field]":
     """The results that are drawings."""
-    found = []
+    drawings = []
     for field in task.specification.result.fields:
         item = field.node.item if isinstance(field.node, Many) else field.node
         if isinstance(item, Leaf) and item.kind.form == "drawing":
-            found.append(field)
-    return found
+            drawings.append(field)
+    return drawings
 
 
 def _gathered(task: "Task", record: "Any") -> Drawing:

@@ -51,8 +51,8 @@ def own_picture(task: "Task", record: "Any", arguments: "tuple[list[Any], dict[s
     if not task.plot:
         return None
     words, options = arguments
-    made: Picture = load(task.plot)(record, *words, **options)
-    return made
+    picture: Picture = load(task.plot)(record, *words, **options)
+    return picture
 
 
 def refuse_none(task: "Task") -> UsageError:

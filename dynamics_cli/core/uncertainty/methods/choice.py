@@ -69,15 +69,15 @@ class Way:
 
 def _nested(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
     """Nested integrals where they settle; no outcome where they do not."""
-    found = nested(space, result, goal)
-    if found is None or not found.estimate <= goal.accuracy:
+    solution = nested(space, result, goal)
+    if solution is None or not solution.estimate <= goal.accuracy:
         return None
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    made = Outcome("nested integrals, cut at the corners of the densities", found.quantiles, centre)
-    made.scan = found  # type: ignore[assignment]
-    made.mean, made.std = found.mean, found.std
-    made.estimate, made.admissible = found.estimate, found.admissible
-    return made
+    outcome = Outcome("nested integrals, cut at the corners of the densities", solution.quantiles, centre)
+    outcome.scan = solution  # type: ignore[assignment]
+    outcome.mean, outcome.std = solution.mean, solution.std
+    outcome.estimate, outcome.admissible = solution.estimate, solution.admissible
+    return outcome
 
 
 # What a method costs, in evaluations of the model for one result.
@@ -118,9 +118,9 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         known = ANY if best is None else best.estimate
         if not known > max(way.above, own.accuracy) or not way.suits(problem):
             continue
-        made = way.method(space, result, direction, across, goal if way.whole else own)
-        if made is not None and (best is None or made.estimate < best.estimate):
-            best = made
+        outcome = way.method(space, result, direction, across, goal if way.whole else own)
+        if outcome is not None and (best is None or outcome.estimate < best.estimate):
+            best = outcome
         if best is not None and way.method is grids and asked == "quadrature":
             break
     assert best is not None

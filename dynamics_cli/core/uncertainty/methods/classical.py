@@ -38,8 +38,8 @@ class Plain:
 def linear(space: Space, result: int, goal: Goal, slopes: "Mapping[str, float] | None") -> Plain:
     """First order at the means: derivatives as tracked through the formula, or by differences where not known."""
     count = space.size
-    centre = np.array([made.mean for made in space.distributions])
-    deviations = np.array([made.std for made in space.distributions])
+    centre = np.array([distribution.mean for distribution in space.distributions])
+    deviations = np.array([distribution.std for distribution in space.distributions])
     cases = np.concatenate([centre[:, None], centre[:, None] + np.diag(deviations * 1e-3)], axis=1)
     if slopes is None:
         cases = np.concatenate([cases, centre[:, None] - np.diag(deviations * 1e-3)], axis=1)

@@ -67,21 +67,25 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
             # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start again.
             return None
-        made = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
-        made.roots = roots
+        outcome = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
+        outcome.roots = roots
         if last is not None:
             width = width_of(roots.quantiles, goal)
             differences.append(float(np.abs(roots.quantiles - last[1].quantiles).max()) / width if width > 0.0 else 0.0)
-            made.before = last[0]
+            outcome.before = last[0]
             now = differences[-1]
-            made.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
+            outcome.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
             if len(differences) == 1 and now < 1e-3 * goal.accuracy:
-                made.estimate = max(30.0 * now, FLOOR)
-            made.estimate = max(made.estimate, roots.residual)
-        if best is None or made.estimate <= best.estimate:
-            best = made
+                outcome.estimate = max(30.0 * now, FLOOR)
+            outcome.estimate = max(outcome.estimate, roots.residual)
+        if best is None or outcome.estimate <= best.estimate:
+            best = outcome
         last = (lines, roots, shape)
-        if made.estimate <= goal.accuracy or _stalled(differences, rest) or _hopeless(space, level, differences, goal):
+        if (
+            outcome.estimate <= goal.accuracy
+            or _stalled(differences, rest)
+            or _hopeless(space, level, differences, goal)
+        ):
             break
     return _with_moments(best, goal)
 
@@ -105,14 +109,14 @@ def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
     """Mean and deviation on the lines; None when the values along them do not increase."""
     if outcome is None:
         return None
-    made = moments(outcome.lines, goal.accuracy, outcome.before)
-    if not made.rising:
+    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+    if not spread.rising:
         return None
-    outcome.mean, outcome.std = made.mean, made.std
-    error = made.error
-    if outcome.before is not None and made.std > 0.0:
-        before = order_moments(outcome.before, made.order)
-        apart = max(abs(before.mean - made.mean), abs(before.std - made.std)) / made.std
+    outcome.mean, outcome.std = spread.mean, spread.std
+    error = spread.error
+    if outcome.before is not None and spread.std > 0.0:
+        before = order_moments(outcome.before, spread.order)
+        apart = max(abs(before.mean - spread.mean), abs(before.std - spread.std)) / spread.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)
     if outcome.estimate > GOOD:

@@ -140,22 +140,22 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
     """
     trial = trial or lines
     if lines.space.heavy:
-        made = order_moments(lines, ORDERS[1])
-        made.mean = made.std = np.nan
-        made.error = 0.0
-        return made
+        moments_of = order_moments(lines, ORDERS[1])
+        moments_of.mean = moments_of.std = np.nan
+        moments_of.error = 0.0
+        return moments_of
     last = order_moments(trial, ORDERS[0])
     if not last.rising:
         return last
     for count in ORDERS[1:]:
-        made = order_moments(trial, count)
-        if not made.rising or made.std == 0.0:
-            return made
-        last.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
+        moments_of = order_moments(trial, count)
+        if not moments_of.rising or moments_of.std == 0.0:
+            return moments_of
+        last.error = max(abs(moments_of.mean - last.mean), abs(moments_of.std - last.std)) / moments_of.std
         if last.error <= 0.3 * accuracy:
             break
-        made.error = last.error
-        last = made
+        moments_of.error = last.error
+        last = moments_of
     if trial is lines:
         return last
     final = order_moments(lines, last.order)
@@ -184,10 +184,10 @@ def order_moments(lines: Lines, count: int) -> Moments:
 def features(rest: "Array") -> "Array":
     """Terms of a quadratic in y (with products while there are few axes), which extrapolates roots to other lines."""
     axes, count = rest.shape
-    made = [np.ones(count), *rest, *(rest * rest)]
+    terms = [np.ones(count), *rest, *(rest * rest)]
     if axes <= 4:
-        made += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
-    return np.array(made).T
+        terms += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
+    return np.array(terms).T
 
 
 _projections: "dict[tuple[object, object], Array]" = {}

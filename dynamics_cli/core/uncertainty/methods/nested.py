@@ -39,9 +39,9 @@ def suits(space: "Space", goal: Goal) -> bool:
     """Whether inputs are few, independent, and of shapes for which smooth rules are slow."""
     if not 2 <= space.size <= 3 or space.factor is not None or space.smooth or space.stepped:
         return False
-    own = [getattr(made, "angle", made) for made in space.distributions]
-    students = [made for made in own if isinstance(made, StudentT)]
-    return goal.accuracy >= 5.0 * FLOOR and all(made.freedom >= LEAST_FREEDOM for made in students)
+    own = [getattr(distribution, "angle", distribution) for distribution in space.distributions]
+    students = [distribution for distribution in own if isinstance(distribution, StudentT)]
+    return goal.accuracy >= 5.0 * FLOOR and all(distribution.freedom >= LEAST_FREEDOM for distribution in students)
 
 
 class Nested:
@@ -50,7 +50,7 @@ class Nested:
     def __init__(self, space: "Space", result: int) -> None:
         self.space = space
         self.result = result
-        self.axes = [Axis(made) for made in space.distributions]
+        self.axes = [Axis(distribution) for distribution in space.distributions]
         self.order = list(range(len(self.axes)))
         self.signs = [0] * len(self.axes)
         self.whole = True
@@ -61,8 +61,8 @@ class Nested:
         inputs: dict[str, Any] = dict(self.space.fixed)
         for place, t in zip(self.order, coordinates, strict=True):
             inputs[self.space.names[place]] = self.axes[place].value(t)
-        made = self.space.evaluate_inputs(inputs, coordinates[0].size)[self.result]
-        return made if self.whole else np.where(np.isnan(made), -np.inf, made)
+        values = self.space.evaluate_inputs(inputs, coordinates[0].size)[self.result]
+        return values if self.whole else np.where(np.isnan(values), -np.inf, values)
 
     @property
     def ordered(self) -> "list[Axis]":
@@ -237,8 +237,8 @@ def nested(space: "Space", result: int, goal: Goal) -> Found | None:
         return None
     fine, dense = below(model, v, FINE)
     last = (wanted - fine) / np.maximum(dense, 1e-12 / std)
-    found = Found(model, v + last, mean, std, 1.0 - refused)
+    solution = Found(model, v + last, mean, std, 1.0 - refused)
     rough = np.abs(fine - share) / np.maximum(dense, 1e-12 / std)
     apart = max(float(rough.max()), abs(mean - rough_mean), abs(std - rough_std))
-    found.estimate = (GAIN * apart + float(np.abs(last).max()) ** 2 / std) / std + FLOOR
-    return found
+    solution.estimate = (GAIN * apart + float(np.abs(last).max()) ** 2 / std) / std + FLOOR
+    return solution

@@ -60,15 +60,15 @@ class Goal:
 
     def asking(self, limits: "Sequence[float]", levels: "Sequence[float]", *, curve: bool) -> "Goal":
         """The goal of one result with further requests."""
-        made = copy(self)
-        made.limits, made.levels, made.curve = limits, levels, curve
+        goal = copy(self)
+        goal.limits, goal.levels, goal.curve = limits, levels, curve
         further = [level for level in levels if np.abs(self.p - level).min() > SAME]
         if further:
-            made.p = np.unique([*self.p, *further])
-            made.main = np.searchsorted(made.p, self.p)
-            made.scores = np.array([normal.quantile(p) for p in made.p.tolist()])
-            made.scores[made.main] = self.scores
-        return made
+            goal.p = np.unique([*self.p, *further])
+            goal.main = np.searchsorted(goal.p, self.p)
+            goal.scores = np.array([normal.quantile(p) for p in goal.p.tolist()])
+            goal.scores[goal.main] = self.scores
+        return goal
 
     def at_levels(self, quantiles: "Array") -> "list[tuple[float, float]]":
         """The requested levels, each with its quantile."""
@@ -76,9 +76,9 @@ class Goal:
 
     def own(self, space: Space) -> "Goal":
         """The goal of the next of the results, with its part of the points."""
-        made = copy(self)
-        made.points = space.points + self.points // min(max(len(space.results), 1), MOST_PARTS)
-        return made
+        goal = copy(self)
+        goal.points = space.points + self.points // min(max(len(space.results), 1), MOST_PARTS)
+        return goal
 
     @property
     def tolerance(self) -> float:
@@ -115,20 +115,20 @@ def direction_of(space: Space, probe: "Array", result: int) -> "Array":
     centre, ahead, behind = probe[result, 0], probe[result, 1 : count + 1], probe[result, count + 1 : 2 * count + 1]
     gradient = np.nan_to_num(ahead - behind)
     bend = np.nan_to_num(ahead + behind - 2.0 * centre)
-    made = np.zeros(count)
+    direction = np.zeros(count)
     if space.heavy:
         # Along the axis of the heaviest tail, so that the lines beside it differ little.
         heaviest = [made_.std == np.inf for made_ in space.distributions]
-        made[int(np.argmax(np.where(heaviest, np.abs(gradient) + 1e-300, 0.0)))] = 1.0
-        return made
+        direction[int(np.argmax(np.where(heaviest, np.abs(gradient) + 1e-300, 0.0)))] = 1.0
+        return direction
     size = float(np.sqrt(gradient @ gradient))
     if size > 1e-9 * float(np.abs(bend).max(initial=0.0)) and size > 0.0:
         return gradient / size  # type: ignore[no-any-return]
     overall = _overall(space, result)
     if overall is not None:
         return overall
-    made[int(np.argmax(np.abs(bend)))] = 1.0
-    return made
+    direction[int(np.argmax(np.abs(bend)))] = 1.0
+    return direction
 
 
 def _overall(space: Space, result: int) -> "Array | None":
@@ -157,12 +157,12 @@ def tail_direction(space: Space, result: int, direction: "Array", score: float) 
     step = 0.5 * np.eye(count)
     ends = [score * direction[:, None], -score * direction[:, None]]
     values = space.evaluate(np.concatenate([part for end in ends for part in (end + step, end - step)], axis=1))[result]
-    made = direction.copy()
+    blended = direction.copy()
     for part in values.reshape(2, 2, count):
         gradient = part[0] - part[1]
         size = float(np.sqrt(gradient @ gradient))
         if not size > 0.0:
             return direction
-        made += 0.5 * gradient / size
-    size = float(np.sqrt(made @ made))
-    return made / size if size > 0.5 else direction
+        blended += 0.5 * gradient / size
+    size = float(np.sqrt(blended @ blended))
+    return blended / size if size > 0.5 else direction

@@ -67,20 +67,20 @@ class Pool:
         whole = bool(good.all())
         ordered = np.sort(values.ravel() if whole else values[good])
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
-        made = Outcome(method, np.quantile(ordered, goal.p), centre)
-        made.admissible = float(counts.sum() / values.size)
-        made.scan = Listed(ordered)  # type: ignore[assignment]
+        outcome = Outcome(method, np.quantile(ordered, goal.p), centre)
+        outcome.admissible = float(counts.sum() / values.size)
+        outcome.scan = Listed(ordered)  # type: ignore[assignment]
         find = np.quantile if whole else np.nanquantile
         scatter = list(find(values, goal.p, axis=1).std(axis=1, ddof=1))
-        width = width_of(made.quantiles, goal)
+        width = width_of(outcome.quantiles, goal)
         if not centre.space.heavy:
-            made.mean, made.std = float(ordered.mean()), float(ordered.std())
-            width = made.std
-            apart = values - made.mean
+            outcome.mean, outcome.std = float(ordered.mean()), float(ordered.std())
+            width = outcome.std
+            apart = values - outcome.mean
             scatter += [np.nanmean(apart, axis=1).std(ddof=1), np.sqrt(np.nanmean(apart**2, axis=1)).std(ddof=1)]
         error = REPLICATE_FACTOR * max(scatter) / float(np.sqrt(self.shifts))
-        made.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
-        return made
+        outcome.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
+        return outcome
 
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:

@@ -180,34 +180,34 @@ def _across(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
     if rest == 0:
         return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
     if rest > max(GRIDS):
-        made = quantile(lattice(rest, count, SHIFTS, seed))
-        lines = made.shape[1]
-        return made, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
+        across = quantile(lattice(rest, count, SHIFTS, seed))
+        lines = across.shape[1]
+        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
     # The trapezoid rule: the best for functions that decay like a normal density.
     places = np.indices((count,) * rest).reshape(rest, -1)
     step = 2.0 * GRID_REACH / (count - 1)
     # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
-    made = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
+    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
     if rest == 2:
-        made = TURN @ made
-    weights = np.exp(-0.5 * (made * made).sum(axis=0))
+        across = TURN @ across
+    weights = np.exp(-0.5 * (across * across).sum(axis=0))
     kept = weights > LEAST_WEIGHT
-    made, places, weights = made[:, kept], places[:, kept], weights[kept]
+    across, places, weights = across[:, kept], places[:, kept], weights[kept]
     group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
     # Each replicate is a separate rule.
     for part in range(PARTS):
         weights[group == part] /= weights[group == part].sum() * PARTS
-    return made, weights, group
+    return across, weights, group
 
 
 def _bend(a: "Array", b: "Array") -> "Array":
     """Half the second difference of each cell: the smaller of those at its ends, none where these turn (kinks)."""
-    made = np.zeros_like(a)
+    bend = np.zeros_like(a)
     rise = b - a
     step = np.diff(rise, axis=1)
     one, other = step[:, :-1], step[:, 1:]
-    made[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
-    return made
+    bend[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
+    return bend
 
 
 def _moments(cells: Cells) -> "tuple[Array, float, float, tuple[Array, Array]]":
@@ -228,14 +228,16 @@ class Found:
         self.admissible = cells.admissible
         self.share, self.mean, self.std, self.replicates = _moments(cells)
         scale = self.std or 1.0
-        made = [cells.quantile(q, s, scale) for q, s in zip(p.tolist(), cells.first_quantiles(p).tolist(), strict=True)]
-        self.quantiles = np.array([v for v, _, _ in made])
-        self.shares = [(shares, dense) for _, shares, dense in made]
+        quantiles = [
+            cells.quantile(q, s, scale) for q, s in zip(p.tolist(), cells.first_quantiles(p).tolist(), strict=True)
+        ]
+        self.quantiles = np.array([v for v, _, _ in quantiles])
+        self.shares = [(shares, dense) for _, shares, dense in quantiles]
 
     def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
         """The admissible share up to each value, as one line's."""
-        made = [self.cells.below(float(value)) for value in np.asarray(v, dtype=float)]
-        return np.array([[share.sum() for share, _ in made]]), np.array([dense for _, dense in made])
+        shares = [self.cells.below(float(value)) for value in np.asarray(v, dtype=float)]
+        return np.array([[share.sum() for share, _ in shares]]), np.array([dense for _, dense in shares])
 
     def scatter(self) -> float:
         """The scatter of the replicates, in deviations: of mean and deviation, and of probabilities over densities."""
@@ -273,14 +275,14 @@ def shared_lines(space: Space, result: int, direction: "Array", across: "Array",
     """One result by lines that it shares with others; finer ones where the first are not accurate enough."""
     wanted = max(goal.accuracy, ACCURACY)
     counts = GRIDS.get(space.size - 1, COUNTS)
-    made = _outcome(_lines(space, direction, counts[0], ALIKE, goal.seed), space, result, across, goal)
+    outcome = _outcome(_lines(space, direction, counts[0], ALIKE, goal.seed), space, result, across, goal)
     # Errors fall about in proportion to the number of lines: where that cannot suffice, finer ones are not tried.
-    if wanted < made.estimate <= 8.0 * wanted and counts[-1] > counts[0]:
-        made = _outcome(_lines(space, direction, counts[-1], ALIKE, goal.seed), space, result, across, goal)
-    if made.estimate > FAIR and len(space.shared) < MOST_SETS:
+    if wanted < outcome.estimate <= 8.0 * wanted and counts[-1] > counts[0]:
+        outcome = _outcome(_lines(space, direction, counts[-1], ALIKE, goal.seed), space, result, across, goal)
+    if outcome.estimate > FAIR and len(space.shared) < MOST_SETS:
         own = _outcome(_lines(space, direction, counts[0], OWN, goal.seed), space, result, across, goal)
-        made = own if own.estimate < made.estimate else made
-    return made
+        outcome = own if own.estimate < outcome.estimate else outcome
+    return outcome
 
 
 def turns(space: Space, result: int, direction: "Array", goal: Goal) -> bool:
@@ -306,10 +308,10 @@ def _outcome(lines: SharedLines, space: Space, result: int, across: "Array", goa
     if not cells.admissible > 1e-6:
         message = "almost no case within the inputs' uncertainty is admissible"
         raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
-    found = Found(cells, goal.p)
+    numbers = Found(cells, goal.p)
     centre = Lines(space, result, lines.direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    made = Outcome(lines.method, found.quantiles, centre)
-    made.mean, made.std, made.admissible = found.mean, found.std, min(found.admissible, 1.0)
-    made.scan = found  # type: ignore[assignment]
-    made.estimate = max(found.scatter() + OF_TWICE * found.apart(lines.cells(result, 2)), FLOOR)
-    return made
+    outcome = Outcome(lines.method, numbers.quantiles, centre)
+    outcome.mean, outcome.std, outcome.admissible = numbers.mean, numbers.std, min(numbers.admissible, 1.0)
+    outcome.scan = numbers  # type: ignore[assignment]
+    outcome.estimate = max(numbers.scatter() + OF_TWICE * numbers.apart(lines.cells(result, 2)), FLOOR)
+    return outcome

@@ -37,7 +37,7 @@ class Crossings:
 
     def triangles(self) -> "Array":
         """Their numbers."""
-        found = [np.empty(0, dtype=int)]
+        numbers = [np.empty(0, dtype=int)]
         planes = _Planes(self.corners)
         columns = [np.ascontiguousarray(self.faces[:, k]) for k in range(3)]
         for one, other in self.boxes or ():
@@ -52,8 +52,8 @@ class Crossings:
             for through, along in ((one, other), (other, one)):
                 for k in range(3):
                     p, q = self.corners[along, k], self.corners[along, k - 1]
-                    found.append(through[_pierced(p, q, self.corners[through])])
-        return np.unique(np.concatenate(found))
+                    numbers.append(through[_pierced(p, q, self.corners[through])])
+        return np.unique(np.concatenate(numbers))
 
 
 class _Planes:

@@ -139,11 +139,11 @@ def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
             links = np.repeat(begin[front] - np.concatenate(([0], np.cumsum(sizes)[:-1])), sizes) + np.arange(
                 sizes.sum()
             )
-            found, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
-            fresh = piece[found] < 0
-            found, first = np.unique(found[fresh], return_index=True)
-            piece[found], way[found] = pieces, turned[fresh][first]
-            front = found
+            neighbours, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
+            fresh = piece[neighbours] < 0
+            neighbours, first = np.unique(neighbours[fresh], return_index=True)
+            piece[neighbours], way[neighbours] = pieces, turned[fresh][first]
+            front = neighbours
         pieces += 1
         rest = np.flatnonzero(piece[seed:] < 0)
         seed = seed + int(rest[0]) if rest.size else count
