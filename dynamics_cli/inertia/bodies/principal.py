@@ -94,7 +94,7 @@ def _alike(axis: "Vector", near: "Vector") -> "Vector":
 
 def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tuple[Matrix, str]":
     """Axes in order of their moments, and the sentence about them; `upper`: the first two moments are equal."""
-    why = "their moments differ by less than their uncertainty" if beyond else "their moments are equal"
+    why = "their moments differ by less than the uncertainty" if beyond else "their moments are equal"
     if upper and lower:
         return IDENTITY, f"{_EVERY}: {why.replace('their', 'all')}"
     if upper:
