@@ -84,3 +84,10 @@ def reached(text: str, where: str) -> InadmissibleError:
     """The error of a call that ends at its time limit."""
     hint = "raise --time-limit, or ask for less"
     return InadmissibleError(f"the time limit of {text} was reached {where}", code="time-limit", hint=hint)
+
+
+def clock() -> float:
+    """Seconds of a clock that only goes forward."""
+    from time import perf_counter
+
+    return perf_counter()

@@ -208,3 +208,8 @@ def bound_text(entry: "dict[str, Any] | None") -> str:
     if "relative" in entry:
         return f"{entry['relative']:.1e} relative"
     return f"{entry['absolute']:.1e} {entry.get('unit', '')}".rstrip()
+
+
+def quantity_node(value: "Any", unit: str) -> "dict[str, Any]":
+    """A number (or numbers) with its unit, if it has one."""
+    return {"value": value, "unit": unit} if unit else {"value": value}

@@ -3,7 +3,7 @@
 Both series alternate and their terms decrease for x ≤ π, so the first term omitted bounds the remainder.
 """
 
-from dynamics_cli.numerics.elementary import sin
+from dynamics_cli.numerics.elementary import horner, sin
 
 # Above these the closed form magnifies rounding less than 7 times; below, the series keeps every digit.
 SINC_SWITCH = 1.5
@@ -22,13 +22,6 @@ _SINC = tuple((-((-1) ** k), _factorial(2 * k + 1)) for k in range(1, 11))
 # and of (−1)ᵏ (k − 1)/(2k + 2)!, k = 2…17: the terms of ½(1 + sin x/x) − (2/x)² sin²(x/2) by x²ᵏ
 _SPREAD = tuple(((-1) ** k * (k - 1), _factorial(2 * k + 2)) for k in range(2, 18))
 _SINC_DOUBLES, _SPREAD_DOUBLES = (tuple(up / down for up, down in terms) for terms in (_SINC, _SPREAD))
-
-
-def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
-    total = coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
-        total = total * x + coefficient
-    return total
 
 
 def _exact_horner(terms: "tuple[tuple[int, int], ...]", x: float) -> float:
@@ -50,7 +43,7 @@ def one_less_sinc(x: float) -> float:
     if abs(x) > (SHORT if many else SINC_SWITCH):
         return 1.0 - sin(x) / x
     square = x * x
-    return square * (_exact_horner(_SINC, square) if many else _horner(_SINC_DOUBLES, square))
+    return square * (_exact_horner(_SINC, square) if many else horner(_SINC_DOUBLES, square))
 
 
 def cosine_variance(alpha: float) -> float:
@@ -65,4 +58,4 @@ def cosine_variance(alpha: float) -> float:
         mean = sin(alpha) / alpha
         return 0.5 * (1.0 + sin(2.0 * alpha) / (2.0 * alpha)) - mean * mean
     square = 4.0 * alpha * alpha
-    return square * square * (_exact_horner(_SPREAD, square) if many else _horner(_SPREAD_DOUBLES, square))
+    return square * square * (_exact_horner(_SPREAD, square) if many else horner(_SPREAD_DOUBLES, square))

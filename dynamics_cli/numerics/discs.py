@@ -194,7 +194,7 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     magnitude ρ, moves by d: by d/ρ, and (d/ρ)²/(2(1 − d/ρ)) at most beyond the first order, which is
     (x dy − y dx)/ρ² of both together.
     """
-    y, x = _disc(y), _disc(x)
+    y, x = as_disc(y), as_disc(x)
     away = np.hypot(x.centre, y.centre) * (1.0 - LIBRARY)
     share = (x.radius + y.radius) * UP / np.where(away > 0.0, away, 1.0)
     moved = share == 0.0
@@ -229,28 +229,29 @@ def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
     return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip) * UP + TINY)
 
 
-def _disc(value: "Any") -> Disc:
+def as_disc(value: "Any") -> Disc:
+    """A number as a disc of radius zero; a disc unchanged."""
     return value if isinstance(value, Disc) else Disc(value, 0.0)
 
 
 def _stack(parts: "Any", axis: int = 0) -> Disc:
-    whole = [_disc(part) for part in parts]
+    whole = [as_disc(part) for part in parts]
     centres = np.broadcast_arrays(*(part.centre for part in whole))
     radii = np.broadcast_arrays(*(part.radius for part in whole))
     return Disc(np.stack(centres, axis), np.stack(radii, axis))
 
 
 def _together(*parts: "Any") -> "tuple[Disc, ...]":
-    whole = [_disc(part) for part in parts]
+    whole = [as_disc(part) for part in parts]
     shape = np.broadcast_shapes(*(np.shape(part.centre) for part in whole), *(np.shape(part.radius) for part in whole))
     return tuple(Disc(np.broadcast_to(part.centre, shape), np.broadcast_to(part.radius, shape)) for part in whole)
 
 
 _UFUNCS: "dict[Any, Callable[..., Any]]" = {
-    np.add: lambda a, b: _disc(a) + b,
-    np.subtract: lambda a, b: _disc(a) - b,
-    np.multiply: lambda a, b: _disc(a) * b,
-    np.true_divide: lambda a, b: _disc(a) / b,
+    np.add: lambda a, b: as_disc(a) + b,
+    np.subtract: lambda a, b: as_disc(a) - b,
+    np.multiply: lambda a, b: as_disc(a) * b,
+    np.true_divide: lambda a, b: as_disc(a) / b,
     np.negative: lambda a: -a,
     np.square: Disc.square,
     np.sqrt: Disc.root,
@@ -261,7 +262,7 @@ _UFUNCS: "dict[Any, Callable[..., Any]]" = {
     np.arccos: Disc.arc_cosine,
     np.arcsin: Disc.arc_sine,
     np.arctan2: arc_tangent,
-    np.hypot: lambda a, b: (_disc(a).square() + _disc(b).square()).root(),
+    np.hypot: lambda a, b: (as_disc(a).square() + as_disc(b).square()).root(),
 }
 _FUNCTIONS: "dict[Any, Callable[..., Any]]" = {
     np.stack: _stack,

@@ -11,7 +11,7 @@ from dynamics_cli.numerics.number import is_array, is_carrier, is_many
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
     from typing import Any
 
 
@@ -246,3 +246,19 @@ def total(numbers: "Iterable[float]") -> float:
     for number in numbers:
         added = added + number
     return added
+
+
+def summed(parts: "Sequence[float]") -> float:
+    """The sum of one number or more, of any sort, without a leading zero."""
+    result = parts[0]
+    for part in parts[1:]:
+        result = result + part
+    return result
+
+
+def horner(coefficients: "Sequence[float]", x: float) -> float:
+    """Σ c_k x^k by Horner's rule, coefficients from the constant up."""
+    result = coefficients[-1]
+    for coefficient in coefficients[-2::-1]:
+        result = result * x + coefficient
+    return result

@@ -8,7 +8,7 @@ points. Floats, arrays and tracked numbers get the same bits: arrays see only + 
 
 import math
 
-from dynamics_cli.numerics.elementary import in_class_of_first, tan
+from dynamics_cli.numerics.elementary import horner, in_class_of_first, tan
 from dynamics_cli.numerics.number import is_array
 
 TYPE_CHECKING = False
@@ -60,13 +60,6 @@ _FORWARD = (
 )  # fmt: skip
 
 
-def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
-    total = coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
-        total = total * x + coefficient
-    return total
-
-
 def involute(phi: float) -> float:
     """Involute function tan φ − φ of an angle below 90°.
 
@@ -104,7 +97,7 @@ def _near(phi: float) -> float:
     high = scaled - (scaled - phi)
     low = phi - high
     square = phi * phi
-    rest = low * (high * high + low * (high + low / 3.0)) + phi * square * square * _horner(_FORWARD, square)
+    rest = low * (high * high + low * (high + low / 3.0)) + phi * square * square * horner(_FORWARD, square)
     return high * high * high / 3.0 + rest
 
 
@@ -173,13 +166,13 @@ def _inverse(value: float) -> float:
     if value > MEETING:
         c = value + _HALF_PI
         x = 1.0 / (c * c)
-        return (_HALF_PI - (1.0 + x * _horner(_HIGH, x)) / c) + _HALF_PI_REST
+        return (_HALF_PI - (1.0 + x * horner(_HIGH, x)) / c) + _HALF_PI_REST
     if value < _SMALL:
         return _DOWN * _inverse(_UP * value) if value else 0.0
     high, low = _cube_root(3.0 * value)
     s = high + low
     w = s * s
-    bend = w * _horner(_LOW, w)
+    bend = w * horner(_LOW, w)
     return high + (low + s * bend)
 
 
@@ -194,7 +187,7 @@ def _cube_root(y: float) -> tuple[float, float]:
 
 def _polished(guess: float, y: float) -> tuple[float, float]:
     ratio = guess * guess * (guess / y)
-    root = guess * _horner(_CUBIC, ratio)
+    root = guess * horner(_CUBIC, ratio)
     scaled = _SPLITTER * root
     high = scaled - (scaled - root)
     cube = high * high * high

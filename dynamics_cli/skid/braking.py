@@ -1,7 +1,7 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt
+from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, summed
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag, secant
 from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back, crossing_time
@@ -106,8 +106,8 @@ def speed(
         advice = drag_advice(stretch.friction, stretch.grade, stretch.braking, name) + advice
     return SkidSpeed(
         speed=crossed[0].entry_speed,
-        time=_total([surface.time for surface in crossed]),
-        total_distance=_total([surface.distance for surface in crossed]),
+        time=summed([surface.time for surface in crossed]),
+        total_distance=summed([surface.distance for surface in crossed]),
         energy=None if mass is None else mass * (0.5 * end_speed * end_speed + gravity * work),
         friction_work=None if mass is None else mass * (gravity * heat),
         surfaces=crossed,
@@ -116,17 +116,10 @@ def speed(
     )
 
 
-def _total(parts: list[float]) -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
-
-
 def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[Check, ...]:
     """Check squared speeds against work, summed surface by surface from the returned speeds."""
     first, last = crossed[0].entry_speed, crossed[-1].exit_speed
-    gained = _total([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
+    gained = summed([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
     operands = [x for one in crossed for x in (one.drag_factor, one.distance)]
     return balance("energy balance", (first - last) * (first + last), gained, first * first, first, gravity, *operands)
 

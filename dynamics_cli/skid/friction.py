@@ -1,7 +1,7 @@
 """Coefficient of friction from test skids: the value of each, their mean and scatter."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, summed, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_along, friction_advice, grade_advice, secant
 from dynamics_cli.quantities import (
@@ -104,10 +104,10 @@ def friction(
     spread: float | None = None
     error: float | None = None
     if len(values) > 1:
-        mean = _sum(values) / float(len(values))
+        mean = summed(values) / float(len(values))
         # the mean of equal numbers is that number, exactly
         mean = where(lowest == highest, mean + (lowest - mean), mean)
-        variance = _sum([(one - mean) * (one - mean) for one in values]) / float(len(values) - 1)
+        variance = summed([(one - mean) * (one - mean) for one in values]) / float(len(values) - 1)
         spread = sqrt(variance)
         error = spread / sqrt(float(len(values)))
     return FrictionFound(
@@ -120,13 +120,6 @@ def friction(
         checks=_check(several, values, drags),
         advice=_absurd(several, values) + _advice(spread, mean),
     )
-
-
-def _sum(parts: list[float]) -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
 
 
 def _drag(skid: TestSkid, gravity: float, name: str) -> float:

@@ -8,7 +8,7 @@ from dynamics_cli.cam.program.pieces import FEW, ROUGH, Cover, best_unit, widths
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.chebyshev.proxies import Proxies
 from dynamics_cli.numerics.chebyshev.summits import Summits, doubtful, summits
-from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.discs import Disc, as_disc
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
@@ -48,21 +48,17 @@ class Sum:
 
     def of(self, rows: "Disc") -> "Disc":
         """The sum of rows (q, n)."""
-        total = Disc(np.zeros(rows.shape[1:]), np.zeros(rows.shape[1:])) + _disc(self.constant)
+        total = Disc(np.zeros(rows.shape[1:]), np.zeros(rows.shape[1:])) + as_disc(self.constant)
         for index, weight in enumerate(self.weights):
             if not isinstance(weight, float) or weight:
-                total = total + rows[index] * _disc(weight)
+                total = total + rows[index] * as_disc(weight)
         return total
 
     def middles(self, count: int) -> "tuple[Any, float]":
         """Weights of the given number of rows, and the constant, without their rounding."""
         padded = np.zeros(count)
-        padded[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
-        return padded, float(_disc(self.constant).centre)
-
-
-def _disc(value: "float | Disc") -> "Disc":
-    return value if isinstance(value, Disc) else Disc(value, 0.0)
+        padded[: len(self.weights)] = [float(as_disc(weight).centre) for weight in self.weights]
+        return padded, float(as_disc(self.constant).centre)
 
 
 class Survey:

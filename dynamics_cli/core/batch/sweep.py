@@ -7,7 +7,7 @@ from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
 from dynamics_cli.core.batch.sweep_points import Axis, read_axes
-from dynamics_cli.core.deadline import Reached, stop
+from dynamics_cli.core.deadline import Reached, clock, stop
 from dynamics_cli.core.inputs.quantity_text import read_amount, split_list, split_pairs
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
@@ -126,7 +126,7 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
             raise UsageError(f"--{name} is for one case and --sweep for many", parameter=name, code="exclusive")
     files = list(gathered.reader.files)
     points = _Points(task, gathered, settings, read_axes(task, settings.sweep))
-    start = _clock()
+    start = clock()
     template, index = _template(points)
     files += [file for file in gathered.reader.files if file not in files]
     notes = list(gathered.reader.notes)
@@ -165,14 +165,8 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
 
         document["numerics"]["uncertainty"] = {"coverage": read_coverage(settings.coverage), "seed": settings.seed or 1}
     if settings.timing:
-        document["timing"] = {"value": _clock() - start, "unit": "s"}
+        document["timing"] = {"value": clock() - start, "unit": "s"}
     return document, bool(failures)
-
-
-def _clock() -> float:
-    from time import perf_counter
-
-    return perf_counter()
 
 
 def _template(points: _Points) -> "tuple[Fields | None, int]":

@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.gather import Gathered, gather
 from dynamics_cli.core.answering.models import answer, arguments, call_model
 from dynamics_cli.core.answering.task import Task, load
+from dynamics_cli.core.deadline import clock
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.document import build
 from dynamics_cli.core.terminal import encoded
@@ -118,7 +119,7 @@ def answered_case(
     reader.uncertain = {}
     bound = reader.read(task.specification.fields, gathered.raw)
     display = Display(settings.units, settings.to)
-    start = _clock() if settings.timing else 0.0
+    start = clock() if settings.timing else 0.0
     try:
         answered = answer(task, bound, settings.model, reader.uncertain)
     except InadmissibleError as error:
@@ -127,16 +128,16 @@ def answered_case(
 
             add_intervals(error, task, bound, reader, settings, display)
         raise
-    took = _clock() - start if settings.timing else 0.0
+    took = clock() - start if settings.timing else 0.0
     document = build(task, bound, answered, display, gathered.reader.notes)
     _require_checks(document, task)
     spread: Picture | None = None
     if reader.uncertain or settings.correlate:
         from dynamics_cli.core.uncertainty.document import add_uncertainty
 
-        start = _clock() if settings.timing else 0.0
+        start = clock() if settings.timing else 0.0
         spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
-        took += _clock() - start if settings.timing else 0.0
+        took += clock() - start if settings.timing else 0.0
     elif settings.limit:
         from dynamics_cli.core.answering.limits import add_limits
 
@@ -252,12 +253,6 @@ def _with_picture(
     data, entry = drawn(picture, settings)
     document["files"] = [*document.get("files", ()), entry]
     return [*files, (settings.plot, data, "plot")], picture
-
-
-def _clock() -> float:
-    from time import perf_counter
-
-    return perf_counter()
 
 
 def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> str:

@@ -29,3 +29,10 @@ def without_guard(cell: str) -> str:
 def header(name: str, unit: str) -> str:
     """A CSV column's header: `speed[km/h]`."""
     return csv_cell(f"{name}[{unit}]" if unit else name)
+
+
+def free_name(name: str, taken: "set[str]") -> str:
+    """A column name for a result beside an input of the same name."""
+    while name in taken:
+        name = f"results.{name}"
+    return name

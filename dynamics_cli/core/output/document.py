@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.core.answering.models import Answer
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.documents import quantity_node
 from dynamics_cli.core.inputs.specification import DEVIATION, Leaf, Many, Record
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.core.units.display import Display, Shown, round_condition, round_up
@@ -78,7 +79,7 @@ class _Walk:
             own, value = value, self.display.of_measured(address, value)
             if value is not own:
                 self.converted.add(address)
-            return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
+            return quantity_node(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         kind = value.kind if isinstance(value, Quantity) else node.kind
         if isinstance(value, Quantity):
             value = value.value
@@ -103,7 +104,7 @@ class _Walk:
         return {
             "outlines": {"value": len(outlines)},
             "pieces": {"value": sum(len(outline.pieces) for outline in outlines)},
-            "deviation": _quantity(round_bound(shown.width(value.deviation)), shown.text),
+            "deviation": quantity_node(round_bound(shown.width(value.deviation)), shown.text),
         }
 
     def _many(self, value: "Any", node: Many, address: str) -> "Any":
@@ -124,7 +125,7 @@ class _Walk:
                 shown = self.shown[own] = self.display.of(own, field.node.kind)
                 for number in numbers:
                     _finite(number, own)
-                out[field.key] = _quantity([shown.value(number) for number in numbers], shown.text)
+                out[field.key] = quantity_node([shown.value(number) for number in numbers], shown.text)
             else:
                 out[field.key] = {"value": numbers}
         return out
@@ -133,7 +134,7 @@ class _Walk:
         shown = self.shown[address] = self.display.of(address, kind)
         number = plain(value)
         _finite(number, address)
-        out = _quantity(shown.value(number), shown.text)
+        out = quantity_node(shown.value(number), shown.text)
         error = getattr(value, "error", None)
         if error is not None:
             self._state(address, shown, number, error)
@@ -170,7 +171,7 @@ class _Walk:
                 self._state(address, shown, number, part.error, vector=True)
             return shown.value(number)
 
-        return _quantity(show(value), shown.text)
+        return quantity_node(show(value), shown.text)
 
 
 class _Cells:
@@ -200,10 +201,6 @@ class _Cells:
             "absolute": round_up(max(spread for _, spread in self.cells)),
             **({"unit": self.unit} if self.unit else {}),
         }
-
-
-def _quantity(value: "Any", unit: str) -> "dict[str, Any]":
-    return {"value": value, "unit": unit} if unit else {"value": value}
 
 
 def _finite(number: float, address: str) -> None:

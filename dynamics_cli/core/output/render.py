@@ -11,9 +11,11 @@ from dynamics_cli.core.documents import (
     is_table,
     number,
     quantity,
+    quantity_node,
     quote,
     to_json,
 )
+from dynamics_cli.core.output.csv_cells import free_name
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
@@ -167,7 +169,7 @@ def to_csv(document: "Document", table: str) -> str:
             plain = with_spreads(plain, results)
         inputs = _split_lists(_input_cells(document["inputs"]))
         taken = {name for name, _, _ in inputs}
-        named = [(_free(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
+        named = [(free_name(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
         node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
     lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
@@ -183,13 +185,6 @@ def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
         else:
             cells += flatten(node, name)
     return cells
-
-
-def _free(name: str, taken: "set[str]") -> str:
-    """A column name for a result beside an input of the same name."""
-    while name in taken:
-        name = f"results.{name}"
-    return name
 
 
 def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
@@ -270,7 +265,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
     if unknown:
         raise _unknown_result(unknown[0], flat)
     if form in ("json", "ndjson"):
-        picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
+        picked = {name: quantity_node(*flat[name]) if name in flat else results[name] for name in names}
         return to_json(picked) + "\n"
 
     def bare(name: str) -> str:
@@ -298,10 +293,6 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
     hint = f"results are {', '.join(known)}"
     return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
-
-
-def _quantity_node(value: "Any", unit: str) -> "Any":
-    return {"value": value, "unit": unit} if unit else {"value": value}
 
 
 def whole_table(document: "Document", name: str, digits: int, form: str) -> str:

@@ -47,11 +47,13 @@ def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **giv
         items += _cut(wheel, outer, face_width, axis, side, role)
         pitch = float(wheel.pitch_angle)
         back = outer * max(cos(pitch), 0.0)
-        items.append(line([(0.0, 0.0), _turned((back + 0.3 * outer, 0.0), axis)], "", "centre", BLACK))
+        items.append(line([(0.0, 0.0), turned_point((back + 0.3 * outer, 0.0), axis)], "", "centre", BLACK))
         inside = back - 0.5 * face_width * cos(pitch), -side * 0.45 * 0.5 * float(wheel.pitch_diameter)
         items.append(
             Label(
-                *_turned(inside, axis), f"{name}{', ' if role else chr(10)}δ_{role + 1} = {degrees(pitch):.4g}°", role
+                *turned_point(inside, axis),
+                f"{name}{', ' if role else chr(10)}δ_{role + 1} = {degrees(pitch):.4g}°",
+                role,
             )
         )
         items += _across(wheel, outer, axis, role)
@@ -86,9 +88,9 @@ def _two_angles(gear: "Any") -> str:
 def _across(wheel: "Any", outer: float, axis: float, role: int) -> "list[Any]":
     """The outer pitch diameter, beyond the back of the gear."""
     radius, along = 0.5 * float(wheel.pitch_diameter), outer * max(cos(float(wheel.pitch_angle)), 0.0) + 0.16 * outer
-    ends = [_turned((along, way * radius), axis) for way in (-1.0, 1.0)]
+    ends = [turned_point((along, way * radius), axis) for way in (-1.0, 1.0)]
     text = worded("d_e{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
-    beside = _turned((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
+    beside = turned_point((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
     return [Dimension((ends[0][0], ends[1][0]), (ends[0][1], ends[1][1]), ""), Label(*beside, text)]
 
 
@@ -118,7 +120,8 @@ def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, rol
     return curves
 
 
-def _turned(point: "Point", angle: float) -> "Point":
+def turned_point(point: "Point", angle: float) -> "Point":
+    """The point rotated about the origin."""
     x, y = point
     return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
 

@@ -3,7 +3,7 @@
 from math import copysign, cos, pi, sin, tan
 
 from dynamics_cli.errors import worded
-from dynamics_cli.gear.crossing.pictures import BLACK, X, Y, line, sizes
+from dynamics_cli.gear.crossing.pictures import BLACK, X, Y, line, sizes, turned_point
 from dynamics_cli.gear.section import circle
 from dynamics_cli.pictures import Arrow, Axis, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Module, Ratio, Size, Speed
@@ -34,7 +34,7 @@ def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "
     ]
     reach = 1.1 * wide
     items += [
-        line([_turned((-reach, 0.0), one), _turned((reach, 0.0), one)], "", "thick", GREEN),
+        line([turned_point((-reach, 0.0), one), turned_point((reach, 0.0), one)], "", "thick", GREEN),
         Mark(0.0, 0.0, "C", (7.0, -10.0)),
     ]
     table = sizes(
@@ -70,10 +70,10 @@ def _screw(name: str, teeth: int, radius: float, helix: float, axis: float, wide
     out = 1.35 * wide + 0.1 * radius
     traces = _traces(radius, wide, helix - axis, teeth)
     return [
-        line([_turned(point, axis) for point in corners], "", "filled", role),
-        *(line([_turned(point, axis) for point in trace], "", "thin", role) for trace in traces),
-        line([_turned((-out, 0.0), axis), _turned((out, 0.0), axis)], "", "centre", BLACK),
-        Label(*_turned((1.28 * out + 0.15 * wide, 0.0), axis), f"{name}\n{teeth} teeth", role),
+        line([turned_point(point, axis) for point in corners], "", "filled", role),
+        *(line([turned_point(point, axis) for point in trace], "", "thin", role) for trace in traces),
+        line([turned_point((-out, 0.0), axis), turned_point((out, 0.0), axis)], "", "centre", BLACK),
+        Label(*turned_point((1.28 * out + 0.15 * wide, 0.0), axis), f"{name}\n{teeth} teeth", role),
     ]
 
 
@@ -90,16 +90,11 @@ def _traces(radius: float, wide: float, lean: float, teeth: int) -> "list[list[P
     return traces
 
 
-def _turned(point: "Point", angle: float) -> "Point":
-    x, y = point
-    return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
-
-
 def _speeds(first_helix: float, first_axis: float, second_helix: float, second_axis: float) -> Panel:
     """Pitch line velocities relative to the first's: equal across the teeth; their difference slides along them."""
-    one = _turned((0.0, 1.0), first_axis)
+    one = turned_point((0.0, 1.0), first_axis)
     size = cos(first_helix) / cos(second_helix)
-    two = _turned((0.0, size), second_axis)
+    two = turned_point((0.0, size), second_axis)
     slip = one[0] - two[0], one[1] - two[1]
     side = copysign(0.1, -two[0] if two[0] else 1.0)
     items = (

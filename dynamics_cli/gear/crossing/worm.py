@@ -5,6 +5,7 @@ from math import pi
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.crossing.worm_records import WormData
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import require_module
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
@@ -145,6 +146,8 @@ def worm(
     _require_root("wheel", wheel + 2.0 * (shift - ded), "give it more teeth, or a larger profile shift")
     rho, forward, left = _efficiency(gamma, slope, pressure_angle, friction)
     axial = atan2(sin(pressure_angle), cos(pressure_angle) * cos(gamma))
+    load = torque_of(torque, power, speed)
+    load = None if load is None else absolute(load)
     return WormData(
         ratio=teeth / threads,
         lead_angle=gamma,
@@ -160,7 +163,7 @@ def worm(
         self_locking=plain(-atan(left)) >= 0.0,
         sliding_speed=None if speed is None else 0.5 * absolute(speed) * diameter / cos(gamma),
         wheel_speed=None if speed is None else speed * (threads / teeth),
-        **_forces(_load(torque, power, speed), wheel, diameter, gamma, rho, left, pressure_angle, friction),
+        **_forces(load, wheel, diameter, gamma, rho, left, pressure_angle, friction),
         checks=_checks(forward, gamma, pressure_angle, friction),
         advice=_advice(gamma, rho)
         + tooth_advice(
@@ -281,19 +284,6 @@ def _shift(given: float | None, distance: float | None, reference: float, module
     if distance is not None:
         return (distance - reference) / module
     return 0.0 if given is None else given
-
-
-def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return None if torque is None else absolute(torque)
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return absolute(power) / absolute(speed)  # type: ignore[arg-type]
 
 
 def _forces(

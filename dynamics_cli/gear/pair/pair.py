@@ -3,6 +3,7 @@
 from math import gcd
 
 from dynamics_cli.errors import require, require_given
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pair.advice import pair_advice
 from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
 from dynamics_cli.gear.pair.engagement import (
@@ -136,7 +137,7 @@ def pair(
     play = total_backlash(mesh, (first, second))
     cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
     course = path(mesh)
-    load = _torque(torque, power, speed)
+    load = torque_of(torque, power, speed)
     interference = verdicts(mesh, course, play, cut, root_radius_factor)
     forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
     return _result(mesh, course, tip_change, interference, forces, load, speed, friction, face_width,
@@ -145,19 +146,6 @@ def pair(
 
 def _own_hand(hand: Hand, helix_angle: float) -> str:
     return str(hand) if plain(helix_angle) >= 0.0 else ("left" if hand == "right" else "right")
-
-
-def _torque(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return torque
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return power / absolute(speed)  # type: ignore[arg-type]
 
 
 def _result(

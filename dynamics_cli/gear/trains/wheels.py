@@ -3,6 +3,7 @@
 from math import pi
 
 from dynamics_cli.errors import require, require_given, worded
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.numerics.elementary import absolute, acos, asin, exp, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -108,7 +109,7 @@ def wheels(
     belt = drive in ("open-belt", "crossed-belt")
     opposite = drive in ("external", "crossed-belt")
     ratio = -second / first if opposite else second / first
-    load = _load(torque, power, speed)
+    load = torque_of(torque, power, speed)
     rim = None if speed is None else absolute(speed) * first
     force = None if load is None else absolute(load) / first
     length = span = tension = tight = slack = normal = None
@@ -188,19 +189,6 @@ def _rolling(first: float, second: float, distance: float | None, drive: str) ->
         hint="leave --centre-distance out",
     )
     return apart
-
-
-def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return torque
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return power / absolute(speed)  # type: ignore[arg-type]
 
 
 def _checks(first: float, second: float, wraps: "tuple[float | None, float | None]", drive: str) -> tuple[Check, ...]:

@@ -3,15 +3,15 @@
 from math import inf
 
 from dynamics_cli.impact.crash.results import LinkVerdict
-from dynamics_cli.impact.crash.ways import After, Before, added
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
 from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, GOOD, LEVELS
-from dynamics_cli.numerics.elementary import absolute, minimum, where
+from dynamics_cli.numerics.elementary import absolute, minimum, summed, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import secant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from dynamics_cli.impact.crash.ways import After, Before
     from dynamics_cli.numerics.road.phases import Leg, Phase
 
 # Friction is known to a tenth if measured on the road; never to three hundredths.
@@ -28,7 +28,7 @@ def verdicts(
     for name, slide in zip(names, slides, strict=True):
         if slide.surfaces:
             assert slide.speed is not None
-            grip = slide.gravity * added(
+            grip = slide.gravity * summed(
                 [one.braking * one.friction * one.distance / secant(one.grade) for one in slide.grounds]
             )
             links.append(_by_friction(f"slide of {name}", slide.speed, grip))
@@ -43,7 +43,7 @@ def verdicts(
     for name, way in zip(names, ways, strict=True):
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
         if braked:
-            grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
+            grip = summed([_grip(leg, phase, way.gravity) for leg, phase in braked])
             links.append(_by_friction(f"approach of {name} to the impact", way.start_speed, grip))
     return tuple(links)
 

@@ -5,7 +5,7 @@ from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.results import BeforeImpact, Course
 from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, phases
 from dynamics_cli.impact.diagnostics import balance
-from dynamics_cli.numerics.elementary import maximum, sqrt
+from dynamics_cli.numerics.elementary import maximum, sqrt, summed
 from dynamics_cli.numerics.road.drag import drag_advice
 from dynamics_cli.numerics.road.phases import Leg, Phase, legs
 from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back
@@ -47,7 +47,7 @@ class After:
     @property
     def distance(self) -> float:
         """Length of the slide."""
-        total: float = added([surface.distance for surface in self.surfaces])
+        total: float = summed([surface.distance for surface in self.surfaces])
         return total
 
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
@@ -99,21 +99,21 @@ class Before:
     @property
     def work(self) -> float:
         """Work per mass of all phases against the motion."""
-        return added([_shed(leg) for leg in self.legs]) if self.legs else 0.0
+        return summed([_shed(leg) for leg in self.legs]) if self.legs else 0.0
 
     def summary(self, scene: CrashScene, heading: "float | None") -> BeforeImpact | None:
         """Speeds and places at its start and where it begins to brake."""
         if not self.legs:
             return None
         brake = next((index for index, leg in enumerate(self.legs) if leg.kind in BRAKING), None)
-        distance = added([leg.distance for leg in self.legs])
+        distance = summed([leg.distance for leg in self.legs])
         braking: tuple[Any, Any, Any] = (None, None, None)
         if brake is not None:
             rest = self.legs[brake:]
-            braking = rest[0].start, added([leg.duration for leg in rest]), added([leg.distance for leg in rest])
+            braking = rest[0].start, summed([leg.duration for leg in rest]), summed([leg.distance for leg in rest])
         limit = scene.speed_limit
         return BeforeImpact(
-            self.legs[0].start, added([leg.duration for leg in self.legs]), distance,
+            self.legs[0].start, summed([leg.duration for leg in self.legs]), distance,
             None if heading is None else along(scene, heading, -distance), *braking,
             impact_speed_at_limit=None if limit is None or brake is None else self._from(limit, brake),
         )  # fmt: skip
@@ -165,11 +165,3 @@ def along(scene: CrashScene, heading: float, distance: float) -> "Pair":
     """The point at a distance along a heading from the point of impact."""
     x, y = direction_of(heading, scene.axes)
     return scene.impact.point[0] + distance * x, scene.impact.point[1] + distance * y
-
-
-def added(numbers: "list[Any]") -> "Any":
-    """The sum of one number or more."""
-    total = numbers[0]
-    for number in numbers[1:]:
-        total = total + number
-    return total

@@ -16,7 +16,7 @@ from dynamics_cli.impact.conventions import (
     heading_of,
 )
 from dynamics_cli.impact.diagnostics import require_finite
-from dynamics_cli.impact.particles.central import contact_advice, require_approach
+from dynamics_cli.impact.particles.central import contact_advice, plain_above, require_approach
 from dynamics_cli.impact.particles.springs import Hertz, Spring, contact_history, force_advice
 from dynamics_cli.impact.planar.bodies import (
     Pair,
@@ -37,7 +37,7 @@ from dynamics_cli.impact.planar.certificate import (
 from dynamics_cli.impact.planar.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
 from dynamics_cli.impact.planar.results import Alternative, Critical, PlanarImpact, after_impact
 from dynamics_cli.numerics.elementary import absolute, hypot, where
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -139,7 +139,7 @@ def planar(
     meeting = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
     asked = LAWS[0] if law == "all" else law
     solved = outcome(meeting, asked)
-    energetic = _adds_energy(contact.restitution)
+    energetic = plain_above(contact.restitution)
     require_finite(solved.normal * meeting.approach, "the energy of the impact")
     refuse(solved, asked, energetic)
     answer = _answer(solved, asked, meeting, body, two, inward, axes, pdof_zero)
@@ -213,11 +213,6 @@ def meeting_of(
         compliance=compliance,
         arms=arms,
     )
-
-
-def _adds_energy(restitution: float) -> bool:
-    """Whether a single contact is meant to add energy."""
-    return single(restitution) and bool(plain(restitution) > 1.0)
 
 
 def refuse(solved: Outcome, law: str, energetic: bool) -> None:

@@ -2,7 +2,7 @@
 
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
-from dynamics_cli.numerics.orientation.rotations import IDENTITY
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
     norm = max(abs(value) for value in system.values)
     a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in system.values)
     tolerance = EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b)
-    vectors = system.vectors if frame is None else _in_input_axes(system.vectors, frame)
+    vectors = system.vectors if frame is None else product(system.vectors, frame)
     upper, lower = a - b <= max(tolerance, errors[0] + errors[1]), b - c <= max(tolerance, errors[1] + errors[2])
     beyond = (upper and a - b > tolerance) or (lower and b - c > tolerance)
     axes, words = _axes(vectors, upper, lower, beyond=beyond)
@@ -107,12 +107,6 @@ def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tupl
         return (first, second, third), f"{_LAST_TWO}: {why}"
     first, second = _positive(vectors[0]), _positive(vectors[1])
     return (first, second, _cross(first, second)), "none: the principal moments are different"
-
-
-def _in_input_axes(vectors: "Matrix", frame: "Matrix") -> "Matrix":
-    """Vectors given in the axes of a frame, seen in the input axes."""
-    columns = tuple(zip(*frame, strict=True))
-    return tuple(tuple(v[0] * c[0] + v[1] * c[1] + v[2] * c[2] for c in columns) for v in vectors)  # type: ignore[return-value]
 
 
 def _positive(v: "Vector") -> "Vector":

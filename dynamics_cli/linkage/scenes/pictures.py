@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.scenes.following import driven
 from dynamics_cli.linkage.scenes.records import GROUND, Driver, Scene
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
 TYPE_CHECKING = False
@@ -82,13 +82,13 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = []
     for pose in poses[:: max(1, len(poses) // GHOSTS)]:
-        items += [_line(_shape(scene, name, pose), "", "dots", 6) for name in moving]
+        items += [complex_curve(_shape(scene, name, pose), "", "dots", 6) for name in moving]
     fixed = {pin.name for link in scene.links if link.name == GROUND for pin in link.points}
     closed = [*poses, poses[0]]
-    items += [_line([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
-    items += [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    items += [complex_curve([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
+    items += [complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
     for slide in scene.slides:
-        items.append(_line((at[slide.start], at[slide.end]), "", "centre", 5))
+        items.append(complex_curve((at[slide.start], at[slide.end]), "", "centre", 5))
     size = max(abs(one - other) for one in at.values() for other in at.values())
     speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
     longest = max((abs(speed) for speed in speeds.values()), default=0.0)
@@ -130,7 +130,9 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     size = max(abs(one - other) for one in at.values() for other in at.values())
     middle = sum(at.values()) / len(at)
     moving = [link.name for link in scene.links if link.name != GROUND]
-    items: list[Any] = [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    items: list[Any] = [
+        complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)
+    ]
     names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
     far = []
     taken: list[tuple[complex, int]] = []
@@ -161,8 +163,3 @@ def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
     traces += [[at[slide.start], at[slide.end]] for slide in scene.slides if slide.link == GROUND]
     pins = [[pose[pin] for pin in free] for pose in poses]
     return animated("A linkage in motion", frames, traces, [at[pin] for pin in fixed], pins)
-
-
-def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
-    points = list(points)
-    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)

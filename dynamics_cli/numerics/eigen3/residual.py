@@ -6,6 +6,7 @@ Doubles are integer multiples of a power of two, so that the matrix in that basi
 from math import asin, frexp, hypot, inf, ldexp, sqrt
 
 from dynamics_cli.numerics.number import is_array
+from dynamics_cli.numerics.vectors import dot
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -168,7 +169,7 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
         return each_lane(quotients, matrix, vectors)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
-    a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
+    a, b, c = (dot(line, [dot(row, line) for row in rows]) / (dot(line, line) * unit) for line in lines)
     return a, b, c
 
 
@@ -189,17 +190,13 @@ def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
 
 def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
     """V A Vᵀ: a matrix along vectors, which are rows."""
-    half = [[_dot(row, line) for row in matrix] for line in lines]
-    return [[_dot(part, line) for line in lines] for part in half]
+    half = [[dot(row, line) for row in matrix] for line in lines]
+    return [[dot(part, line) for line in lines] for part in half]
 
 
 def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
     """V Vᵀ: the Gram matrix of the vectors."""
-    return [[_dot(one, line) for line in lines] for one in lines]
-
-
-def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return [[dot(one, line) for line in lines] for one in lines]
 
 
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":

@@ -1,7 +1,7 @@
 """The task `rectilinear`: phases of constant acceleration, or a law of the acceleration, with a table over time."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.elementary import only_in_doubles, summed
 from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.path.straight.laws import Run, estimate, run
@@ -121,7 +121,7 @@ def rectilinear(
         ways.append(solutions(given))
         speed = ways[-1][0].end_speed
     chosen = [way[0] for way in ways]
-    time, distance = _total([one.time for one in chosen]), _total([one.distance for one in chosen])
+    time, distance = summed([one.time for one in chosen]), summed([one.distance for one in chosen])
     alone = chosen[0] if len(chosen) == 1 else None
     stop = _stop(alone) if alone is not None else None
     return Straight(
@@ -220,13 +220,6 @@ def _check_steps(steps: int) -> None:
 
 def _continued(phase: Phase, speed: float) -> Phase:
     return Phase(speed, phase.end_speed, phase.acceleration, phase.distance, phase.time)
-
-
-def _total(parts: "list[float]") -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
 
 
 def _stop(one: Solution) -> "tuple[float, float] | None":
