@@ -24,9 +24,9 @@ MOST_PARTS = 400
 
 
 class Diverged(BaseException):
-    """The lanes take different branches; `mask` holds the answer of each.
+    """The lanes take different branches; `mask` is what each of them would answer.
 
-    Formulas must not mistake this for a failure of their own, so it is not an `Exception`.
+    No formula may take this for a failure of its own, so it is no `Exception`.
     """
 
     def __init__(self, mask: "Array") -> None:
@@ -145,29 +145,6 @@ def parts(
                 waiting.append(here[~np.asarray(bad)])
         else:
             yield Part(here, outcome, tuple(Lanes.trail))
-
-
-def each_lane(function: "Callable[..., tuple[float, ...]]", *trees: "Any") -> "tuple[Any, ...]":
-    """A function of nested tuples of doubles, evaluated for every lane where exact bits matter."""
-    leaves = [leaf for tree in trees for leaf in _leaves(tree)]
-    kind = next(type(leaf) for leaf in leaves if isinstance(leaf, np.ndarray))
-    columns = [column.tolist() for column in np.broadcast_arrays(*leaves)]
-    results = [
-        function(*(_filled(tree, numbers) for tree in trees)) for numbers in map(iter, zip(*columns, strict=True))
-    ]
-    return tuple(np.array(column).view(kind) for column in zip(*results, strict=True))
-
-
-def _leaves(tree: "Any") -> "Iterator[Any]":
-    if not isinstance(tree, tuple | list):
-        yield tree
-        return
-    for part in tree:
-        yield from _leaves(part)
-
-
-def _filled(tree: "Any", numbers: "Iterator[float]") -> "Any":
-    return tuple(_filled(part, numbers) for part in tree) if isinstance(tree, tuple | list) else next(numbers)
 
 
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":

@@ -101,7 +101,11 @@ def vault(result: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> P
 
 
 def yaw(result: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
-    """The mark as an arc with its chord."""
+    """The mark as an arc with its chord, or the surveyed points with their circle."""
+    if hasattr(path, "points"):
+        from dynamics_cli.skid.curved.pictures import surveyed
+
+        return surveyed(result, path)
     radius = result.mark_radius if result.mark_radius is not None else result.path_radius
     chord = getattr(path, "chord", radius)
     half = math.asin(min(1.0, chord / (2.0 * radius)))
@@ -126,27 +130,30 @@ def friction(result: "Any", **_: "Any") -> Picture:
     )
 
 
-def pedestrian(
-    result: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
-    launch_height: float = 0.0, gravity: float,
+def throw(
+    made: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
+    launch_height: float = 0.0, grade: "float | None" = None, gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Projection speed for every launch angle at this throw distance, and the one given."""
-    reach = throw_distance - friction * launch_height
-    steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(result.greatest_angle)
-    angles = [min(steepest, 0.5 * math.pi) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
+    slope = math.atan(grade or 0.0)
+    height, along = launch_height * math.cos(slope), throw_distance / math.cos(slope)
+    reach = along - friction * height
+    drag = friction * math.cos(slope) + math.sin(slope)
+    steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(made.greatest_angle)
+    angles = [slope + min(steepest, 0.5 * math.pi - slope) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
 
     def speed(angle: float) -> float:
-        sine, cosine = math.sin(angle), math.cos(angle)
+        sine, cosine = math.sin(angle - slope), math.cos(angle - slope)
         if reach > 0.0:
-            return math.sqrt(2.0 * friction * gravity * reach) / (cosine + friction * sine)
+            return math.sqrt(2.0 * drag * gravity * reach) / (cosine + friction * sine)
         rise = launch_height * cosine + throw_distance * sine
         return throw_distance * math.sqrt(gravity / (2.0 * cosine * rise))
 
     speeds = [speed(angle) for angle in angles]
     items: list[Any] = [Curve(angles, speeds, role=0)]
-    items.append(Band(result.least_speed, result.least_speed, "least", vertical=False))
-    if launch_angle is not None and result.speed is not None:
-        items.append(Mark(launch_angle, result.speed, "as launched"))
+    items.append(Band(made.least_speed, made.least_speed, "least", vertical=False))
+    if launch_angle is not None and made.speed is not None:
+        items.append(Mark(launch_angle, made.speed, "as launched"))
     return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
 
 

@@ -12,7 +12,8 @@ from dynamics_cli.numerics.road.drag import secant
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.impact.crash.ways import After, Before
-    from dynamics_cli.numerics.road.phases import Leg, Phase
+    from dynamics_cli.numerics.road.leg import Leg
+    from dynamics_cli.numerics.road.phases import Phase
 
 # Friction is known to a tenth if measured on the road; never to three hundredths.
 GOOD_FRICTION, CAUTION_FRICTION = 0.1, 0.03

@@ -6,7 +6,6 @@ Doubles are integer multiples of a power of two, so that the matrix in that basi
 from math import asin, frexp, hypot, inf, ldexp, sqrt
 
 from dynamics_cli.numerics.number import is_array
-from dynamics_cli.numerics.vectors import dot
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -164,12 +163,12 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     (3.0, 1.0, 5.0)
     """
     if any(is_array(x) for row in matrix for x in row):
-        from dynamics_cli.numerics.lanes import each_lane
+        from dynamics_cli.numerics.eigen3.quotients_lanes import quotients as of_lanes
 
-        return each_lane(quotients, matrix, vectors)
+        return of_lanes(matrix, vectors, quotients)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
-    a, b, c = (dot(line, [dot(row, line) for row in rows]) / (dot(line, line) * unit) for line in lines)
+    a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)
     return a, b, c
 
 
@@ -190,13 +189,17 @@ def whole(rows: "Sequence[Sequence[float]]") -> "tuple[list[list[int]], int]":
 
 def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
     """V A Vᵀ: a matrix along vectors, which are rows."""
-    half = [[dot(row, line) for row in matrix] for line in lines]
-    return [[dot(part, line) for line in lines] for part in half]
+    half = [[_dot(row, line) for row in matrix] for line in lines]
+    return [[_dot(part, line) for line in lines] for part in half]
 
 
 def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
     """V Vᵀ: the Gram matrix of the vectors."""
-    return [[dot(one, line) for line in lines] for one in lines]
+    return [[_dot(one, line) for line in lines] for one in lines]
+
+
+def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":

@@ -33,18 +33,17 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
     return np.arctan2(ax * by - ay * bx, ax * bx + ay * by)
 
 
+def form_of(path: "Path", piece: int, form: str) -> str:
+    """What a piece is made of: lines where the curve comes to a point, whose curvature has no limit."""
+    return "lines" if piece in path.straight else form
+
+
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
     """Places of the pieces' ends on every smooth piece of the curve, and the shape between them.
 
     `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
     made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
     2). Raises InadmissibleError when it would take more than 20,000 pieces.
-
-    References
-    ----------
-    Biarcs: K. M. Bolton, Biarc curves, Computer-Aided Design 7 (1975) 89. Cubics of sixth order: C. de Boor, K.
-    Höllig, M. Sabin, High accuracy geometric Hermite interpolation, Comput. Aided Geom. Des. 4 (1987) 269 (there
-    with curvature in place of two inner points).
     """
     fits = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
@@ -53,7 +52,8 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
             places = np.linspace(start, end, count + 1)
             fits.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
-        fits.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
+        own = form_of(path, index, form)
+        fits.append((index, *_spread(path.on(index), own, float(start), float(end), tolerance)))
     return fits
 
 
@@ -159,10 +159,6 @@ def circle_distance(x0: "Any", y0: "Any", x1: "Any", y1: "Any", bulge: "Any", x:
     """Signed distance of points from the circle of an arc (a line for bulge zero), and its gradient; stable throughout.
 
     With the chord on the x axis, G = ½κ(x² + y² − a²) + y·c, the distance is 2G/(1 + √(1 + 2κG)).
-
-    References
-    ----------
-    Derived: the root of a quadratic in the distance, written without cancellation.
     """
     cx, cy = x1 - x0, y1 - y0
     chord = np.hypot(cx, cy)
@@ -189,12 +185,7 @@ def _arc_errors(path: "OnPiece", places: "Any", bulges: "Any") -> "Any":
 
 
 def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, Any, Any]":
-    """One coordinate of cubics with its first two derivatives.
-
-    References
-    ----------
-    G. Farin, Curves and Surfaces for CAGD, 5th ed., Morgan Kaufmann 2002 (Bernstein form).
-    """
+    """One coordinate of cubics with its first two derivatives."""
     d0, d1, d2 = x1 - x0, x2 - x1, x3 - x2
     u = 1.0 - t
     value = x0 * u * u * u + 3.0 * t * u * (x1 * u + x2 * t) + x3 * t * t * t

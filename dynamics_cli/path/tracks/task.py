@@ -11,6 +11,7 @@ from dynamics_cli.quantities import (
     Distance,
     InputFile,
     Length,
+    Noise,
     Ratio,
     Speed,
     Time,
@@ -91,7 +92,7 @@ def table(
     /,
     *,
     sigma: Annotated[
-        Length | None, "Standard deviation of a measured coordinate; estimated if left out, e.g. 3 cm."
+        Noise | None, "Standard deviation of a measured coordinate; estimated if left out, e.g. 3 cm."
     ] = None,
     smoothing: Annotated[Smoothing, "spline; none is refused, and the message gives the noise it would have."] = SPLINE,
 ) -> TrackMotion:
