@@ -8,7 +8,7 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from typing import Any, Literal
 
     Numbers = Sequence[float]
@@ -212,3 +212,9 @@ class Sheet:
     left: "tuple[Picture | Listing, ...]"
     right: "tuple[Picture | Listing, ...]"
     foot: "tuple[Picture | Listing, ...]" = ()
+
+
+def complex_curve(points: "Iterable[complex]", label: str, style: "Any", role: int) -> Curve:
+    """A curve through points given as complex numbers."""
+    points = list(points)
+    return Curve([point.real for point in points], [point.imag for point in points], label, style, role)

@@ -1,7 +1,7 @@
 """The vocabulary of signatures: what a number is, which unit it is in inside the program, and what it may be.
 
-For a type checker `Length` is plain `float`; at run time it is a `Kind` that says: a length, in metres, shown in m or ft.
-Importing this module must cost nothing a shell user can feel, so it uses neither typing nor dataclasses.
+For a type checker `Length` is plain `float`; at run time it is a `Kind` that says: a length, in metres, shown in m or
+ft. Importing this module must cost nothing a shell user can feel, so it uses neither typing nor dataclasses.
 """
 
 TYPE_CHECKING = False
@@ -11,10 +11,10 @@ class Kind:
     """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
-    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
-    "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
-    exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
-    "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
+    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact
+    ratios), "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio),
+    "exact" (an exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at
+    its end), "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
     A vector of a `flat` kind may leave out z, which is zero then: a motion in the x–y plane.
 

@@ -3,7 +3,7 @@
 from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
-SENSE = "angles of masses and unbalances are counted in one sense from one mark on the rotor"
+SENSE = "angles of masses and unbalances are measured in one sense from one mark on the rotor"
 RIGID = "the rotor is rigid: it runs well below its first critical speed"
 PICTURES = "dynamics_cli.balance.pictures"
 
@@ -65,7 +65,7 @@ SPLIT = Task(
     ),
     headline=(
         "first_mass: first mass", "first_hole: in hole", "first_angle: at", "second_mass: second mass",
-        "second_hole: in hole", "second_angle: at", "residual: left of the correction", "residual_share: share of it",
+        "second_hole: in hole", "second_angle: at", "residual: remainder", "residual_share: share of it",
     ),
     examples=(
         'dynamics balance split --mass "10 g" --angle "37 deg" --first-angle "20 deg" --second-angle "65 deg"',
@@ -150,7 +150,8 @@ ENGINE = Task(
         "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {crank_radius|r}/{rod_length|l}",
         assumptions=(
             DRAWN_ROD,
-            "crank and bank angles are counted in the sense of rotation; a piston is on top where both agree",
+            "crank and bank angles are measured in the sense of rotation; a piston is at top dead centre where both "
+            "are equal",
             "couples are about the middle of the shaft, or of the places given",
         ),
     ),
@@ -210,7 +211,7 @@ FLYWHEEL = Task(
         "dynamics_cli.balance.flywheel:flywheel",
         source=BOOK + "chapter 15",
         formula="{inertia|I} = ΔE/({fluctuation|C_s}·{speed|ω}²)",
-        assumptions=("the load is steady, equal to the mean torque", "the torque runs straight from point to point"),
+        assumptions=("the load is steady, equal to the mean torque", "the torque is linear between points"),
     ),
     headline=(
         "mean_torque: mean torque", "energy: energy fluctuation ΔE", "inertia: moment of inertia I",

@@ -58,7 +58,7 @@ WORKED = (
     ),
     Example(
         "pump_balance",
-        "A pump balanced in two planes from trial weights, its corrections onto holes, and its grade.",
+        "A pump balanced in two planes from trial weights; corrections split between holes; its grade.",
         "cd pump_balance && sh pump_balance.sh",
         "pump_balance/pump_balance.sh",
     ),

@@ -63,7 +63,7 @@ def planar(
 
 
 def _names(first: "Any", second: "Any") -> "tuple[str, str]":
-    """What the bodies are called."""
+    """Names of the bodies."""
     return getattr(first, "name", None) or "first", getattr(second, "name", None) or "second"
 
 

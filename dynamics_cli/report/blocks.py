@@ -131,10 +131,10 @@ def pieces(text: "Text") -> "Iterator[tuple[str, bool]]":
 
 def images(blocks: "Sequence[Block]") -> "list[Image]":
     """The pictures of a report in their order."""
-    found: list[Image] = []
+    pictures: list[Image] = []
     for block in blocks:
         if isinstance(block, Beside):
-            found += images([*block.left, *block.right])
+            pictures += images([*block.left, *block.right])
         elif isinstance(block, Image):
-            found.append(block)
-    return found
+            pictures.append(block)
+    return pictures

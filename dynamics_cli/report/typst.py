@@ -78,8 +78,8 @@ def pdf(blocks: "Sequence[Block]", title: str, author: str, paper: str) -> bytes
         name = os.path.join(folder, "report.typ")
         with open(name, "w", encoding="utf-8") as file:
             file.write(markup(blocks, title, author, paper))
-        made: bytes = library.compile(name, format="pdf", ignore_system_fonts=True)
-    return made
+        pdf_bytes: bytes = library.compile(name, format="pdf", ignore_system_fonts=True)
+    return pdf_bytes
 
 
 def markup(blocks: "Sequence[Block]", title: str, author: str, paper: str) -> str:

@@ -233,8 +233,8 @@ def test_exact_inputs_that_differ_are_told_not_refused() -> None:
     [
         ("first", {"after": (SegmentAfter(6.5, "gravel"),)}, "no surface gravel"),
         ("first", {"after": (SegmentAfter(6.5),)}, "neither a surface nor a friction"),
-        ("first", {"after": (SegmentAfter(6.5, "road", 0.7),)}, "both say how it slides"),
-        ("first", {"exit_speed": 11.0}, "the slide after the impact gives it too"),
+        ("first", {"after": (SegmentAfter(6.5, "road", 0.7),)}, "are both given"),
+        ("first", {"exit_speed": 11.0}, "determines it too"),
         ("first", {"exit_heading": None, "rest": (0.0, 0.0)}, "at the point of impact"),
         ("first", {"exit_heading": None, "approach_heading": None}, "unknowns"),
         ("second", {"after": (SegmentAfter(5.0, "road", grade=-0.8),)}, "second.after[0]: the drag factor"),

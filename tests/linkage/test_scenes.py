@@ -209,7 +209,7 @@ def test_body_agrees_with_the_solved_coupler() -> None:
     [
         (Scene(LINKS[1:], six_bar().drivers), "ground"),
         (Scene((*LINKS, LINKS[1]), six_bar().drivers), "two links are called"),
-        (Scene((*LINKS[:1], link("crank", O2=(0.0, 0.0), A=(0.0, 0.0))), six_bar().drivers), "length of zero"),
+        (Scene((*LINKS[:1], link("crank", O2=(0.0, 0.0), A=(0.0, 0.0))), six_bar().drivers), "length above zero"),
         (Scene(LINKS, ()), "1 more drivers"),
         (Scene(LINKS, (Driver("crank"), Driver("six"))), "miss by"),
         (Scene(LINKS, (Driver("wheel"),)), "driver of 'wheel'"),

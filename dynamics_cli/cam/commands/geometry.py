@@ -19,7 +19,7 @@ PROFILE = Task(
         "dynamics_cli.cam.geometry.profile:profile",
         source=BOOK,
         formula="p = centre of the roller, u = p′ − ip, n = iu/|u|: cam = (p − R·n)·e^(−iθ); "
-        "φ = angle from the follower's way to n",
+        "φ = angle from the follower's direction of travel to n",
         assumptions=(RADIAL, RIGID),
         method="closed form; extremes by Chebyshev proxies",
     ),
@@ -98,7 +98,7 @@ SIZE = Task(
 
 CHECK = Task(
     "check",
-    "Certified verdicts: undercut and the lift it costs, pressure angle, curvature, face width, jump.",
+    "Certified verdicts: undercut and the lift lost to it, pressure angle, curvature, face width, jump.",
     Model(
         "certified extremes",
         "dynamics_cli.cam.forces.check:check",

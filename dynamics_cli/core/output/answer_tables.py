@@ -1,4 +1,4 @@
-"""Tables and written files in a short answer: within the width and the lines there are."""
+"""Tables and written files in a short answer, within the available width and lines."""
 
 from dynamics_cli.core.documents import columns, number, quantity
 from dynamics_cli.core.output.answer_words import in_words, without_rounding
@@ -8,12 +8,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# mm: a smaller deviation is written in micrometres.
+# In mm: a smaller deviation is written in micrometres.
 MICROMETRES_BELOW = 0.01
 
 
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
-    """A table within the width and the lines there are: first and last rows, and the columns that fit."""
+    """A table within the available width and lines: first and last rows, and the columns that fit."""
     every = columns(node)
     title, _, asked = label.partition(" | ")
     heads_of = {name: head or in_words(name) for name, _, head in (part.partition("=") for part in asked.split(", "))}
@@ -58,7 +58,7 @@ def _whole(address: str) -> str:
 
 
 def file_lines(file: "dict[str, Any]", width: int) -> "list[str]":
-    """A file that was written, with what it holds."""
+    """A line for a written file, with its contents."""
     parts = [file["holds"]] if "holds" in file else []
     if "deviation" in file:
         value, unit = file["deviation"]["value"], file["deviation"].get("unit", "")

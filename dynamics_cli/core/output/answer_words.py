@@ -1,4 +1,4 @@
-"""The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
+"""The words and digits of short answers: labels, names of bodies, numbers rounded to their deviation."""
 
 import re
 from math import floor, log10
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answering.task import Task
 
-# How many results are shown where a task declares no headline.
+# Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
 
@@ -20,14 +20,14 @@ MOST_DIGITS = 15
 AXES = "xyz"
 # A number of so many digits was calculated, not typed.
 CALCULATED = 16
-# Beside the largest component of a vector, what is smaller is rounding.
+# Components smaller than this share of a vector's largest are rounding.
 ROUNDING = 1e-12
 
 
 def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "list[str]") -> "dict[str, str]":
     """The addresses of the headline with their labels: as the task declares them, else the first results.
 
-    The label "-" is none: the value stands alone. A name without an index stands for all its items.
+    The label "-" means none: the value stands alone. A name without an index covers all its items.
     """
     declared = dict(task.headline)
     for name in flat:
@@ -114,7 +114,7 @@ def node_at(results: "Any", address: str) -> "Any":
 
 
 def deviation(results: "Any", address: str) -> float:
-    """How far an uncertain number spreads: its deviation, or a quarter of its interval; 0 for a certain one."""
+    """Spread of an uncertain number: its deviation, or a quarter of its interval; 0 for a certain one."""
     node = node_at(results, address)
     if not isinstance(node, dict) or "std" not in node or isinstance(node["std"], list):
         return 0.0
@@ -142,7 +142,7 @@ def parts_in_words(parts: "list[float]", node: "dict[str, Any]", digits: int, *,
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
-    """What a user calls the bodies: names by the words that labels begin with, `surfaces[0]` among them."""
+    """The user's names of bodies, by the words that labels begin with (also `surfaces[0]`)."""
     nodes = dict(inputs)
     for word, node in inputs.items():
         if isinstance(node, list):
@@ -152,13 +152,13 @@ def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
 
 
 def with_name(label: str, names: "dict[str, str]") -> str:
-    """A label with the name of the body it begins with."""
+    """A label whose leading words are replaced by the body's name."""
     word, _, rest = label.partition(" ")
     return f"{names[word]} {rest}" if word in names else label
 
 
 def without_rounding(value: "list[Any]") -> "list[Any]":
-    """A vector or tensor whose components that are rounding beside the largest are zero."""
+    """A vector or tensor with negligible components set to zero."""
     largest = max((abs(item) for item in _numbers(value)), default=0.0)
 
     def cleared(node: "Any") -> "Any":

@@ -11,9 +11,11 @@ from dynamics_cli.core.documents import (
     is_table,
     number,
     quantity,
+    quantity_node,
     quote,
     to_json,
 )
+from dynamics_cli.core.output.csv_cells import free_name
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
@@ -57,10 +59,10 @@ def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[st
 
 def _grid(table: "Any", digits: int) -> "list[list[str]]":
     """Header rows (names, units) and cells as text."""
-    made = columns(table)
-    body = [[number(value, digits) for value in values] for _, _, values in made]
-    units = [unit for _, unit, _ in made]
-    head = [[name for name, _, _ in made]] + ([units] if any(units) else [])
+    table_columns = columns(table)
+    body = [[number(value, digits) for value in values] for _, _, values in table_columns]
+    units = [unit for _, unit, _ in table_columns]
+    head = [[name for name, _, _ in table_columns]] + ([units] if any(units) else [])
     return head + [list(row) for row in zip(*body, strict=True)]
 
 
@@ -105,7 +107,7 @@ def to_full_table(
 
 
 def _notes(document: "Document") -> "list[str]":
-    """What stands under the results: limits, checks, warnings, the model and its source, files."""
+    """The notes under the results: limits, checks, warnings, the model and its source, files."""
     model = document["model"]
     notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
     notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
@@ -170,7 +172,7 @@ def _csv_value(value: "Any") -> str:
 
 
 def to_csv(document: "Document", table: str) -> str:
-    """One row, as `--rows` writes it: inputs, results with their spread, an error that is none; or the table named."""
+    """One row, as `--rows` writes it: inputs, results with their spread, an empty error; or the named table."""
     from dynamics_cli.core.output.csv_cells import header
 
     results = document["results"]
@@ -179,7 +181,7 @@ def to_csv(document: "Document", table: str) -> str:
     if not plain and not node:
         node = next((item for item in results.values() if is_table(item)), None)
     if node:
-        made = columns(node)
+        node_columns = columns(node)
     else:
         if "uncertainty" in document["numerics"]:
             from dynamics_cli.core.output.uncertainty import with_spreads
@@ -187,10 +189,10 @@ def to_csv(document: "Document", table: str) -> str:
             plain = with_spreads(plain, results)
         inputs = _split_lists(_input_cells(document["inputs"]))
         taken = {name for name, _, _ in inputs}
-        named = [(_free(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
-        made = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
-    lines = [",".join(header(name, unit) for name, unit, _ in made)]
-    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
+        named = [(free_name(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
+        node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
+    lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
+    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
     return "\n".join(lines) + "\n"
 
 
@@ -203,13 +205,6 @@ def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
         else:
             cells += flatten(node, name)
     return cells
-
-
-def _free(name: str, taken: "set[str]") -> str:
-    """A result's column beside an input of the same name."""
-    while name in taken:
-        name = f"results.{name}"
-    return name
 
 
 def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
@@ -255,10 +250,10 @@ def to_markdown(document: "Document", digits: int) -> str:
 def _markdown_table(table: "Any", digits: int) -> "list[str]":
     from dynamics_cli.markup import markdown
 
-    made = columns(table)
-    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in made]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(made)]
-    rows = zip(*(values for _, _, values in made), strict=True)
+    table_columns = columns(table)
+    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in table_columns]
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(table_columns)]
+    rows = zip(*(values for _, _, values in table_columns), strict=True)
     return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
 
 
@@ -276,9 +271,9 @@ def render(document: "Document", form: str, digits: int, table: str = "") -> str
 
 
 def only(document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False) -> str:
-    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON.
+    """Some results, one on each line: number and unit in a table, the document's own nodes in JSON.
 
-    An uncertain result has the digits that its deviation leaves, unless digits were `asked` for.
+    An uncertain result is rounded to its deviation, unless digits are requested (`asked`).
     """
     from dynamics_cli.core.output.answer_words import deviation
 
@@ -290,7 +285,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
     if unknown:
         raise _unknown_result(unknown[0], flat)
     if form in ("json", "ndjson"):
-        picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
+        picked = {name: quantity_node(*flat[name]) if name in flat else results[name] for name in names}
         return to_json(picked) + "\n"
 
     def bare(name: str) -> str:
@@ -302,7 +297,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
 
 
 def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
-    """Some columns of a sweep with their spread, beside what was swept and its errors."""
+    """Some columns of a sweep with their spread, beside the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
     known = [name for name in columns_of if name not in (*swept, "error")]
@@ -318,10 +313,6 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
     hint = f"results are {', '.join(known)}"
     return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
-
-
-def _quantity_node(value: "Any", unit: str) -> "Any":
-    return {"value": value, "unit": unit} if unit else {"value": value}
 
 
 def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0) -> str:

@@ -1,4 +1,4 @@
-"""Tasks of `dynamics impact`: approach from what vehicles did afterwards, or recorded."""
+"""Tasks of `dynamics impact`: approach motion from the motion after the impact, or from a recorder."""
 
 from dynamics_cli.core.answering.task import Model, Task
 
@@ -10,7 +10,7 @@ EXITS = "the motion after is that of the mass centres just after the impact"
 
 INVERSE = Task(
     "inverse",
-    "Approach speeds from the motion after the impact, spins among it.",
+    "Approach speeds from the motion after the impact, including spins.",
     Model(
         "momentum alone",
         "dynamics_cli.impact.inverse.task:by_momentum",
@@ -64,8 +64,8 @@ INVERSE = Task(
         "restitution: implied restitution e",
         "impulse_ratio: implied ratio p_t/p_n",
     ),
-    notes="Restitution is small, so the motion after hardly contains the closing speed: give approach headings, or the "
-    "spins before the impact, which are zero where vehicles drove straight.",
+    notes="Restitution is small, so the motion after the impact says little about the closing speed: give approach "
+    "headings, or the spins before the impact, which are zero for vehicles that drove straight.",
 )
 
 RECORD = Task(

@@ -114,7 +114,7 @@ SPATIAL = Task(
 
 SOLVE = Task(
     "solve",
-    "A scene of two bodies and one contact, by the smallest model that it calls for.",
+    "A scene of two bodies and one contact, by the simplest model that fits it.",
     Model(
         "central, bodies that meet on one line",
         "dynamics_cli.impact.spatial.scene:solve_central",
@@ -136,7 +136,7 @@ SOLVE = Task(
         "dynamics_cli.impact.spatial.scene:solve_planar",
         source=KELLER,
         formula="u' = u + K·p in the plane of normal and slip, {slip_history|history}",
-        assumptions=(SHORT, POINT, "the slip keeps its line"),
+        assumptions=(SHORT, POINT, "the slip stays on one line"),
         method="closed-form Routh–Keller path",
         suffices="dynamics_cli.impact.spatial.scene:planar_suffices",
     ),

@@ -1,4 +1,4 @@
-"""A crash as a scene file states it: surfaces, two vehicles before and after, their impact."""
+"""A crash as stated in a scene file: surfaces, two vehicles before and after, their impact."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, BodyName, ByMass, ByWeight, PdofZero
@@ -22,7 +22,7 @@ from dynamics_cli.records import record
 
 BRAKING = Kind("braking")
 ORIGIN = (0.0, 0.0)
-# A car of common size, where nothing is said of it; the picture says so.
+# A car of common size if no size is given; the picture says so.
 LENGTH, WIDTH = 4.5, 1.8
 
 
@@ -30,7 +30,7 @@ LENGTH, WIDTH = 4.5, 1.8
 class NamedSurface:
     """A surface of the scene, one friction for every vehicle and phase that refers to it."""
 
-    name: Annotated[Text, "What it is called where it is referred to, e.g. road."]
+    name: Annotated[Text, "Name by which it is referred to, e.g. road."]
     friction: Annotated[Friction, "Coefficient of friction between tyre and surface [-]."]
 
 
@@ -84,7 +84,7 @@ class CrashVehicle:
     ] = None
     before: Annotated[tuple[PhaseBefore, ...], "Phases and marks before the impact, in order of time."] = ()
     after: Annotated[tuple[SegmentAfter, ...], "Stretches of the slide after the impact, in order."] = ()
-    end_speed: Annotated[RoadSpeed, "Speed where the slide ends; at rest when left out [m/s]."] = 0.0
+    end_speed: Annotated[RoadSpeed, "Speed where the slide ends; zero if left out [m/s]."] = 0.0
     rest: Annotated[PlanarPosition | None, "Where its mass centre came to rest, e.g. 7.2, 8.0 m [m]."] = None
     recorded_speed: Annotated[
         RoadSpeed | None, "Speed into the impact by another source: compared, not used [m/s]."
@@ -98,7 +98,7 @@ class CrashVehicle:
 
 @record
 class ImpactLink:
-    """What is known of the impact itself."""
+    """Known quantities of the impact."""
 
     point: Annotated[
         PlanarPosition, "Where the mass centres are taken to be at the impact, along the axes of the scene [m]."
@@ -127,7 +127,7 @@ class CrashScene:
 
 @record
 class Ground:
-    """A stretch with the friction that it has, its surface looked up."""
+    """A stretch with its friction, taken from its surface if named."""
 
     distance: float
     friction: float
@@ -136,7 +136,7 @@ class Ground:
 
 
 def named(vehicle: CrashVehicle, side: str) -> str:
-    """What a vehicle is called."""
+    """Name of a vehicle."""
     return vehicle.name or f"the {side}"
 
 
@@ -169,12 +169,12 @@ def phases(scene: CrashScene, side: str) -> "tuple[Phase, ...]":
 
 
 def _friction(scene: CrashScene, part: "PhaseBefore | SegmentAfter", place: str) -> "float | None":
-    """Friction of a stretch: that which it states, or its surface's."""
+    """Friction of a stretch: its own, or that of its surface."""
     if part.surface is None:
         return part.friction
     require(
         part.friction is None,
-        "{place}a surface and a friction both say how it slides",
+        "{place}a surface and a friction are both given",
         code="twice",
         hint="give one of them",
         place=place,

@@ -1,4 +1,4 @@
-"""What approach speeds from exit motion are worth: verdicts, implied contact, contradictions."""
+"""Reliability of approach speeds from exit motion: verdicts, implied contact, contradictions."""
 
 from dynamics_cli.errors import judge, require, worded
 from dynamics_cli.impact.inverse.fit import Fit, Side
@@ -9,7 +9,7 @@ from dynamics_cli.records import Advice
 
 Pair = tuple[float, float]
 GOOD, CAUTION, UNDETERMINED = "good", "caution", "not determined"
-# Shares of a speed that its standard deviation may be.
+# Limits of a speed's relative standard deviation.
 GOOD_SHARE, CAUTION_SHARE = 0.05, 0.15
 UNLIKELY, CONTRADICTION = 0.05, 0.001
 # Sine of the angle between the levers.
@@ -45,7 +45,7 @@ class Contact:
         self.energy_lost = lost
         require(
             lost >= 0.0,
-            "no approach gives these exits: the impact would have given {energy:3} to the vehicles",
+            "no approach motion gives these exits: the impact would have given {energy:3} to the vehicles",
             energy=(-lost, Energy),
             code="energy-gained",
             hint="check the signs of spins and levers, and the headings",
@@ -69,7 +69,7 @@ class Contact:
         push, drag = p[0] * normal[0] + p[1] * normal[1], p[0] * across[0] + p[1] * across[1]
         require(
             push > 0.0 and approach < 0.0,
-            "the impulse would pull along this normal: its part from the second to the first is {share:3} of it",
+            "the impulse would pull along this normal: its component from the second to the first is {share:3} of it",
             share=(push / (push * push + drag * drag) ** 0.5 if push or drag else 0.0, Ratio),
             code="pull",
             hint="the normal points from the first vehicle to the second",
@@ -85,9 +85,9 @@ class Contact:
         self.ratio_sigma = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
 
     def advice(self) -> "tuple[Advice, ...]":
-        """Cautions where vehicles do not behave so."""
+        """Cautions about an implied contact that is unlike vehicles."""
         cautions: list[Advice] = []
-        remedy = "check normal, contact point, spins and headings: another contact, or a wrong measurement"
+        remedy = "check normal, contact point, spins and headings: the contact is elsewhere, or a measurement is wrong"
         if self.restitution is not None and not 0.0 <= self.restitution <= HIGHEST_RESTITUTION:
             word = "below 0" if self.restitution < 0.0 else "above 0.4"
             text = worded(
@@ -104,14 +104,14 @@ class Contact:
 
 
 def chance(chi_squared: float, freedom: int) -> float | None:
-    """Probability of a sum of squares as large or larger; of one or two degrees of freedom, all that occur here."""
+    """Probability of an equal or larger sum of squares, for one or two degrees of freedom, which is all that occurs."""
     if freedom <= 0:
         return None
     return 2.0 * upper(sqrt(chi_squared)) if freedom == 1 else exp(-0.5 * chi_squared)
 
 
 def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
-    """A caution below 5 %, and no answer below 0.1 %, with the measurement that fits worst."""
+    """A caution below 5 %, a refusal below 0.1 %, naming the measurement that fits worst."""
     if probability is None or probability >= UNLIKELY:
         return ()
     name, worst = residuals[0]
@@ -159,7 +159,7 @@ def unreliable(sides: "tuple[tuple[str, str | None, float, float | None], ...]")
                 speed=(speed, RoadSpeed),
                 sigma=(sigma, RoadSpeed),
             )
-            remedy = "a spin, a recorder or the energy of deformation of the other vehicle decides it better"
+            remedy = "a spin, a recorder or the energy of deformation of the other vehicle determines it better"
             code = "undetermined-speed" if severe else "rough-speed"
             cautions.append(Advice(code=code, message=text, severity="serious" if severe else "caution", remedy=remedy))
     return tuple(cautions)
@@ -183,7 +183,7 @@ def judge_crossing(one: Pair, two: Pair) -> str:
 def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":
     """Sine between the levers and its verdict; refused where the contact is on the line of centres."""
     size = sqrt((one[0] * one[0] + one[1] * one[1]) * (two[0] * two[0] + two[1] * two[1]))
-    require(size > 0.0, "a lever is zero: a spin says nothing of the impulse", code="no-lever")
+    require(size > 0.0, "a lever is zero: its spin says nothing about the impulse", code="no-lever")
     sine = abs(one[0] * two[1] - one[1] * two[0]) / size
     judge(
         sine >= SMALLEST_SINE,

@@ -38,12 +38,12 @@ class ExitSpeed:
 
 @record
 class Departing:
-    """A vehicle after the impact, and what is known of it before."""
+    """A vehicle after the impact, and its known quantities before."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     motion: Annotated[ExitVelocity | ExitSpeed, "Its motion just after the impact."]
-    turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, for its spin to count."] = None
-    arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, for its spin to count."] = None
+    turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, needed to use its spin."] = None
+    arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, needed to use its spin."] = None
     exit_spin: Annotated[AngularSpeed | None, "Angular velocity just after the impact, e.g. -2.7 rad/s."] = None
     approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg."] = None
     approach_spin: Annotated[
@@ -62,7 +62,7 @@ class Departing:
 
 @record
 class Approach:
-    """One vehicle as it came."""
+    """The approach of one vehicle."""
 
     approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
     approach_heading: Annotated[Angle, "Direction of travel just before [rad]."]
@@ -84,7 +84,7 @@ class Residual:
 
 @record
 class InverseResult:
-    """Both vehicles as they came, and how well the measurements agree."""
+    """The approach of both vehicles, and how well the measurements agree."""
 
     first: Annotated[Approach, "The first vehicle."]
     second: Annotated[Approach, "The second vehicle."]
@@ -92,7 +92,7 @@ class InverseResult:
     impulse: Annotated[PlanarImpulse, "Impulse on the first vehicle along x and y [N·s]."]
     impulse_size: Annotated[Impulse, "Size of that impulse [N·s]."]
     chi_squared: Annotated[Ratio | None, "Sum of the squared residuals, in standard deviations [-]."]
-    degrees_of_freedom: Annotated[Count, "Measurements minus unknowns: 0 leaves nothing to compare."]
+    degrees_of_freedom: Annotated[Count, "Measurements minus unknowns; at 0 nothing is left to compare."]
     probability: Annotated[
         Fraction | None, "Probability that correct measurements disagree as much or more (chi-squared)."
     ]

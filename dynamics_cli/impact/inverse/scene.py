@@ -1,4 +1,4 @@
-"""Both vehicles as the fit takes them, and the answer that a fit gives."""
+"""Both vehicles in the form of the fit, and the answer from a fit."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.conventions import (
@@ -26,13 +26,13 @@ NAMES = "the first", "the second"
 
 
 def turns(vehicle: Departing) -> bool:
-    """Whether its change of spin and what that needs are given."""
+    """Whether its change of spin and the data to use it are given."""
     needed = vehicle.turning, vehicle.arm, vehicle.exit_spin, vehicle.approach_spin
     return all(one is not None for one in needed)
 
 
 class Scene:
-    """Both vehicles as the fit takes them, and the answer that a fit gives."""
+    """Both vehicles in the form of the fit, and the answer from a fit."""
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ class Scene:
                 word=word,
                 name=NAMES[index],
                 code="no-sigma",
-                hint="no measurement is without one: give a small number",
+                hint="every measurement has one: give a small number",
             )
         require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
         heading = None
@@ -87,7 +87,7 @@ class Scene:
         return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)  # type: ignore[arg-type]
 
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
-        """Everything that the fit says."""
+        """The complete answer."""
         self._require_forward(fit)
         residuals = sorted(fit.residuals, key=lambda one: -abs(one[1])) if self.weighted else []
         probability = chance(fit.chi_squared, fit.freedom) if self.weighted else None

@@ -21,7 +21,7 @@ def by_momentum(
     pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
     gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> InverseResult:
-    """Approach speeds from exit velocities and approach headings: momentum alone, spins left aside.
+    """Approach speeds from exit velocities and approach headings: momentum alone, without spins.
 
     Equation
     --------
@@ -181,13 +181,13 @@ def least_squares(
 
 
 def momentum_suffices(*, first: Departing, second: Departing, **_: object) -> str | None:
-    """Say why momentum alone answers."""
+    """Reason why momentum alone applies."""
     headings = first.approach_heading is not None and second.approach_heading is not None
     spun = turns(first) or turns(second)
     return "the headings are known, and no change of spin is" if headings and not spun else None
 
 
 def spins_suffice(*, first: Departing, second: Departing, **_: object) -> str | None:
-    """Say why spins answer."""
+    """Reason why spins apply."""
     unknown = first.approach_heading is None and second.approach_heading is None
     return "no approach heading is given: the changes of spin decide" if unknown else None

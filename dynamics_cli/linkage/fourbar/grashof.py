@@ -6,14 +6,14 @@ from dynamics_cli.numerics.elementary import absolute, atan2, maximum, pi_beside
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
-# A margin below this share of the perimeter makes the linkage nearly a change point: play decides what it does.
+# A margin below this share of the perimeter is nearly a change point: play decides the motion.
 NEARLY = 1e-3
 TURNS = {"crank": "crank-rocker", "coupler": "double rocker", "rocker": "rocker-crank", "ground": "double crank"}
 
 
 @record
 class ChangePoint:
-    """A pose with all four links in one line, where the linkage can go on in two ways."""
+    """A pose with all four links in line, where the motion can continue in two ways."""
 
     crank_angle: Annotated[Angle, "Crank angle there, 0 or 180 degrees [rad]."]
     coupler_angle: Annotated[Angle, "Coupler angle there [rad]."]
@@ -26,7 +26,7 @@ class ChangePoint:
 
 @record
 class Class:
-    """What a four-bar can do."""
+    """The class of a four-bar and its limits."""
 
     kind: Annotated[Text, "The class by Grashof's rule, on the decimals as typed."]
     margin: Annotated[Coordinate, "Longest and shortest link together fall short of the other two by this [m]."]
@@ -35,7 +35,7 @@ class Class:
         Angle | None, "The crank reaches ± this angle, where coupler and rocker are stretched; none if it passes [rad]."
     ]
     inner_limit: Annotated[
-        Angle | None, "The crank comes no nearer to zero than ± this angle, coupler and rocker folded [rad]."
+        Angle | None, "The crank comes no nearer to zero than ± this angle, where coupler and rocker are folded [rad]."
     ]
     swing: Annotated[Angle | None, "Angle through which the rocker swings; none if it turns fully [rad]."]
     rocker_least: Annotated[Angle | None, "Smallest rocker angle, of the half above the ground link [rad]."]
@@ -46,7 +46,8 @@ class Class:
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle μ [rad]."]
     greatest_transmission_angle: Annotated[Angle, "Largest transmission angle μ [rad]."]
     change_points: Annotated[
-        tuple[ChangePoint, ...] | None, "Poses with all links in line, with both continuations; none of most linkages."
+        tuple[ChangePoint, ...] | None,
+        "Poses with all links in line, with both continuations; most linkages have none.",
     ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -105,7 +106,7 @@ def classify(
     Returns
     -------
     Class
-        The class with its margin, and what follows from it.
+        The class with its margin, and its consequences.
 
     Raises
     ------
@@ -272,7 +273,7 @@ def _continuations(
 
 
 def closeness(lengths: "tuple[float, ...]", kind: str) -> "tuple[Advice, ...]":
-    """What to say of a linkage at, or near, a change point."""
+    """Advice on a linkage at, or near, a change point."""
     if kind.startswith("change"):
         return (
             Advice(

@@ -171,7 +171,7 @@ YAW = Task(
 
 VAULT = Task(
     "vault",
-    "Take-off speed of an airborne vehicle, its angle known or the least over all angles.",
+    "Take-off speed of an airborne vehicle, for a known angle or the minimum over all angles.",
     Model(
         "least speed over all angles",
         "dynamics_cli.skid.vault:vault_least_speed",
