@@ -27,7 +27,7 @@ def transient(made: "Any", **_: "Any") -> Picture:
     return Picture((Panel(time, Axis("displacement", Coordinate), items),), "after the load")
 
 
-def shock(made: "Any", *, per_octave: int = SMOOTH, **given: "Any") -> Picture:
+def shock(made: "Any", *, per_octave: int = 12, **given: "Any") -> Picture:
     """The spectrum, primary and residual, and pseudo-velocity; all scales logarithmic."""
     if per_octave < SMOOTH and isinstance(given["input_"], Pulse):
         made = spectrum(per_octave=SMOOTH, **given)

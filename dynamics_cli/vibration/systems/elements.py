@@ -21,7 +21,7 @@ GROUND = -1
 # The first and the widest interval about a frequency that counts are tried at, relatively.
 TIGHT, WIDE = 2e-15, 1e-9
 # Exact counts of larger systems take seconds.
-MOST_PROVED = 60
+MOST_PROVED = 30
 
 
 class Elements:
