@@ -123,6 +123,8 @@ def script() -> None:
     """The `dynamics` command: ends the process at once, for taking the interpreter down costs a calculation."""
     import os
 
+    # No product of matrices here is worth a second thread, and waiting threads take processor time.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     status = main()
     if os.environ.get(DEBUG_VARIABLE):
         sys.exit(status)

@@ -116,7 +116,7 @@ def test_a_triad_is_right_handed_and_keeps_lengths(x: Any, y: Any, v: Any) -> No
         made = frame(x=x, y=y, vector=v)
     except InadmissibleError:
         reject()
-    rows = made.matrix
+    rows = list(zip(*made.rotation_matrix, strict=True))
     third = rows[0][1] * rows[1][2] - rows[0][2] * rows[1][1]
     assert third == pytest.approx(rows[2][0], abs=1e-14)
     assert math.hypot(*made.components.value) == pytest.approx(math.hypot(*v), rel=1e-14)

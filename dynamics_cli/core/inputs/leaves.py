@@ -123,8 +123,7 @@ def _brief(raw: object) -> str:
 
 def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
     """The scene's unit for a bare number; text says its unit itself, on the command line above all."""
-    numbers = raw if isinstance(raw, list) else [raw]
-    bare = all(isinstance(number, Token | list) for number in numbers)
+    bare = all(isinstance(number, Token | list) for number in (raw if isinstance(raw, list) else [raw]))
     return context.default_unit(kind) if bare else ""
 
 
@@ -266,8 +265,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
             from dynamics_cli.core.inputs.uncertain.vectors import component_items
 
             return component_items(raw, kind.size)
-        unit = str(raw.get("unit") or "")
-        return [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
+        return [f"{_text_of(kind, item)} {raw.get('unit') or ''}".strip() for item in raw["value"]]
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
@@ -278,12 +276,13 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
     """A vector by its components."""
     items = components_of(kind, raw)
+    if kind.flat and len(items) == 2:
+        items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
-    units = {part.unit for part in parts}
-    si = tuple(part.si for part in parts)
+    units, si = {part.unit for part in parts}, tuple(part.si for part in parts)
     shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
     if all(type(part) is Value for part in parts):
         return VectorValue(address, kind, si, shown, unit)

@@ -87,7 +87,14 @@ def add_uncertainty(
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
-    """The results that a short answer shows, and those named by limits and quantiles; none for all of them."""
+    """The results that the answer shows, and those named by limits and quantiles; none for all of them."""
+    if settings.only and not settings.plot:
+        asked = (*settings.only, *named)
+        return tuple(
+            name
+            for name in kinds
+            if any(f"{one}.".startswith(f"{name.partition('[')[0]}.") or name.startswith(f"{one}.") for one in asked)
+        )
     if settings.format != "table" or settings.all or settings.plot or not task.headline:
         return ()
     shown = {address for address, _ in task.headline} | named | set(settings.only)

@@ -161,7 +161,8 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     require(square > 0.0, "these pairs want a coupler without length", code="no-linkage", hint="change a pair a little")
     # a negative length is one turned by half a turn
     met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
-    words = "crank or rocker measured from its other end; " if crank < 0.0 or rocker < 0.0 else ""
+    back = [name for name, length in (("crank", crank), ("rocker", rocker)) if length < 0.0]
+    words = f"{' and '.join(back)} 180 deg from the angles asked for; " if back else ""
     return _judged((absolute(crank), sqrt(square), absolute(rocker), ground), met, words)
 
 
