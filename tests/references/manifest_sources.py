@@ -96,7 +96,8 @@ FILES: dict[str, Origin] = {
     ),
     "linkage": Origin(
         "linkage",
-        _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
+        _same("four_bar", "slider_crank", "quick_return", "scotch_yoke", "oldham", "trammel", "body", "chain")
+        | {"classify": "class"},
         "angles by the cosine rule, rates by linear loop equations; of double sliders by differentiation over time",
         "60 digits", "", "drawn|\\d links",
     ),
