@@ -66,12 +66,14 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[3],
         "Vectors: sums, angles, products, components, frames, lines.",
         references=("vec.json",),
+        questions="dynamics_cli.accuracy.alternatives.vec",
     ),
     "path": Entry(
         "dynamics_cli.path.commands",
         GROUPS[3],
         "Motion of a point: straight, on circles and curves, tracks.",
         references=("path.json",),
+        questions="dynamics_cli.accuracy.alternatives.path",
     ),
     "orient": Entry(
         "dynamics_cli.orient.commands",
@@ -104,6 +106,18 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.balance.commands",
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
+    ),
+    "pendulum": Entry(
+        "dynamics_cli.pendulum.commands",
+        GROUPS[5],
+        "Pendulums: periods, forces, turning round, running down.",
+        references=("pendulum.json",),
+    ),
+    "particle": Entry(
+        "dynamics_cli.particle.commands",
+        GROUPS[5],
+        "A particle: flights, falls, tubes, inclines, bends.",
+        references=("particle.json",),
     ),
     "stability": Entry(
         "dynamics_cli.stability.commands",

@@ -69,12 +69,26 @@ WORKED = (
         "pid_loop/pid_loop.sh",
     ),
     Example(
+        "catapult",
+        "A shot at a wall: both angles, what drag and wind do to it, and the swing of the arm.",
+        "cd catapult && sh catapult.sh",
+        "catapult/catapult.sh",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",
         "pedestrian/pedestrian.sh",
         "pedestrian/car.toml",
         "pedestrian/parties.toml",
+    ),
+    Example(
+        "rollover",
+        "A car yaws off the road, trips in the verge and rolls: speeds from the surveyed mark and from the rolling.",
+        "cd rollover && sh rollover.sh",
+        "rollover/rollover.sh",
+        "rollover/car.toml",
+        "rollover/mark.toml",
     ),
     Example(
         "gps_track",

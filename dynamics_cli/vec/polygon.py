@@ -2,9 +2,9 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan2, sqrt
+from dynamics_cli.numerics.exact.typed_products import as_typed, norm, sum_of_products
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.numerics.typed_products import as_typed, norm, sum_of_products
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 PARALLEL = 4.0 * 2.0**-53
 CLOSED = 1e-12
+MANY_TURNS = 100.0
 
 if TYPE_CHECKING:
     Pair = tuple[float, float]
@@ -217,7 +218,13 @@ def _two_magnitudes(total: "Pair", one: float, other: float) -> "list[tuple[Pair
 
 
 def _sine_of(one: float, other: float) -> "tuple[float, float]":
-    """Sine and cosine of the turn from one direction to the other, small turns exactly."""
+    """Sine and cosine of the turn from one direction to the other, small turns exactly.
+
+    Angles of so many turns that their difference is rounded by more than a last bit of a turn have it from their sines.
+    """
+    if abs(plain(one)) + abs(plain(other)) > MANY_TURNS:
+        (c, s), (d, t) = turned(one), turned(other)
+        return t * c - d * s, d * c + t * s
     cosine, sine = turned(other - one)
     return sine, cosine
 

@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import crash, evidence, particles, rigid
+from dynamics_cli.impact.commands import crash, evidence, light, particles, rigid
 
 FAMILIES = {
     "impact": Family(
@@ -11,5 +11,6 @@ FAMILIES = {
         *rigid.TASKS,
         *crash.TASKS,
         *evidence.TASKS,
+        *light.TASKS,
     )
 }
