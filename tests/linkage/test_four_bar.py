@@ -205,7 +205,6 @@ def test_plain_calls_load_no_numpy() -> None:
     assert done.returncode == 0, done.stderr
 
 
-
 def test_ends_of_a_swing_beside_a_change_point() -> None:
     """In doubles the flat triangle of crank and coupler could not close: its angle came out as 0, known exactly."""
     lengths = (0.0508, 0.127, 0.1016, 0.07620000000000002)
@@ -252,18 +251,3 @@ def test_a_crank_of_a_micrometre_and_a_near_parallelogram() -> None:
         near = pose((1.0, 3.0, 1.000000001, 3.0), pi + 1e-6, branch)
         # θ₂ as a double is off by 1e-16, which the gap of 1e-9 multiplies
         assert near.rocker_ratio == pytest.approx(rocker, rel=1e-6)  # type: ignore[attr-defined]
-
-
-def test_ends_of_a_swing_beside_a_change_point() -> None:
-    """In doubles the flat triangle of crank and coupler could not close: its angle came out as 0, known exactly."""
-    lengths = (0.0508, 0.127, 0.1016, 0.07620000000000002)
-    made = classify(crank=lengths[0], coupler=lengths[1], rocker=lengths[2], ground=lengths[3])
-    a, b, c, d = (Fraction(repr(length)) for length in lengths)
-    with mp.workdps(60):
-        near, far = (c - a - b + d) * (c + a + b - d), (a + b + d - c) * (a + b + d + c)
-        exact = 2 * mp.atan2(mp.sqrt(mp.mpf(near.numerator) / near.denominator),
-                             mp.sqrt(mp.mpf(far.numerator) / far.denominator))  # fmt: skip
-    assert made.extended_at == pytest.approx(float(exact), rel=1e-12)
-    assert 1e-8 < made.extended_at < 2e-8  # type: ignore[operator]
-
-

@@ -22,7 +22,7 @@ BODY = Task(
         "distance: distance A–P",
         "zero_acceleration: zero acceleration at J",
         "inflection_diameter: inflection circle, diameter",
-        "parting: rate at which they part",
+        "parting: departure from rigidity",
         "points: point | position, velocity, acceleration, radius_of_curvature=ρ",
     ),
     examples=(

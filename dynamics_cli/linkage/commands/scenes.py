@@ -42,7 +42,6 @@ SOLVE = Task(
     ),
     headline=(
         "assembly: assembly",
-        "pin_error: pins proved to",
         "driver_from: driver from",
         "driver_to: driver to",
         "followed_by: this motion is",
