@@ -15,8 +15,15 @@ from hypothesis import strategies as st
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact.conventions import ByMass
 from dynamics_cli.impact.inverse.judgement import chance
-from dynamics_cli.impact.inverse.records import Departing, ExitVelocity, InverseResult
-from dynamics_cli.impact.inverse.task import by_momentum, by_spins, least_squares
+from dynamics_cli.impact.inverse.records import (
+    Departing,
+    ExitVelocity,
+    InverseResult,
+    KnownContact,
+    RestAfter,
+    TurningAfter,
+)
+from dynamics_cli.impact.inverse.task import by_momentum, by_rest, by_spins, least_squares
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.task import by_headings, by_restitution, head_on
@@ -26,6 +33,8 @@ REFERENCE = json.loads((Path(__file__).parent / "evidence.json").read_text(encod
 CLOSE = 1e-12
 # χ² of residuals of a thousandth of what they are differences of.
 SMALL_DIFFERENCE = 1e-9
+# Derivatives by differences of 1e-6.
+FITTED = 1e-9
 DEGREE = math.pi / 180.0
 
 
@@ -68,6 +77,19 @@ def both(exits: str = "agreeing", spread: float = 0.0, headings: bool = True) ->
     return vehicles
 
 
+def rests() -> dict[str, Departing]:
+    vehicles = {}
+    for key, mass, inertia, lever, rest, drag, heading in zip(
+        ("first", "second"), (1500.0, 1200.0), (2500.0, 1800.0), ((1.8, -0.3), (-0.7, 0.9)),
+        ((12.9, 0.8), (5.9, 12.1)), (0.5, 0.45), (0.0, 0.5 * math.pi), strict=True,
+    ):  # fmt: skip
+        vehicles[key] = Departing(
+            ByMass(mass), RestAfter(rest, drag), ByInertia(inertia), Lever(lever), approach_heading=heading,
+            rest_sigma=0.5,
+        )  # fmt: skip
+    return vehicles
+
+
 class TestInverse:
     def test_momentum_alone(self) -> None:
         hold(by_momentum(**both()), "momentum")
@@ -91,6 +113,55 @@ class TestInverse:
         sizes = [abs(one.residual) for one in result.residuals]
         assert sizes == sorted(sizes, reverse=True)
         assert sum(size * size for size in sizes) == pytest.approx(result.chi_squared)
+
+    def test_rest_positions(self) -> None:
+        """The page's case, whose generator drives the impact forward by a linear system and differentiates it."""
+        result = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        hold(result, "rest positions", FITTED)
+        assert result.degrees_of_freedom == 2
+        assert {one.code for one in result.advice} == {"turned-far"}
+        assert result.least_certain == "the first faster and the second slower by 0.37 of it"
+
+    def test_what_is_uncertain_of_contact_and_drag_is_a_measurement(self) -> None:
+        vehicles = {key: Departing(**{**one.__dict__, "drag_sigma": 0.05}) for key, one in rests().items()}
+        known = KnownContact(0.1, -0.45, 0.05, 0.1)
+        exact = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        result = by_rest(**vehicles, normal=20.0 * DEGREE, contact=known)
+        assert result.degrees_of_freedom == 2
+        assert len(result.residuals) == 8
+        for one, other in zip((result.first, result.second), (exact.first, exact.second), strict=True):
+            assert one.speed_sigma > 1.3 * other.speed_sigma  # type: ignore[operator]
+
+    def test_rest_positions_through_slides_that_turn(self) -> None:
+        """Two cars driven through an impact and their slides are given back their speeds."""
+        from dynamics_cli.impact.slide.records import Separation
+        from dynamics_cli.impact.slide.task import slide
+
+        wheels = {"front_axle": 1.2, "rear_axle": 1.4, "track": 1.5, "braking": 0.05, "left_front": 1.0}
+        exact = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        vehicles = {}
+        for key, given_ in rests().items():
+            after = getattr(exact, key)
+            gyration = (given_.turning.inertia / given_.bulk.mass) ** 0.5  # type: ignore[union-attr]
+            heading = given_.approach_heading
+            x, y = after.exit_velocity
+            end = slide(motion=Separation(math.hypot(x, y), math.atan2(y, x), after.exit_spin), friction=0.7,
+                        radius_of_gyration=gyration, nose=heading, **wheels)  # fmt: skip
+            turning = TurningAfter(end.rest_position, end.rest_heading, 0.7, **wheels)
+            vehicles[key] = Departing(**{**given_.__dict__, "motion": turning, "nose": heading})
+        result = by_rest(**vehicles, normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        assert result.degrees_of_freedom == 4
+        assert result.first.approach_speed == pytest.approx(exact.first.approach_speed, 1e-4)
+        assert result.second.approach_speed == pytest.approx(exact.second.approach_speed, 1e-4)
+        assert result.chi_squared == pytest.approx(0.0, abs=1e-4)
+
+    def test_rest_positions_that_no_approach_leads_to(self) -> None:
+        vehicles = rests()
+        away = Departing(**{**vehicles["first"].__dict__, "motion": RestAfter((4.0, 9.0), 0.5)})
+        with pytest.raises(InadmissibleError, match=r"is off by \d+ standard deviations"):
+            by_rest(first=away, second=vehicles["second"], normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        with pytest.raises(InadmissibleError, match="restitution and ratio of impulses is not given"):
+            by_rest(**vehicles, normal=20.0 * DEGREE)
 
     def test_the_probability_of_one_degree_of_freedom(self) -> None:
         for square, text in REFERENCE["chance"].items():

@@ -12,6 +12,15 @@ INVERSE = Task(
     "inverse",
     "Approach speeds from the motion after the impact, spins among it.",
     Model(
+        "least squares to rest positions",
+        "dynamics_cli.impact.inverse.task:by_rest",
+        source=BRACH + ": planar impact mechanics",
+        formula="Σ ((rest(v₁, v₂, …) − measured)/σ)² = {chi_squared|χ²} → minimum",
+        assumptions=(SHORT, POINT, "errors of the measurements are independent and normal"),
+        method="Gauss–Newton by QR of the scaled matrix, impact and slides driven forward",
+        suffices="dynamics_cli.impact.inverse.task:rests_given",
+    ),
+    Model(
         "momentum alone",
         "dynamics_cli.impact.inverse.task:by_momentum",
         source="Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.5",
@@ -63,6 +72,7 @@ INVERSE = Task(
         "probability: agreement P(χ²)",
         "restitution: implied restitution e",
         "impulse_ratio: implied ratio p_t/p_n",
+        "least_certain: least certain",
     ),
     notes="Restitution is small, so the motion after hardly contains the closing speed: give approach headings, or the "
     "spins before the impact, which are zero where vehicles drove straight.",

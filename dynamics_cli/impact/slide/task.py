@@ -95,7 +95,7 @@ def slide(
     car = car_of(
         front_axle, rear_axle, track, radius_of_gyration, friction, shares, grip_slope, steer, gravity, grounds, axes
     )
-    begin = _angle(nose, axes)
+    begin = heading_angle(nose, axes)
     if isinstance(motion, AtRest):
         target = Target(place, begin, motion.rest, begin + _sense(axes) * (motion.rest_nose - nose))
         require(
@@ -119,7 +119,7 @@ def slide(
 def start_of(motion: Separation | SlideRoot, nose: float, place: "tuple[float, float]", axes: Axes) -> State:
     """The state of a car that sets out so."""
     x, y = direction_of(motion.course, axes)
-    return State(*place, _angle(nose, axes), motion.speed * x, motion.speed * y, motion.spin)
+    return State(*place, heading_angle(nose, axes), motion.speed * x, motion.speed * y, motion.spin)
 
 
 def car_of(
@@ -179,8 +179,8 @@ def _sense(axes: Axes) -> float:
     return -1.0 if axes == "compass" else 1.0
 
 
-def _angle(heading: float, axes: Axes) -> float:
-    """A heading as an angle from x to y."""
+def heading_angle(heading: float, axes: Axes) -> float:
+    """A heading as an angle from x to y, whole turns counted."""
     return RIGHT_ANGLE - heading if axes == "compass" else heading
 
 
@@ -203,9 +203,9 @@ def _answer(
     found = _roots(ways, axes)
     first = found[0] if found else None
     return SlideResult(
-        speed=first and first.speed,
-        course=first and first.course,
-        spin=first and first.spin,
+        speed=None if first is None else first.speed,
+        course=None if first is None else first.course,
+        spin=None if first is None else first.spin,
         rest_position=(end.x, end.y),
         rest_heading=nose + turned,
         turned=turned,
