@@ -32,6 +32,8 @@ def verdicts(
                 [one.braking * one.friction * one.distance / secant(one.grade) for one in slide.grounds]
             )
             links.append(_by_friction(f"slide of {name}", slide.speed, grip))
+        elif slide.spinning is not None:
+            links.append(_by_friction(f"slide of {name}", slide.spinning.speed, slide.gravity * slide.work))
     for name, body in zip(names, (meeting.first, meeting.second), strict=True):
         if body.determined is not None:
             found = body.determined
