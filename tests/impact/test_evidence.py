@@ -25,6 +25,7 @@ from dynamics_cli.impact.inverse.records import (
 )
 from dynamics_cli.impact.inverse.task import by_momentum, by_rest, by_spins, least_squares
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever
+from dynamics_cli.impact.recorded.pulse import pulse
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.task import by_headings, by_restitution, head_on
 
@@ -438,3 +439,57 @@ def test_the_references_are_those_of_their_generator() -> None:
     from references import generate_impact_evidence_references as generator
 
     assert json.loads(generator.text())["cases"] == REFERENCE
+
+
+class TestPulse:
+    @staticmethod
+    def haversine(count: int) -> dict[str, Any]:
+        """The pulse of the reference: 0.12 s, its yaw rate rising as its integral."""
+        times = [0.12 * index / count for index in range(count + 1)]
+        parts = [t / 0.12 - math.sin(2.0 * math.pi * t / 0.12) / (2.0 * math.pi) for t in times]
+        return {
+            "longitudinal": tuple(-44.6 / 3.6 * part for part in parts),
+            "lateral": tuple(7.2 / 3.6 * part for part in parts),
+            "yaw_rate": tuple(1.9 * part for part in parts),
+            "interval": 0.12 / count,
+        }
+
+    @pytest.mark.parametrize(("count", "close"), [(12, 2e-3), (120, 2e-5)])
+    def test_the_turn_of_the_car_is_taken_out(self, count: int, close: float) -> None:
+        reference = {name: float(text) for name, text in REFERENCE["pulse"].items()}
+        result = pulse(**self.haversine(count))
+        assert result.delta_v_longitudinal == pytest.approx(reference["along"], abs=close * 12.5)
+        assert result.delta_v_lateral == pytest.approx(reference["across"], abs=close * 12.5)
+        assert result.turned == pytest.approx(reference["turn"], abs=close)
+        assert result.direction_shift == pytest.approx(reference["shift"], abs=close)
+        assert result.delta_v == pytest.approx(math.hypot(44.6, 7.2) / 3.6)
+
+    def test_a_pulse_that_had_not_ended(self) -> None:
+        whole = (0.0, -1.0, -4.0, -8.0, -9.0, -9.0, -9.0)
+        assert pulse(longitudinal=whole).final_change == 0.0
+        cut = pulse(longitudinal=whole[:4])
+        assert cut.final_change == 7.0
+        assert cut.advice[0].code == "lower-bound"
+        assert cut.greatest_acceleration == pytest.approx(400.0)
+        assert pulse(longitudinal=whole).duration == pytest.approx(0.04)
+        # a change of exactly the resolution is shown by the record
+        assert pulse(longitudinal=(0.0, -3.0, -3.25), resolution=0.25).duration == pytest.approx(0.02)
+        assert pulse(longitudinal=(0.0, -3.0, -3.25), resolution=0.26).duration == pytest.approx(0.01)
+
+    def test_tyres_and_limits(self) -> None:
+        result = pulse(longitudinal=(0.0, -5.0, -5.0), friction=0.7, interval=0.12)
+        assert result.tyres == pytest.approx(0.7 * 9.80665 * 0.12)
+        assert (result.delta_v_low, result.delta_v_high) == pytest.approx((4.5, 5.5))
+
+    @pytest.mark.parametrize(
+        ("tables", "words"),
+        [
+            ({"longitudinal": (1.0,)}, "1 samples"),
+            ({"longitudinal": (0.0, 0.0)}, "stays zero"),
+            ({"longitudinal": (0.0, 1.0), "yaw_rate": (0.0, 0.1, 0.2)}, "yaw rate has 3 samples"),
+            ({"longitudinal": (0.0, 1.0), "interval": 0.0}, "some time apart"),
+        ],
+    )
+    def test_refusals(self, tables: dict[str, Any], words: str) -> None:
+        with pytest.raises(InadmissibleError, match=words):
+            pulse(**tables)
