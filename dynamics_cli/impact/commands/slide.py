@@ -6,7 +6,7 @@ SLIDE = Task(
     "slide",
     "From the separation to rest with spin, on wheels locked or rolling; or back from rest.",
     Model(
-        "four wheels, three degrees of freedom",
+        "four wheels",
         "dynamics_cli.impact.slide.task:slide",
         source="Newton–Euler in the plane",
         formula="m·dV/dt = Σ F, m·k²·dω/dt = Σ r × F; F_x = −s·μN·l_x/|l|, "
@@ -35,7 +35,6 @@ SLIDE = Task(
         "rest_position: rest position",
         "rest_heading: nose at rest",
         "time: time to rest",
-        "path_length: length of the path",
         "mean_share: mean share of friction",
         "wheels: wheels | wheel, braking, energy_share=energy, mark",
     ),
