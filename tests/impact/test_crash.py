@@ -149,7 +149,7 @@ def test_energy_closes_and_the_weakest_link_is_named() -> None:
     assert spent == pytest.approx(energy.start, 1e-13)
     assert made.weakest == "impact, the second"
     assert {one.link for one in made.links} == {
-        "slide of Ford", "slide of the second", "impact, Ford", "impact, the second", "way of Ford to the impact"
+        "slide of Ford", "slide of the second", "impact, Ford", "impact, the second", "braking of Ford"
     }  # fmt: skip
 
 

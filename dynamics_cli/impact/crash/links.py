@@ -12,6 +12,8 @@ from dynamics_cli.numerics.road.drag import secant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.numerics.road.phases import Leg, Phase
 
 # Friction is known to a tenth where it was measured on the road; to three hundredths nowhere.
@@ -38,14 +40,29 @@ def verdicts(
         if body.determined is not None:
             found = body.determined
             links.append(
-                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading or "", None, found.heading_tolerance)
+                LinkVerdict(
+                    f"impact, {name}",
+                    found.verdict,
+                    _called(found.worst_heading or "", names),
+                    None,
+                    found.heading_tolerance,
+                    found.per_degree,
+                )
             )
     for name, way in zip(names, ways, strict=True):
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
         if braked:
             grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
-            links.append(_by_friction(f"way of {name} to the impact", way.start_speed, grip))
+            links.append(_by_friction(f"braking of {name}", way.start_speed, grip))
     return tuple(links)
+
+
+def _called(address: "Any", names: "list[str]") -> str:
+    """A heading by the vehicle's name: "Opel approach"; of arrays as it is."""
+    side, _, word = str(address).partition(".")
+    if side not in ("first", "second"):
+        return str(address)
+    return f"{names[side == 'second']} {word.removesuffix('_heading').replace('_', ' ')}"
 
 
 def _grip(leg: "Leg", phase: "Phase", gravity: float) -> float:
@@ -68,15 +85,15 @@ def _by_friction(link: str, speed: float, grip: float) -> LinkVerdict:
 
 def weakest(links: "tuple[LinkVerdict, ...]") -> str:
     """The link whose tolerance is least beside what such an input is known to; empty for arrays."""
-    if not links or not all(single(one.friction_tolerance, one.heading_tolerance) for one in links):
+    if not links or not all(single(one.friction, one.heading) for one in links):
         return ""
 
     def margin(one: LinkVerdict) -> float:
-        if one.heading_tolerance is not None:
-            angle: float = plain(one.heading_tolerance)
+        if one.heading is not None:
+            angle: float = plain(one.heading)
             return angle / (GOOD if angle >= CAUTION else CAUTION)
-        if one.friction_tolerance is None:
+        if one.friction is None:
             return inf  # no heading changes it
-        return plain(one.friction_tolerance) / GOOD_FRICTION
+        return plain(one.friction) / GOOD_FRICTION
 
     return str(min(links, key=margin).link)

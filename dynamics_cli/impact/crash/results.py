@@ -93,12 +93,15 @@ class LinkVerdict:
     link: Annotated[Text, "The step: a slide, the impact as one vehicle sees it, or the braking before."]
     verdict: Annotated[Text, "good, caution or undetermined."]
     decided_by: Annotated[Text, "The input that it depends on most."]
-    friction_tolerance: Annotated[
+    friction: Annotated[
         Fraction | None, "Relative error of friction that changes its speed by a tenth; none in the impact [-]."
     ]
-    heading_tolerance: Annotated[
+    heading: Annotated[
         Angle | None, "Error of the worst heading that changes its speed by a tenth; only in the impact [rad]."
     ]
+    per_degree: Annotated[
+        RoadSpeed | None, "What one degree of that heading changes the speed by; only in the impact [m/s]."
+    ] = None
 
 
 @record

@@ -17,6 +17,8 @@ GOOD_SINE, SMALLEST_SINE = 0.5, 0.1
 # Cotangent of half the angle between the approach paths, as for momentum.
 GOOD_ANGLE, LARGEST_ANGLE = 4.0, 12.0
 HIGHEST_RESTITUTION = 0.4
+DEGREE = 0.017453292519943295
+GOOD_TOLERANCE, HALF_TURN = 3.0 * DEGREE, 180.0 * DEGREE
 ROOT_PI = 1.7724538509055161
 SMALL_SHARE = 0.05
 
@@ -213,6 +215,28 @@ def judge_crossing(one: Pair, two: Pair) -> str:
         results=("first.approach_speed", "second.approach_speed"),
     )
     return GOOD if condition <= GOOD_ANGLE else CAUTION
+
+
+def by_heading(fit: Fit, sides: "tuple[Side, Side]", index: int) -> "tuple[str, float, str, float]":
+    """By momentum alone, of one vehicle's speed: verdict, tolerance of the worst heading, its name, m/s a degree."""
+    side, other = sides[index], sides[1 - index]
+    assert side.way is not None
+    assert other.way is not None
+    names = ("first", "second")[index], ("second", "first")[index]
+    (x, y), (a, b) = side.way, other.way
+    sine, cosine = abs(x * b - y * a), x * a + y * b
+    ratio = other.mass / side.mass
+    speeds = fit.speed(index), fit.speed(1 - index)
+    slopes = [
+        (abs(speeds[0] * cosine), f"{names[0]}.approach_heading"),
+        (ratio * speeds[1], f"{names[1]}.approach_heading"),
+        (abs(a * side.velocity[0] + b * side.velocity[1]), f"{names[0]}.exit_heading"),
+        (ratio * abs(a * other.velocity[0] + b * other.velocity[1]), f"{names[1]}.exit_heading"),
+    ]
+    steepest, worst = max(slopes)
+    tolerance = min(0.1 * speeds[0] * sine / steepest, HALF_TURN) if steepest > 0.0 else HALF_TURN
+    verdict = GOOD if tolerance >= GOOD_TOLERANCE else CAUTION if tolerance >= DEGREE else UNDETERMINED
+    return verdict, tolerance, worst, DEGREE * steepest / sine
 
 
 def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":

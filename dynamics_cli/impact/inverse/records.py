@@ -125,6 +125,11 @@ class Approach:
     speed_sigma: Annotated[RoadSpeed | None, "Standard deviation of that speed, from the standard deviations given."]
     heading_sigma: Annotated[Angle | None, "Standard deviation of that heading [rad]."]
     verdict: Annotated[Text | None, "How well its speed is determined."]
+    heading_tolerance: Annotated[
+        Angle | None, "By momentum alone: error of one heading that changes this speed by a tenth [rad]."
+    ]
+    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    per_degree: Annotated[RoadSpeed | None, "What one degree of it changes this speed by [m/s]."]
     exit_velocity: Annotated[PlanarVelocity, "Velocity after that agrees with the fit [m/s]."]
     exit_spin: Annotated[AngularSpeed | None, "Spin after that agrees with the fit [rad/s]."]
     delta_v: Annotated[DeltaV, "Change of velocity, and where the force came from."]

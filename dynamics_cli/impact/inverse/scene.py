@@ -14,7 +14,15 @@ from dynamics_cli.impact.conventions import (
 )
 from dynamics_cli.impact.conventions import BySpeed as Course
 from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side
-from dynamics_cli.impact.inverse.judgement import Contact, agreement, chance, least_certain, share_verdict, unreliable
+from dynamics_cli.impact.inverse.judgement import (
+    Contact,
+    agreement,
+    by_heading,
+    chance,
+    least_certain,
+    share_verdict,
+    unreliable,
+)
 from dynamics_cli.impact.inverse.records import (
     Approach,
     Departing,
@@ -71,6 +79,7 @@ class Scene:
         self.solids = [
             _solid(one, contact_point, axes, gravity, name) for one, name in zip(vehicles, NAMES, strict=True)
         ]
+        self.momentum = not spins
         used = [spins and turns(one) for one in vehicles]
         self.weighted = all(
             (one.rest_sigma if ended(one) else one.velocity_sigma) is not None
@@ -181,6 +190,7 @@ class Scene:
         if side.spins is not None:
             inertia, lever, before, _ = side.spins
             spin = before + side.sense * (lever[0] * p[1] - lever[1] * p[0]) / inertia
+        headed = by_heading(fit, self.sides, index) if self.momentum else None
         nose = way if vehicle.nose is None else direction_of(vehicle.nose, self.axes)
         push_on_it = side.sense * p[0], side.sense * p[1]
         change = delta_v(push_on_it, float(body.mass), nose, axes=self.axes, pdof_zero=self.zero, travel=way)  # type: ignore[arg-type]
@@ -189,7 +199,10 @@ class Scene:
             approach_heading=heading,
             speed_sigma=sigma,
             heading_sigma=heading_sigma,
-            verdict=share_verdict(speed, sigma) or verdict,
+            verdict=share_verdict(speed, sigma) or (headed[0] if headed else verdict),
+            heading_tolerance=headed[1] if headed else None,
+            worst_heading=headed[2] if headed else None,
+            per_degree=headed[3] if headed else None,
             exit_velocity=(velocity[0] + push * p[0], velocity[1] + push * p[1]),
             exit_spin=spin,
             delta_v=change,

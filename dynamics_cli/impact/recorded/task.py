@@ -5,7 +5,7 @@ from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, dir
 from dynamics_cli.impact.recorded.answer import Found, answer
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus
-from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 # Sine of 5 degrees: across the normal, restitution says nothing of a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
 DEGREE = 0.017453292519943295
+HALF_TURN = 3.141592653589793
 
 
 def head_on(
@@ -163,8 +164,28 @@ def by_restitution(
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
     others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
     velocity = speed * course[0], speed * course[1]
-    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others))
+    approach, tilt = _slopes(crash, inward, course, before, restitutions[0], speed)
+    steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
+    worst = where(approach >= tilt, "second.approach_heading", "normal")  # type: ignore[arg-type]
+    bearing = minimum(0.1 * speed / steepest, HALF_TURN)
+    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing, worst=worst,
+                  per_degree=DEGREE * steepest)  # fmt: skip
     return answer(crash, found, tolerance, final_change, pdof_zero)
+
+
+def _slopes(
+    crash: Crash, inward: Pair, course: Pair, before: Pair, restitution: float, speed: float
+) -> "tuple[float, float]":
+    """Sizes of the derivatives of the second's speed by its heading and by the normal: v₂ = (W·n)/(d₂·n)."""
+    whole = plus(
+        plus(crash.contact(crash.one, before), crash.contact(crash.two, (0.0, 0.0)), -1.0),
+        crash.gained(), 1.0 / (1.0 + restitution),
+    )  # fmt: skip
+    facing = dot(course, inward)
+    turned = 0.0 - inward[1], inward[0]
+    by_heading = absolute(speed * cross(course, inward) / facing)
+    by_normal = absolute((dot(whole, turned) - speed * dot(course, turned)) / facing)
+    return by_heading, by_normal
 
 
 def by_headings(
@@ -233,7 +254,9 @@ def by_headings(
     _require_forward(speed)
     _require_forward(after, "leave")
     bend = beta - alpha  # type: ignore[operator]
-    steepest = maximum(after, absolute(speed * cos(bend))) / absolute(sin(bend))
+    leaving_slope, coming_slope = after / absolute(sin(bend)), absolute(speed * cos(bend)) / absolute(sin(bend))
+    steepest = maximum(leaving_slope, coming_slope)
+    worst = where(leaving_slope >= coming_slope, "second.exit_heading", "second.approach_heading")  # type: ignore[arg-type]
     bearing = 0.1 * speed / steepest
     judge(
         bearing >= DEGREE,
@@ -255,7 +278,8 @@ def by_headings(
         lone = dot(relative, inward) + speed * dot(course, inward)
         facing = dot(course, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing)
+    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing, worst=worst,
+                  per_degree=DEGREE * steepest, bend=True)  # fmt: skip
     stated = (
         None if least_restitution is None or greatest_restitution is None else (least_restitution, greatest_restitution)
     )
