@@ -172,6 +172,7 @@ if TYPE_CHECKING:
     ShaftSpeed = float
     AngularRate = float
     AngularAcceleration = float
+    GrowthRate = float
     TurnRate = float
     # angles and pure numbers
     Angle = float
@@ -181,11 +182,13 @@ if TYPE_CHECKING:
     Restitution = float
     Fraction = float
     DragFactor = float
+    Gain = float
     # forces and energy
     Force = float
     Weight = float
     Torque = float
     Energy = float
+    PotentialEnergy = float
     Power = float
     Impulse = float
     AngularImpulse = float
@@ -244,6 +247,7 @@ if TYPE_CHECKING:
     LengthFormula = Formula
     AngleFormula = Formula
     AccelerationFormula = Formula
+    EnergyFormula = Formula
     Variable = Let
     Text = str
     Unit = str
@@ -366,6 +370,7 @@ else:
     )
     AngularRate = Kind("angular velocity", "rad/s", example="2 rad/s", about="an angular velocity")
     ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
+    GrowthRate = Kind("growth rate", "1/s", example="-2 1/s", about="a rate of growth, negative for decay")
     AngularAcceleration = Kind(
         "angular acceleration",
         "rad/s^2",
@@ -387,10 +392,12 @@ else:
         "fraction", "", si="%", us="%", low=0.0, high=1.0, example="80 %", about="a share between nothing and all"
     )
     DragFactor = Kind("drag factor", "", low=0.0, example="0.65", about="deceleration over gravity")
+    Gain = Kind("gain", "", example="2.5", about="a pure number of either sign", exact=True)
     # forces and energy
     Force = Kind("force", "N", si="N", us="lbf", example="200 lbf", about="a force")
     Weight = Kind("force", "N", si="N", us="lbf", above=0.0, example="3400 lbf", about="a weight")
     Torque = Kind("torque", "N*m", si="N*m", us="lbf*ft", example="30 lbf*ft", about="a torque (not an energy)")
+    PotentialEnergy = Kind("energy", "J", si="J", us="ft*lbf", example="20 J", about="a potential energy")
     Energy = Kind("energy", "J", si="kJ", us="ft*lbf", example="20 kJ", about="an energy (not a torque)")
     Power = Kind("power", "W", si="kW", us="hp", example="15 kW", about="a power")
     Impulse = Kind("impulse", "N*s", si="N*s", us="lbf*s", example="4000 N*s", about="an impulse or momentum")
@@ -688,6 +695,9 @@ else:
         form="formula",
         example="-0.004*v^2 m/s^2",
         about="an acceleration, its unit at its end",
+    )
+    EnergyFormula = Kind(
+        "energy formula", "J", form="formula", example="4*x^4 - 2*x^2 J", about="an energy, its unit at its end"
     )
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")

@@ -105,6 +105,21 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "pendulum": Entry(
+        "dynamics_cli.pendulum.commands",
+        GROUPS[5],
+        "Pendulums: periods, forces, turning round, running down.",
+    ),
+    "particle": Entry(
+        "dynamics_cli.particle.commands",
+        GROUPS[5],
+        "A particle: flights, falls, tubes, inclines, bends.",
+    ),
+    "stability": Entry(
+        "dynamics_cli.stability.commands",
+        GROUPS[5],
+        "Stability: root counts, gains, delays, equilibria.",
+    ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."
     ),

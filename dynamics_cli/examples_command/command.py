@@ -84,6 +84,18 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "pid_loop",
+        "A position loop with a PI controller: stable gains, ranges of its coefficients, and the delay it bears.",
+        "cd pid_loop && sh pid_loop.sh",
+        "pid_loop/pid_loop.sh",
+    ),
+    Example(
+        "catapult",
+        "A shot at a wall: both angles, what drag and wind do to it, and the swing of the arm.",
+        "cd catapult && sh catapult.sh",
+        "catapult/catapult.sh",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",

@@ -2,15 +2,15 @@
 
 from dynamics_cli.errors import Wording, require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2, hypot
+from dynamics_cli.numerics.exact.typed_products import cross, dot, norm, scaled, triple
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import cross, dot, norm, scaled, triple
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio, Text
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.numerics.typed_products import Vector
+    from dynamics_cli.numerics.exact.typed_products import Vector
 
 # What the rounding of inputs to doubles may leave of a product that is zero, as a share of the magnitudes' product.
 ROUNDING = 4.0 * 2.0**-53

@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2
+from dynamics_cli.numerics.exact.typed_products import cross, difference, dot, norm, scaled, triple, unit
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import cross, difference, dot, norm, scaled, triple, unit
 from dynamics_cli.quantities import Angle, Annotated, FreeVector, MatrixOfNumbers, Ratio, Text
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.numerics.typed_products import Vector
+    from dynamics_cli.numerics.exact.typed_products import Vector
 
 SQUARE = 1e-14
 # Departures from right angles above this are not drawing errors.

@@ -1,8 +1,8 @@
 """Vectors with their kinds: a force is not added to a velocity, and a force times a length is a torque or an energy."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.exact.typed_products import as_typed, norm
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import as_typed, norm
 from dynamics_cli.quantities import (
     Acceleration,
     AngularImpulse,

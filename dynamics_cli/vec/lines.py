@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2
+from dynamics_cli.numerics.exact.typed_products import cross, difference, dot, norm, sum_of_products
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import cross, difference, dot, norm, sum_of_products
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio, Text
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.numerics.typed_products import Vector
+    from dynamics_cli.numerics.exact.typed_products import Vector
 
 NEARLY = 1e-6
 FEET = 1e-9

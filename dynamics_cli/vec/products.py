@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute
+from dynamics_cli.numerics.exact.typed_products import cross, dot, norm, sum_of_products, triple
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import cross, dot, norm, sum_of_products, triple
 from dynamics_cli.quantities import Annotated, FreeNumber, FreeVector, Ratio, Text
 from dynamics_cli.records import Advice, record
 from dynamics_cli.vec import kinds
@@ -11,7 +11,7 @@ from dynamics_cli.vec.angles import ROUNDING, relation
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.numerics.typed_products import Vector
+    from dynamics_cli.numerics.exact.typed_products import Vector
 
 
 @record

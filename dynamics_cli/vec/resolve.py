@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan2
+from dynamics_cli.numerics.exact.typed_products import cross, dot, norm, sum_of_products, triple
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.typed_products import cross, dot, norm, sum_of_products, triple
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.numerics.typed_products import Vector
+    from dynamics_cli.numerics.exact.typed_products import Vector
 
 ILL_CONDITIONED = 1e6
 REASSEMBLED = 1e-12

@@ -2,9 +2,9 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sqrt
+from dynamics_cli.numerics.exact.typed_products import as_typed, difference, norm, sum_of_products, unit
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.numerics.typed_products import as_typed, difference, norm, sum_of_products, unit
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds

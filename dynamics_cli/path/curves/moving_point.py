@@ -4,11 +4,11 @@ import math
 
 from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import is_carrier, is_many, is_tracked, like, plain
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.path.bends import Bend, bend
-from dynamics_cli.path.formulas import law_of
 from dynamics_cli.quantities import Time
 from dynamics_cli.records import Formula, Let, over_parts
 

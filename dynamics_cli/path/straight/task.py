@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.path.formulas import law_of
 from dynamics_cli.path.straight.laws import Run, estimate, run
 from dynamics_cli.path.straight.phases import Phase, Solution, solutions
 from dynamics_cli.quantities import (

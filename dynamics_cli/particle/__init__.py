@@ -1,0 +1,1 @@
+"""A particle: projectiles, falls, turning tubes and frames, inclines, circles."""

@@ -1,0 +1,124 @@
+"""Launches with and without drag, and the angles that meet a target or reach farthest."""
+
+import math
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.turns import turned
+from dynamics_cli.particle.flights import Linear, Quadratic, Upright, Vacuum
+from dynamics_cli.quantities import Annotated, Area, Density, Mass, Positive, Speed
+from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import TypeAlias
+
+    Flight: TypeAlias = Vacuum | Linear | Quadratic | Upright
+    Launch: TypeAlias = Callable[[float], Flight]
+
+RIGHT = 1.5707963267948966
+GOLDEN = 0.6180339887498949
+SCAN = 60
+
+
+@record
+class Terminal:
+    """Drag by the square of the speed, by the speed at which a fall becomes steady."""
+
+    terminal_speed: Annotated[Speed, "Speed at which drag carries the weight, e.g. 25 m/s."]
+
+
+@record
+class DragBody:
+    """Drag by the square of the speed, of a body."""
+
+    mass: Annotated[Mass, "Mass of the projectile, e.g. 0.145 kg."]
+    area: Annotated[Area, "Area across its path, e.g. 42 cm^2."]
+    drag_coefficient: Annotated[Positive, "Drag coefficient c_d, e.g. 0.4."]
+    density: Annotated[Density, "Density of the air, e.g. 1.2 kg/m^3."] = 1.225
+
+
+def launcher(
+    speed: float, gravity: float, time_constant: "float | None", drag: "Terminal | DragBody | None", wind: float
+) -> "Launch":
+    """The flight at an angle."""
+    if time_constant is not None:
+        require(time_constant > 0.0, "the time constant is not above zero", code="drag")
+    terminal = None if drag is None else _terminal(drag, gravity)
+
+    def launch(angle: float) -> "Flight":
+        cosine, sine = turned(angle)
+        if terminal is None:
+            if time_constant is None:
+                return Vacuum(speed * cosine, speed * sine, gravity)
+            return Linear(speed * cosine, speed * sine, gravity, time_constant, wind)
+        if speed * cosine == wind:
+            require(wind == 0.0, "it is launched straight up in the moving air", code="upright",
+                    hint="change the elevation a little")  # fmt: skip
+            require(sine > 0.0, "straight down it is a fall", code="downwards", hint="ask `dynamics particle fall`")
+            return Upright(speed * sine, gravity, terminal)
+        return Quadratic(speed * cosine, speed * sine, gravity, terminal, wind)
+
+    return launch
+
+
+def _terminal(drag: "Terminal | DragBody", gravity: float) -> float:
+    if isinstance(drag, Terminal):
+        speed = plain(drag.terminal_speed)
+    else:
+        carried = 0.5 * plain(drag.density) * plain(drag.drag_coefficient) * plain(drag.area)
+        require((carried > 0.0) & (plain(drag.mass) > 0.0), "mass, area and density are above zero", code="drag")
+        speed = math.sqrt(plain(drag.mass) * gravity / carried)
+    require(speed > 0.0, "the terminal speed is not above zero", code="drag")
+    return speed
+
+
+def angles_to(launch: "Launch", x: float, y: float) -> "tuple[float, float | None]":
+    """The flatter and the steeper angle at which a flight with drag passes a point."""
+
+    def miss(angle: float) -> float:
+        passed = launch(angle).passing(x)
+        return -math.inf if passed is None else passed[2] - y
+
+    floor = math.atan2(y, x)
+    angles = [floor + (RIGHT - floor) * k / SCAN for k in range(SCAN)]
+    misses = [miss(angle) for angle in angles]
+    top = max(range(SCAN), key=misses.__getitem__)
+    low, high = angles[max(top - 1, 0)], angles[min(top + 1, SCAN - 1)]
+    crown = _maximum(miss, low, high)
+    require(miss(crown) >= 0.0, "at this speed it passes below the target at every angle", code="out-of-reach",
+            hint="launch it faster, or aim lower")  # fmt: skip
+    return _crossing(miss, floor, crown), _crossing(miss, RIGHT - 1e-12, crown)
+
+
+def _crossing(miss: "Callable[[float], float]", below: float, above: float) -> float:
+    for _ in range(200):
+        middle = 0.5 * (below + above)
+        if not min(below, above) < middle < max(below, above):
+            break
+        below, above = (middle, above) if miss(middle) < 0.0 else (below, middle)
+    return above
+
+
+def _maximum(function: "Callable[[float], float]", low: float, high: float) -> float:
+    """Where a function is greatest, by golden sections."""
+    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_a, at_b = function(a), function(b)
+    for _ in range(60):
+        if at_a > at_b:
+            high, b, at_b = b, a, at_a
+            a = high - GOLDEN * (high - low)
+            at_a = function(a)
+        else:
+            low, a, at_a = a, b, at_b
+            b = low + GOLDEN * (high - low)
+            at_b = function(b)
+        if high - low < 1e-9:
+            break
+    return 0.5 * (low + high)
+
+
+def best_angle(launch: "Launch", height: float) -> float:
+    """The angle of the greatest range to a landing so far below the launch."""
+    return _maximum(lambda angle: launch(angle).landing(height)[1], 1e-6, RIGHT - 1e-6)

@@ -1,0 +1,68 @@
+"""The path of a projectile among those of other angles, with the parabola of safety."""
+
+import math
+
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.particle.aiming import launcher
+from dynamics_cli.particle.projectile import Elevation
+from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import STANDARD_GRAVITY, Length, Speed, Time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+POINTS = 80
+FAN = (15.0, 30.0, 45.0, 60.0, 75.0)
+GREY = 6
+
+
+def projectile(
+    made: "Any",
+    *,
+    speed: float,
+    aim: "Any",
+    height: float = 0.0,
+    time_constant: "float | None" = None,
+    drag: "Any" = None,
+    wind: float = 0.0,
+    gravity: float = STANDARD_GRAVITY,
+    **_: "Any",
+) -> Picture:
+    """The path, a fan of other angles, and the parabola of safety where there is no drag."""
+    launch = launcher(plain(speed), plain(gravity), time_constant, drag, plain(wind))
+    fall = plain(height) if isinstance(aim, Elevation) else max(-plain(aim.target[1]), 0.0)
+    items: list[Any] = [_path(launch, math.radians(degrees), fall, "thin", "", GREY) for degrees in FAN]
+    if made.other_elevation is not None:
+        items.append(_path(launch, made.other_elevation, fall, "dashed", "the steeper one", 1))
+    items.append(_path(launch, made.elevation, fall, "thick", "this flight", 0))
+    if time_constant is None and drag is None:
+        top = speed * speed / (2.0 * gravity)
+        reach = math.sqrt(4.0 * top * (top + fall))
+        x = [reach * k / POINTS for k in range(POINTS + 1)]
+        items.append(Curve(x, [top - at * at / (4.0 * top) for at in x], "reached at most", "dotted", role=2))
+    items.append(Mark(made.apex_distance, made.apex_height, "", role=0))
+    if not isinstance(aim, Elevation):
+        items.append(Mark(plain(aim.target[0]), plain(aim.target[1]), "target", role=1))
+    panel = Panel(Axis("distance", Length), Axis("height", Length), tuple(items), equal=True)
+    return Picture((panel,), "flight", subtitle="thin: other angles, by 15 degrees")
+
+
+def _path(launch: "Any", angle: float, fall: float, style: "Any", label: str, role: int) -> Curve:
+    flight = launch(angle)
+    end = flight.landing(fall)[0]
+    states = [flight.at(end * k / POINTS) for k in range(POINTS + 1)]
+    return Curve([state[1] for state in states], [state[2] for state in states], label, style, role=role)
+
+
+def tube(made: "Any", **_: "Any") -> Picture:
+    """Distance from the axis and speed along the tube over time."""
+    times = [row.time for row in made.path]
+    place = Curve(times, [row.position for row in made.path], "distance from the axis", role=0)
+    pace = Curve(times, [row.speed for row in made.path], "speed along the tube", role=1)
+    rest: list[Any] = []
+    if made.rest is not None:
+        rest.append(Curve([times[0], times[-1]], [made.rest] * 2, "at rest", "dotted", role=GREY))
+    time = Axis("time", Time)
+    panels = (Panel(time, Axis("position", Length), (place, *rest)), Panel(time, Axis("speed", Speed), (pace,)))
+    return Picture(panels, f"particle in a turning tube: {made.motion}")

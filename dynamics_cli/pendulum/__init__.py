@@ -1,0 +1,1 @@
+"""Pendulums: simple, compound, conical, damped; lengths for a period."""

@@ -1,0 +1,1 @@
+"""Stability: Routh–Hurwitz, gains, ranges of coefficients, delays, matrices, equilibria, sampled systems."""

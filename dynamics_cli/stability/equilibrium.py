@@ -1,0 +1,223 @@
+"""The task `equilibrium`: equilibria of a potential with one coordinate, and whether they are stable."""
+
+import itertools
+import math
+
+from dynamics_cli.errors import UsageError, require, require_given
+from dynamics_cli.numerics.expressions import parse
+from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.expressions.laws import law_of
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Count,
+    EnergyFormula,
+    Frequency,
+    GrowthRate,
+    Inertia,
+    Length,
+    Mass,
+    PotentialEnergy,
+    Text,
+    Variable,
+)
+from dynamics_cli.records import Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Potential = Callable[[float, int], list[float]]
+
+SAMPLES = 1200
+ORDER = 8
+# A derivative below this share of the potential's own variation is taken for zero.
+NOTHING = 1e-9
+ANGLES = ("theta", "θ")
+POSITION = "x"
+
+
+@record
+class Place:
+    """One equilibrium."""
+
+    position: Annotated[Length | None, "Where it is, of a coordinate x [m]."]
+    angle: Annotated[Angle | None, "Where it is, of an angle [rad]."]
+    energy: Annotated[PotentialEnergy, "Potential there [J]."]
+    verdict: Annotated[Text, "Stable or unstable."]
+    curvature: Annotated[float, "Second derivative of the potential, in J/m² or J/rad²."]
+    frequency: Annotated[Frequency | None, "Frequency of small oscillations; of stable ones, with the inertia [Hz]."]
+    growth: Annotated[GrowthRate | None, "Rate at which it leaves; of unstable ones, with the inertia [1/s]."]
+
+
+@record
+class Equilibria:
+    """The equilibria of a potential."""
+
+    stable: Annotated[Count, "Stable equilibria."]
+    unstable: Annotated[Count, "Unstable equilibria."]
+    places: Annotated[tuple[Place, ...], "The equilibria in order."]
+    numerics: Numerics
+
+
+def equilibrium(
+    *,
+    potential: Annotated[
+        EnergyFormula, "Energy as a formula of x [m] or theta [rad], its unit at its end, e.g. 4*x^4 - 2*x^2 J."
+    ],
+    let: Annotated[tuple[Variable, ...], "Variables of the formula, e.g. k=200 N/m."] = (),
+    lowest: Annotated[Length | None, "Where the range of x begins, e.g. -2 m."] = None,
+    highest: Annotated[Length | None, "Where it ends, e.g. 2 m."] = None,
+    mass: Annotated[Mass | None, "The mass that moves along x, for frequencies, e.g. 2 kg."] = None,
+    inertia: Annotated[
+        Inertia | None, "The moment of inertia about the pivot, for frequencies, e.g. 0.5 kg*m^2."
+    ] = None,
+) -> Equilibria:
+    """Equilibria of a potential V, where V′ is zero: stable where V has a minimum.
+
+    Equation
+    --------
+    V′ = 0; stable where the first derivative after it that is not zero is of even order and positive; ω = √(V″/m).
+
+    Returns
+    -------
+    Equilibria
+        Every equilibrium within the range, with frequency or growth where the inertia is given.
+
+    Raises
+    ------
+    UsageError
+        When the formula has neither x nor theta, or both; when the range of x is missing.
+    InadmissibleError
+        When the potential is constant, or has no equilibrium within the range.
+
+    Notes
+    -----
+    An angle is searched through one turn. Rotating frames and the like go in by their effective potential.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 14.2 and 14.3 (Lagrange–Dirichlet).
+
+    Examples
+    --------
+    >>> from dynamics_cli.records import Formula
+    >>> equilibrium(potential=Formula("4*x^4 - 2*x^2", 1.0, "J"), lowest=-2.0, highest=2.0).stable
+    2
+    """
+    names = parse(potential.text).names
+    angular = [name for name in ANGLES if name in names]
+    coordinates = [*angular, *([POSITION] if POSITION in names else [])]
+    if len(coordinates) != 1:
+        raise UsageError(
+            f"the formula {potential.text!r} has {'x and an angle' if coordinates else 'neither x nor theta'}",
+            code="coordinate", parameter="potential", hint="one coordinate: x for a length, theta for an angle",
+        )  # fmt: skip
+    value = _taylor(potential, let, coordinates[0])
+    if angular:
+        low, high = -math.pi, math.pi
+    else:
+        require_given(lowest is not None and highest is not None, "the range of x is missing", ("lowest", "highest"))
+        assert lowest is not None
+        assert highest is not None
+        low, high = lowest, highest
+        require(low < high, "the range ends at {high}, before it begins at {low}", high=(high, Length),
+                low=(low, Length), code="range")  # fmt: skip
+    found = _equilibria(value, low, high)
+    if angular:
+        # both ends of the turn are one place
+        found = [at for at in found if at > low + NOTHING]
+    unit = inertia if angular else mass
+    places = tuple(_place(value, at, bool(angular), unit, (low, high)) for at in found)
+    stable = len([place for place in places if place.verdict.startswith("stable")])
+    return Equilibria(
+        stable=stable,
+        unstable=len(places) - stable,
+        places=places,
+        numerics=Numerics("roots by halving on exact derivatives"),
+    )
+
+
+def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) -> "Potential":
+    law = law_of(potential, let, (name,))
+
+    def parts(at: float, order: int) -> "list[float]":
+        """Taylor coefficients of the potential; nothing where it has none."""
+        try:
+            made = law(**{name: Jet.variable(at, order)})
+        except (ArithmeticError, ValueError):
+            return [math.nan] * (order + 1)
+        return [float(part) for part in made.parts]
+
+    return parts
+
+
+def _equilibria(value: "Potential", low: float, high: float) -> "list[float]":
+    step = (high - low) / SAMPLES
+    # a third of a step off, so that symmetric potentials are not sampled at their equilibria
+    places = [low + (k + 1.0 / 3.0) * step for k in range(-1, SAMPLES + 1)]
+    slopes = [value(at, 2) for at in places]
+    largest = max((abs(parts[1]) for parts in slopes if math.isfinite(parts[1])), default=0.0)
+    require(largest > 0.0, "the potential is the same everywhere within the range", code="constant",
+            hint="check the formula and its range")  # fmt: skip
+    found = []
+    for k, (one, other) in enumerate(itertools.pairwise(slopes)):
+        if not (math.isfinite(one[1]) and math.isfinite(other[1])):
+            continue
+        if one[1] == 0.0:
+            found.append(places[k])
+        elif (one[1] < 0.0) != (other[1] < 0.0) and other[1] != 0.0:
+            found.append(_halved(value, 1, places[k], places[k + 1]))
+        elif (one[2] < 0.0) != (other[2] < 0.0):
+            touch = _halved(value, 2, places[k], places[k + 1])
+            if abs(value(touch, 1)[1]) <= NOTHING * largest:
+                found.append(touch)
+    span = high - low
+    found = [0.0 if abs(at) < NOTHING * step else at for at in found]
+    inside = [at for at in found if low - NOTHING * span < at <= high + NOTHING * span]
+    kept = [at for at in inside if _is_zero(value, at, largest)]
+    require(bool(kept), "the potential has no equilibrium within the range", code="no-equilibrium",
+            hint="widen the range, or check the signs of the formula")  # fmt: skip
+    return kept
+
+
+def _is_zero(value: "Potential", at: float, largest: float) -> bool:
+    """Whether the slope is small there: it also changes its sign at a pole."""
+    slope = value(at, 1)[1]
+    return math.isfinite(slope) and abs(slope) <= 1e-6 * largest
+
+
+def _halved(value: "Potential", order: int, low: float, high: float) -> float:
+    below = value(low, order)[order] < 0.0
+    while True:
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            return middle
+        at = value(middle, order)[order]
+        if at == 0.0:
+            return middle
+        low, high = (middle, high) if (at < 0.0) == below else (low, middle)
+
+
+def _place(value: "Potential", at: float, angular: bool, inertia: "float | None", ends: "tuple[float, float]") -> Place:
+    parts = value(at, ORDER)
+    reach = 0.1 * (ends[1] - ends[0])
+    size = max(abs(part) * reach**k for k, part in enumerate(parts[1:], 1)) or 1.0
+    order = next((k for k in range(2, ORDER + 1) if abs(parts[k]) * reach**k > NOTHING * size), 0)
+    curvature = 2.0 * parts[2] if order == 2 else 0.0
+    if order and order % 2 == 0:
+        verdict = "stable" if parts[order] > 0.0 else "unstable"
+    else:
+        verdict = "unstable on one side" if order else "neutral"
+    if order > 2:
+        verdict += f", by the derivative of order {order}"
+    rate = math.sqrt(abs(curvature) / inertia) if inertia else None
+    return Place(
+        position=None if angular else at,
+        angle=at if angular else None,
+        energy=parts[0],
+        verdict=verdict,
+        curvature=curvature,
+        frequency=rate / (2.0 * math.pi) if rate is not None and curvature > 0.0 else None,
+        growth=rate if rate is not None and curvature < 0.0 else None,
+    )

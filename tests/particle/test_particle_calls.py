@@ -1,0 +1,75 @@
+"""Calls of `dynamics particle`: refusals, models, uncertainty, pictures."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+REFUSED = {
+    "short": ('projectile --speed "20 m/s" --target "80, 5 m"', "out-of-reach"),
+    "short with drag": ('projectile --speed "30 m/s" --target "80, 5 m" --terminal-speed "25 m/s"', "out-of-reach"),
+    "too low": ('projectile --speed "5 m/s" --elevation "45 deg" --height "-2 m"', "out-of-reach"),
+    "level": ('projectile --speed "5 m/s" --elevation "0 deg"', "no-flight"),
+    "backwards": ('projectile --speed "5 m/s" --elevation "95 deg"', "elevation"),
+    "behind": ('projectile --speed "50 m/s" --target "-3, 5 m"', "target"),
+    "two drags": (
+        'projectile --speed "5 m/s" --elevation "45 deg" --time-constant "3 s" --terminal-speed "9 m/s"',
+        "exclusive",
+    ),
+    "idle wind": ('projectile --speed "5 m/s" --elevation "45 deg" --wind "3 m/s"', "wind"),
+    "target and height": ('projectile --speed "50 m/s" --target "3, 5 m" --height "1 m"', "exclusive"),
+    "standing": ('projectile --speed "0 m/s" --elevation "45 deg"', "inadmissible"),
+    "no height": ('fall --height "0 m"', "inadmissible"),
+    "pole": ('fall --height "1 m" --latitude "91 deg"', "latitude"),
+    "still tube": ('tube --rotation "0 rpm" --start "1 m" --time "1 s"', "at-rest"),
+    "spring": (
+        'tube --rotation "9 rpm" --start "1 m" --time "1 s" --spring-stiffness "1 N/m" --spring-free-length "1 m"',
+        "missing",
+    ),
+    "upright": ('incline --mass "1 kg" --angle "90 deg" --friction 0.3', "angle"),
+    "friction": ('incline --mass "1 kg" --angle "9 deg" --friction 0.3 --kinetic 0.4', "friction"),
+    "outside": ('circle --radius "9 m" --friction 0.1 --bank "-9 deg"', "slides"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refusals(name: str) -> None:
+    call, code = REFUSED[name]
+    out = run(*shlex.split("particle " + call), "--json")
+    assert out.status in (2, 3)
+    assert out.error["code"] == code
+
+
+def test_the_refusal_names_the_least_speed() -> None:
+    out = run(*shlex.split('particle projectile --speed "20 m/s" --target "80, 5 m"'))
+    assert "28.9 m/s" in out.err
+
+
+@pytest.mark.parametrize(
+    ("more", "model"),
+    [("", "parabola"), ('--time-constant "3 s"', "linear drag"), ('--terminal-speed "25 m/s"', "quadratic drag")],
+)
+def test_the_smallest_model_that_suffices(more: str, model: str) -> None:
+    made = answer(*shlex.split(f'particle projectile --speed "30 m/s" --elevation "45 deg" {more}'))
+    assert made["model"]["name"] == model
+
+
+def test_uncertain_drag() -> None:
+    call = 'particle projectile --speed "30 ± 1 m/s" --elevation "45 deg" --terminal-speed "20..30 m/s"'
+    made = answer(*shlex.split(call))
+    assert 3.0 < made["results"]["range"]["std"] < 6.0
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        'projectile --speed "30 m/s" --elevation "45 deg" --height "2 m"',
+        'projectile --speed "30 m/s" --target "80, 5 m"',
+        'projectile --speed "30 m/s" --elevation "45 deg" --terminal-speed "25 m/s" --wind "-5 m/s"',
+    ],
+)
+def test_pictures(call: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    assert run(*shlex.split("particle " + call), "--plot", str(target)).status == 0
+    assert target.stat().st_size > 5000

@@ -1,0 +1,81 @@
+"""Calls of `dynamics stability`: refusals, verdicts, pictures."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+RANGE = '--lowest "-1 m" --highest "1 m"'
+REFUSED = {
+    "zero": ('routh "0, 0"', "zero-polynomial"),
+    "number": ("routh 7", "no-variable"),
+    "other letters": ('routh "s^2 + x"', "polynomial"),
+    "division": ('routh "s^2 + 1/s"', "polynomial"),
+    "open bracket": ('routh "s(s+1"', "polynomial"),
+    "power": ('routh "s^99"', "polynomial"),
+    "uncertain": ('routh "s^2 + 3 ± 0.1"', "polynomial"),
+    "long number": ('routh "s + 1e999"', "polynomial"),
+    "no gain": ('gain "s^2 + s + 1"', "no-gain"),
+    "two gains": ('gain "s^2 + Ks + L"', "polynomial"),
+    "pairs at every gain": ('gain "s^2 + K"', "symmetric"),
+    "degree of gains": ('gain "s^17 + K"', "degree"),
+    "leading range": ('interval "-1..1, 2"', "degree"),
+    "words": ('interval "1, two"', "polynomial"),
+    "advanced": ('delay "s" --delayed "s^2"', "advanced"),
+    "neutral": ('delay "s" --delayed "s + 1"', "neutral"),
+    "not square": ('matrix "1, 2; 3"', "matrix"),
+    "sizes": ('matrix --mass "1" --stiffness "1, 0; 0, 1"', "sizes"),
+    "singular": ('matrix --mass "1, 1; 1, 1" --stiffness "1, 0; 0, 1"', "singular"),
+    "not skew": ('matrix --mass "1, 0; 0, 1" --stiffness "1, 0; 0, 1" --gyroscopic "0, 1; 1, 0"', "gyroscopic"),
+    "nothing": ("matrix", "missing"),
+    "both": ('matrix "1" --mass "1"', "ambiguous"),
+    "two coordinates": ('equilibrium --potential "x + theta J"', "coordinate"),
+    "no range": ('equilibrium --potential "x^2 J"', "missing"),
+    "slope": (f'equilibrium --potential "x J" {RANGE}', "no-equilibrium"),
+    "pole": (f'equilibrium --potential "1/x J" {RANGE}', "no-equilibrium"),
+    "constant": (f'equilibrium --potential "0*x J" {RANGE}', "constant"),
+    "turned range": ('equilibrium --potential "x^2 J" --lowest "1 m" --highest "-1 m"', "range"),
+    "no z": ('discrete "s^2 + 1"', "polynomial"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refusals(name: str) -> None:
+    call, code = REFUSED[name]
+    out = run(*shlex.split("stability " + call), "--json")
+    assert out.status in (2, 3)
+    assert out.error["code"] == code
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        'routh "(s^2+1)^2(s+1)"',
+        'gain "s(s+1)(s+2) + K"',
+        'gain "(1+K)s^2 + s + 1"',
+        'interval "1, 2..3, 3..4, 1..7"',
+        'delay "s^2 + 0.4s + 1" --delayed 0.5',
+        'delay "s + 2" --delayed 1',
+        'matrix "0, 1; -4, -0.2"',
+        'discrete "1, -1.2, 0.11, 0.147"',
+        'equilibrium --potential "cos(theta) J"',
+        f'equilibrium --potential "x^4 - x^2 J" {RANGE}',
+    ],
+)
+def test_pictures(call: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    assert run(*shlex.split("stability " + call), "--plot", str(target)).status == 0
+    assert target.stat().st_size > 5000
+
+
+def test_decimals_and_fractions_are_taken_as_typed() -> None:
+    """0.1·3 is 0.3 here, so that the pair is on the axis; with doubles it is not."""
+    made = answer("stability", "routh", "(s^2 + 0.3)(s + 0.1) + s(0.1*3 - 0.3)")
+    assert made["results"]["axis"]["value"] == 2
+
+
+def test_superscripts_and_signs_of_print() -> None:
+    one = answer("stability", "routh", "s³ + 2·s² − 5s + 1")
+    other = answer("stability", "routh", "1, 2, -5, 1")
+    assert one["results"]["right"] == other["results"]["right"]

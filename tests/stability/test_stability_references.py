@@ -1,0 +1,199 @@
+"""Every task of stability against references by other methods."""
+
+import json
+import math
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from dynamics_cli.numerics.exact.polynomial_text import read, whole
+from dynamics_cli.records import Formula, Let
+from dynamics_cli.stability.array import array
+from dynamics_cli.stability.counting import count
+from dynamics_cli.stability.delay import delay
+from dynamics_cli.stability.discrete import discrete
+from dynamics_cli.stability.equilibrium import equilibrium
+from dynamics_cli.stability.gain import gain
+from dynamics_cli.stability.interval import interval
+from dynamics_cli.stability.matrix import matrix
+from dynamics_cli.stability.routh import routh
+
+REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "stability.json").read_text(encoding="utf-8"))
+EXACT = 4e-15
+
+
+def near(value: Any, text: str, tolerance: float = EXACT) -> None:
+    assert value == pytest.approx(float(text), rel=tolerance, abs=0.0)
+
+
+@pytest.mark.parametrize("case", REFERENCES["counts"], ids=lambda case: str(case["polynomial"]))
+def test_counts(case: Any) -> None:
+    made = routh(case["polynomial"])
+    assert [made.left, made.right, made.axis] == case["counts"]
+    assert all(check.passed for check in made.checks)
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        ("((s + 1e-6)^2 + 1)^3 (s + 1)", (7, 0, 0)),
+        ("((s - 1e-12)^2 + 1)(s^2 + 3s + 7)", (2, 2, 0)),
+        ("((s + 1e-12)^2 + 1)(s^2 + 3s + 7)", (4, 0, 0)),
+        ("(s^2 + 1)^2 (s + 1)", (1, 0, 4)),
+        ("s^2 (s + 1)", (1, 0, 2)),
+        ("(s + 1e-20)(s + 1e20)(s^2 + 1e-9 s + 1e9)", (4, 0, 0)),
+    ],
+)
+def test_counts_where_companion_roots_lie_on_the_wrong_side(text: str, counts: Any) -> None:
+    made = routh(text)
+    assert (made.left, made.right, made.axis) == counts
+
+
+def test_repeated_roots_on_the_axis_are_unstable() -> None:
+    assert routh("(s^2+1)^2(s+1)").repeated == 2
+    assert routh("(s^2+1)^2(s+1)").verdict == "unstable: repeated roots on the axis"
+    assert routh("(s^2+1)(s+1)").verdict.startswith("marginally stable")
+
+
+def test_roots_to_the_last_bit() -> None:
+    made = routh("((s + 1e-6)^2 + 1)^3 (s + 1)")
+    pair = next(root for root in made.roots if root.pair)
+    assert (pair.real, pair.imaginary, pair.multiplicity) == (-1e-6, 1.0, 3)
+    assert [root.real for root in routh("(s+1)(s+2)(s+3)(s+4)(s+5)(s+6)(s+7)(s+8)").roots] == [
+        -float(k) for k in range(1, 9)
+    ]
+
+
+def test_array_of_a_textbook() -> None:
+    """Row of zeros of s⁵ + 2s⁴ + 24s³ + 48s² − 25s − 50, whose auxiliary polynomial is 2s⁴ + 48s² − 50."""
+    rows = array(whole(read("1, 2, 24, 48, -25, -50"))[0][0])
+    assert [row.elements for row in rows] == ["1  24  -25", "2  48  -50", "8  96", "24  -50", "338/3", "-50"]
+    assert rows[2].note == "row of zeros: derivative of the row above"
+
+
+def test_array_keeps_the_scale_as_typed() -> None:
+    made = routh("2.5, 1/3, 7")
+    assert made.array is not None
+    assert [row.elements for row in made.array] == ["5/2  7", "1/3", "7"]
+
+
+def test_gains() -> None:
+    made = gain("s(s+4)(s+6)(s^2+1.4s+1) + K(s^2+2s+4)")
+    assert made.critical is not None
+    for one, reference in zip(made.critical[1:], REFERENCES["gains"], strict=True):
+        near(one.gain, reference["gain"])
+        near(one.frequency, reference["frequency"])
+        assert abs(Decimal(reference["gain"]) - Decimal(one.digits)) <= Decimal("1e-17")
+    assert [one.right for one in made.ranges] == [1, 0, 2, 0, 2]
+
+
+def test_gain_at_which_the_degree_drops() -> None:
+    made = gain("(1+K)s^2 + s + 1")
+    assert made.stable == "K > -1"
+    assert made.critical is not None
+    assert made.critical[0].frequency is None
+
+
+def test_gain_with_a_factor_at_every_gain() -> None:
+    assert gain("(s^2+1)(s+K)").stable == "no gain"
+    assert gain("(s+1)(s(s+1)(s+2) + K)").stable == "0 < K < 6"
+
+
+def test_gain_in_higher_powers() -> None:
+    """s² + (K² − 2)s + 1: stable beyond ±√2."""
+    made = gain("s^2 + (K^2 - 2)s + 1")
+    assert made.critical is not None
+    assert [one.digits for one in made.critical] == ["-1.4142135623730950488", "1.4142135623730950488"]
+
+
+def test_delays() -> None:
+    made = delay("s^2 + 0.4s + 1", delayed="0.5")
+    ends = [one.low for one in made.ranges[1:5]]
+    for at, reference in zip(ends, REFERENCES["delays"], strict=True):
+        near(at, reference["delay"])
+    assert [one.right for one in made.ranges[:5]] == [0, 2, 0, 2, 0]
+    assert made.crossings is not None
+    near(made.crossings[0].frequency, REFERENCES["delays"][0]["frequency"])
+
+
+@pytest.mark.parametrize(("before", "right"), [("1.5707", 0), ("1.5709", 2)])
+def test_both_sides_of_a_delay(before: str, right: int) -> None:
+    """ẋ = −x(t − τ) is stable below π/2."""
+    made = delay("s", delayed="1", delay=float(before))
+    assert made.verdict == ("unstable" if right else "asymptotically stable")
+    near(made.first_unstable, str(math.pi / 2))
+
+
+def test_delay_that_stabilizes() -> None:
+    """An oscillator without damping: s² + 2 − e^(−sτ) has roots ±i without delay, and the least delay damps them."""
+    made = delay("s^2 + 2", delayed="-1")
+    assert made.ranges[0].right == 0
+    assert made.stable.startswith("0 s < delay")
+
+
+def _skew(g: str) -> Any:
+    top, bottom = whole(read(g))[0][0][0], whole(read(g))[1]
+    return (((0, 1), (-top, bottom)), ((top, bottom), (0, 1)))
+
+
+@pytest.mark.parametrize("case", REFERENCES["gyroscopic"], ids=lambda case: str(case["gyroscopic"]))
+def test_gyroscopic_stabilization(case: Any) -> None:
+    one, minus = (1, 1), (-1, 1)
+    made = matrix(
+        mass=((one, (0, 1)), ((0, 1), one)),
+        gyroscopic=_skew(case["gyroscopic"]),
+        stiffness=((minus, (0, 1)), ((0, 1), (-2, 1))),
+    )
+    assert made.without_gyroscopic == "unstable"
+    assert made.rightmost == pytest.approx(float(case["rightmost"]), rel=EXACT, abs=0.0)
+    assert bool(made.growth) == (float(case["rightmost"]) > 0.0)
+    assert bool(made.advice) == (not made.growth)
+
+
+def test_repeated_frequencies_of_two_modes_are_no_resonance() -> None:
+    zero, one = (0, 1), (1, 1)
+    unit = ((one, zero), (zero, one))
+    assert matrix(mass=unit, stiffness=unit).verdict.startswith("marginally")
+    assert matrix(((zero, one), (zero, zero))).verdict.startswith("unstable: repeated")
+    assert matrix(((zero, zero), (zero, zero))).verdict.startswith("marginally")
+
+
+def test_four_polynomials() -> None:
+    assert interval("1, 2..3, 3..4, 1..5").verdict == "robustly stable"
+    made = interval("1, 2..3, 3..4, 1..7")
+    assert (made.failing, made.worst_right) == ("1, 2, 3, 7", 2)
+    assert interval("-1, -3..-2, -4..-3, -5..-1").verdict == "robustly stable"
+
+
+def test_circle() -> None:
+    made = discrete("(z+1)^2(z-1)(z^2+z+1)z(z-2)")
+    assert (made.inside, made.outside, made.circle, made.repeated) == (1, 1, 5, 2)
+    near(discrete("z^2 - 1.5z + 0.7").largest, str(math.sqrt(0.7)))
+
+
+def test_bead_on_a_hoop() -> None:
+    potential = Formula("-m*g*r*cos(theta) - m*r^2*w^2*sin(theta)^2/2", 1.0, "J")
+    let = (Let("m", 0.2, "kg"), Let("g", 9.81, "m/s^2"), Let("r", 0.3, "m"), Let("w", 8.0, "rad/s"))
+    made = equilibrium(potential=potential, let=let, inertia=0.2 * 0.09)
+    assert [place.verdict for place in made.places] == ["stable", "unstable", "stable", "unstable"]
+    hoop = REFERENCES["hoop"]
+    assert made.places[2].angle is not None
+    near(abs(made.places[2].angle), hoop["angle"], 1e-13)
+    near(made.places[2].frequency, hoop["frequency"], 1e-13)
+    near(made.places[1].growth, hoop["growth"], 1e-13)
+
+
+def test_derivatives_of_higher_order_decide() -> None:
+    for text, verdict in (("x^4", "stable"), ("-x^4", "unstable"), ("x^3", "unstable on one side")):
+        made = equilibrium(potential=Formula(text, 1.0, "J"), lowest=-1.0, highest=1.2)
+        assert len(made.places) == 1
+        assert made.places[0].verdict.split(",")[0] == verdict
+        assert made.places[0].position == pytest.approx(0.0, abs=1e-9)
+
+
+def test_products_count_as_their_factors() -> None:
+    first, second = whole(read("s^3 + 2s + 3"))[0][0], whole(read("s^4 + s + 1"))[0][0]
+    together = count(whole(read("(s^3 + 2s + 3)(s^4 + s + 1)"))[0][0])
+    assert together.right == count(first).right + count(second).right
