@@ -108,7 +108,7 @@ class _Scene:
                 items.append(Curve(x, y, "", "thick", 6))
         if course.slide_distance:
             begin, (end, _) = self.centres[role], self._ended(role)
-            path = self.swept[role] or [(*begin, ()), (*end, ())]
+            path = self.swept[role] or [(*begin, begin), (*end, end)]
             items.append(Curve([one[0] for one in path], [one[1] for one in path], "", "dotted", role))
         return items
 

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of, heading_of
-from dynamics_cli.impact.crash.scene import CrashScene, surface_friction
+from dynamics_cli.impact.crash.scene import CrashScene, CrashVehicle, surface_friction
 from dynamics_cli.impact.slide.motion import run
 from dynamics_cli.impact.slide.records import Separation
 from dynamics_cli.impact.slide.separation import separation
@@ -24,20 +24,7 @@ class Spinning:
         given = getattr(scene, side)
         part = given.slide
         place = f"{side}.slide: "
-        require(
-            given.rest is not None,
-            "{place}the slide goes to the rest position, which is not given",
-            place=place, code="no-rest", hint="give rest, e.g. rest = \"12.4, 7.1 m\", from the axes of the scene",
-        )  # fmt: skip
-        for word, other in (("stretches after the impact", given.after), ("the exit heading", given.exit_heading),
-                            ("the exit speed", given.exit_speed)):  # fmt: skip
-            require(
-                other is None or other == (),
-                "{place}{word} and a slide with spin both say how it came to rest",
-                place=place, word=word, code="twice", hint="leave one of them out",
-            )  # fmt: skip
-        nose = given.approach_heading if given.nose is None else given.nose
-        require(nose is not None, "{place}its nose at the impact is not given", place=place, code="no-nose")
+        nose = _nose(given, place)
         self.friction = surface_friction(scene, part, place)
         require(
             self.friction is not None,
@@ -75,6 +62,26 @@ class Spinning:
         self.nose = nose
         # what the way and the speed leave for the mean deceleration
         self.time = 2.0 * self.distance / self.speed
+
+
+def _nose(given: CrashVehicle, place: str) -> float:
+    """The heading of its nose at the separation; refuses what a slide with spin cannot stand beside."""
+    require(
+        given.rest is not None,
+        "{place}the slide goes to the rest position, which is not given",
+        place=place, code="no-rest", hint="give rest, e.g. rest = \"12.4, 7.1 m\", from the axes of the scene",
+    )  # fmt: skip
+    for word, other in (("stretches after the impact", given.after), ("the exit heading", given.exit_heading),
+                        ("the exit speed", given.exit_speed)):  # fmt: skip
+        require(
+            other is None or other == (),
+            "{place}{word} and a slide with spin both say how it came to rest",
+            place=place, word=word, code="twice", hint="leave one of them out",
+        )  # fmt: skip
+    nose = given.approach_heading if given.nose is None else given.nose
+    require(nose is not None, "{place}its nose at the impact is not given", place=place, code="no-nose")
+    assert nose is not None
+    return nose
 
 
 def swept(scene: CrashScene, side: str, course: "CrashCourse", gravity: float) -> "list[tuple[float, float, float]]":

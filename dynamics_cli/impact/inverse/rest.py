@@ -42,16 +42,17 @@ class Ended:
 
     def __init__(self, given: Departing, side: Side, axes: Axes, gravity: float) -> None:
         self.given, self.side, self.axes, self.gravity = given, side, axes, gravity
-        self.motion: Any = given.motion
+        end = given.motion
+        assert isinstance(end, RestAfter | TurningAfter)
+        self.motion: Any = end
         self.sigma = given.rest_sigma or 1.0
-        turning = isinstance(self.motion, TurningAfter)
-        self.drag = (self.motion.slide_friction if turning else self.motion.drag), given.drag_sigma
+        self.drag = (end.slide_friction if isinstance(end, TurningAfter) else end.drag), given.drag_sigma
         require(
             self.drag[0] > 0.0,
             "the drag of the slide of {name} is not above zero", name=side.name, code="no-drag",
         )  # fmt: skip
         self.nose = 0.0
-        if turning:
+        if isinstance(end, TurningAfter):
             require(
                 side.spins is not None and given.nose is not None,
                 "of {name}, which turned on its wheels, inertia, lever or the nose at the impact is missing",
@@ -59,7 +60,7 @@ class Ended:
             )  # fmt: skip
             assert given.nose is not None
             self.nose = heading_angle(given.nose, axes)
-            self.rest_nose = heading_angle(self.motion.rest_nose, axes)
+            self.rest_nose = heading_angle(end.rest_nose, axes)
 
     def car(self, friction: float) -> "Any":
         """The car on its wheels, with this friction."""

@@ -117,7 +117,7 @@ class Scene:
         weights = (vehicle.velocity_sigma, vehicle.spin_sigma) if self.weighted else (1.0, 1.0)
         sigmas = weights[0] or 1.0, weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
         mass = float(body.mass)  # type: ignore[arg-type]
-        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)  # type: ignore[arg-type]
+        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)
 
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
         """Everything that the fit says."""

@@ -4,8 +4,9 @@ from dynamics_cli.errors import judge, require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, direction_of
 from dynamics_cli.impact.recorded.answer import Found, answer
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
-from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus
+from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus, slopes
 from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
+from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -164,28 +165,13 @@ def by_restitution(
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
     others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
     velocity = speed * course[0], speed * course[1]
-    approach, tilt = _slopes(crash, inward, course, before, restitutions[0], speed)
+    approach, tilt = slopes(crash, inward, course, before, restitutions[0], speed)
     steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
     worst = where(approach >= tilt, "second.approach_heading", "normal")  # type: ignore[arg-type]
     bearing = minimum(0.1 * speed / steepest, HALF_TURN)
-    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing, worst=worst,
-                  per_degree=DEGREE * steepest)  # fmt: skip
+    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing,
+                  worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest)  # fmt: skip
     return answer(crash, found, tolerance, final_change, pdof_zero)
-
-
-def _slopes(
-    crash: Crash, inward: Pair, course: Pair, before: Pair, restitution: float, speed: float
-) -> "tuple[float, float]":
-    """Sizes of the derivatives of the second's speed by its heading and by the normal: v₂ = (W·n)/(d₂·n)."""
-    whole = plus(
-        plus(crash.contact(crash.one, before), crash.contact(crash.two, (0.0, 0.0)), -1.0),
-        crash.gained(), 1.0 / (1.0 + restitution),
-    )  # fmt: skip
-    facing = dot(course, inward)
-    turned = 0.0 - inward[1], inward[0]
-    by_heading = absolute(speed * cross(course, inward) / facing)
-    by_normal = absolute((dot(whole, turned) - speed * dot(course, turned)) / facing)
-    return by_heading, by_normal
 
 
 def by_headings(
@@ -238,17 +224,15 @@ def by_headings(
     require(
         alpha is not None and beta is not None,
         "this needs the directions of travel of the second vehicle before and after",
-        code="not-enough",
-        hint="give its approach heading and exit heading",
-    )
+        code="not-enough", hint="give its approach heading and exit heading",
+    )  # fmt: skip
     course, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
     sine = cross(course, leaving)
     require(
         absolute(sine) > 1e-12,
-        "the second vehicle kept its direction: its headings do not give its speed",
-        code="undetermined",
+        "the second vehicle kept its direction: its headings do not give its speed", code="undetermined",
         hint="give the contact normal and a range of restitution instead of its exit heading",
-    )
+    )  # fmt: skip
     speed = 0.0 - cross(crash.second_change, leaving) / sine
     after = 0.0 - cross(crash.second_change, course) / sine
     _require_forward(speed)
@@ -278,11 +262,11 @@ def by_headings(
         lone = dot(relative, inward) + speed * dot(course, inward)
         facing = dot(course, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing, worst=worst,
-                  per_degree=DEGREE * steepest, bend=True)  # fmt: skip
-    stated = (
-        None if least_restitution is None or greatest_restitution is None else (least_restitution, greatest_restitution)
-    )
+    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing,
+                  worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest, bend=True)  # fmt: skip
+    stated = None
+    if least_restitution is not None and greatest_restitution is not None:
+        stated = least_restitution, greatest_restitution
     return answer(crash, found, tolerance, final_change, pdof_zero, stated)
 
 
