@@ -493,3 +493,40 @@ class TestPulse:
     def test_refusals(self, tables: dict[str, Any], words: str) -> None:
         with pytest.raises(InadmissibleError, match=words):
             pulse(**tables)
+
+
+def test_a_degree_of_the_worst_heading() -> None:
+    """Verdicts of each vehicle against differences of the answers themselves."""
+    made = by_momentum(**both())
+    for key, one in (("first", made.first), ("second", made.second)):
+        assert one.worst_heading is not None
+        side, _, which = one.worst_heading.partition(".")
+        ends = []
+        for sign in (0.5, -0.5):
+            vehicles = both()
+            old = vehicles[side]
+            fields = dict(old.__dict__)
+            if which == "approach_heading":
+                fields[which] += sign * DEGREE
+            else:
+                turn = complex(math.cos(sign * DEGREE), math.sin(sign * DEGREE))
+                velocity = complex(*old.motion.exit_velocity) * turn  # type: ignore[union-attr]
+                fields["motion"] = ExitVelocity((velocity.real, velocity.imag))
+            vehicles[side] = Departing(**fields)
+            ends.append(getattr(by_momentum(**vehicles), key).approach_speed)
+        assert one.per_degree == pytest.approx(abs(ends[0] - ends[1]), 1e-3)
+        assert one.heading_tolerance == pytest.approx(0.1 * one.approach_speed / one.per_degree * DEGREE)
+    record: dict[str, Any] = {
+        "first": Recorder(ByMass(1500.0), -8.0, approach_speed=14.0),
+        "second": Partner(ByMass(1200.0), approach_heading=2.9),
+        "least_restitution": 0.0, "greatest_restitution": 0.2, "normal": 0.2,
+    }  # fmt: skip
+    result = by_restitution(**record)
+    assert result.worst_heading == "second.approach_heading"
+    speeds = [
+        by_restitution(
+            **{**record, "second": Partner(ByMass(1200.0), approach_heading=2.9 + sign * DEGREE)}
+        ).second.approach_speed
+        for sign in (0.5, -0.5)
+    ]
+    assert result.per_degree == pytest.approx(abs(speeds[0] - speeds[1]), 1e-3)  # type: ignore[operator]

@@ -5,7 +5,7 @@ from math import inf
 from dynamics_cli.impact.crash.results import LinkVerdict
 from dynamics_cli.impact.crash.ways import After, Before, added
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
-from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, GOOD, LEVELS
+from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, DEGREE, GOOD, HALF_TURN, LEVELS
 from dynamics_cli.numerics.elementary import absolute, minimum, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import secant
@@ -46,7 +46,7 @@ def verdicts(
                     _called(found.worst_heading or "", names),
                     None,
                     found.heading_tolerance,
-                    found.per_degree,
+                    _per_degree(body, found.heading_tolerance),
                 )
             )
     for name, way in zip(names, ways, strict=True):
@@ -55,6 +55,14 @@ def verdicts(
             grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
             links.append(_by_friction(f"braking of {name}", way.start_speed, grip))
     return tuple(links)
+
+
+def _per_degree(body: "Any", tolerance: "Any") -> "Any":
+    """What one degree changes a speed by that the tolerance changes by a tenth; none where no heading does."""
+    if tolerance is None:
+        return None
+    moves = tolerance < HALF_TURN
+    return where(moves, 0.1 * DEGREE * body.approach_speed / where(moves, tolerance, 1.0), 0.0)
 
 
 def _called(address: "Any", names: "list[str]") -> str:

@@ -53,7 +53,6 @@ class SpeedVerdict:
         "of the closing speed, where that is more), at most all.",
     ] = None
     worst_quantity: Annotated[Text | None, "The quantity that this is of."] = None
-    per_degree: Annotated[RoadSpeed | None, "What one degree of the worst heading changes the speed by [m/s]."] = None
 
 
 class Unknowns:
@@ -96,9 +95,7 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
     tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), HALF_TURN), HALF_TURN)
     plainly = plain(tolerance)
     level = where(plainly >= GOOD, LEVELS[2], where(plainly >= CAUTION, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
-    closed = absolute(factor) > 0.0
-    per_degree = DEGREE * steepest / where(closed, absolute(factor), 1.0)
-    return SpeedVerdict(level, tolerance, worst, None, None, per_degree)  # type: ignore[arg-type]
+    return SpeedVerdict(level, tolerance, worst)  # type: ignore[arg-type]
 
 
 def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
@@ -109,9 +106,6 @@ def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
             where(lower, one.verdict, other.verdict),  # type: ignore[arg-type]
             where(lower, one.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
             where(lower, one.worst_heading, other.worst_heading),  # type: ignore[arg-type]
-            None,
-            None,
-            where(lower, one.per_degree, other.per_degree),  # type: ignore[arg-type]
         )
     return one
 
